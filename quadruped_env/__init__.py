@@ -10,19 +10,23 @@ from quadruped_env.utils.interpreter import check_python
 
 check_python()  # before anything is imported that the wrong Python does not have
 
-from quadruped_env.utils.opengl import choose_opengl, import_mujoco  # noqa: E402
+from quadruped_env.utils.opengl import import_mujoco  # noqa: E402
 
-choose_opengl()  # before anything imports MuJoCo, which reads the choice when it is imported
-import_mujoco()
+import_mujoco()  # before anything else does: it reads the OpenGL backend from the environment
 
-from quadruped_env import envs, policies  # noqa: E402
+import importlib  # noqa: E402
+from typing import TYPE_CHECKING, Any, Final  # noqa: E402
+
 from quadruped_env._version import __version__  # noqa: E402
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning  # noqa: E402
 from quadruped_env.gait import CommandedGait, SinusoidalGait  # noqa: E402
 from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, asset_path, forward_kinematics  # noqa: E402
-from quadruped_env.simulation import build_model  # noqa: E402
-from quadruped_env.trajectory import JointState, JointTrajectory  # noqa: E402
-from quadruped_env.utils.mujoco_log import log_to_console_only  # noqa: E402
+from quadruped_env.utils.registration import register_envs  # noqa: E402
+
+if TYPE_CHECKING:
+    from quadruped_env import envs, policies
+    from quadruped_env.simulation import build_model
+    from quadruped_env.trajectory import JointState, JointTrajectory
 
 __all__ = [
     "JOINT_NAMES",
@@ -42,5 +46,20 @@ __all__ = [
     "policies",
 ]
 
-log_to_console_only()
-envs.register()
+_PACKAGES: Final = ("control", "envs", "policies", "simulation", "task", "trajectory")
+_DEFINED_IN: Final = {"JointState": "trajectory", "JointTrajectory": "trajectory", "build_model": "simulation"}
+
+register_envs()
+
+
+def __getattr__(name: str) -> Any:
+    """Packages, and names in them, that are imported when they are first used."""
+    if name in _PACKAGES:
+        return importlib.import_module(f"{__name__}.{name}")
+    if name in _DEFINED_IN:
+        return getattr(importlib.import_module(f"{__name__}.{_DEFINED_IN[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -216,7 +216,6 @@ READ_BY = {
     "scale/sweep/sweep_definition.py": ("terms",),
     "scale/sweep/sweep_records.py": ("sweep", "trial", "result", "scores"),
     "scale/sweep/search_space.py": ("space", "space as JSON"),
-    "scale/ranks/job.py": "a file of its own process",
     "scale/ranks/processes.py": "a file of its own process",
     "training/sb3_models.py": "the network of a run: tests/training/test_resume.py",
     "training/resume.py": ("config", "curve"),
@@ -227,7 +226,6 @@ READ_BY = {
     "trajectory/formats/recognition.py": ("recording",),
     "trajectory/formats/salvage/__init__.py": ("salvaged",),
     "trajectory/formats/salvage/mcap_scanner.py": ("storage",),
-    "trajectory/formats/salvage/ros1_scanner.py": "ROS 1 bags: tests/trajectory/test_formats_fuzz.py",
     "trajectory/formats/salvage/sqlite3_scanner.py": "sqlite3 bags: tests/trajectory/test_formats_fuzz.py",
     "trajectory/maps.py": ("columns", "joints"),
 }

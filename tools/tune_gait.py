@@ -68,7 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.table:
             log(achieved_table(preset))
             return 0
-        frequency = preset.angular_frequency * (1.0 if name in (robot.gaits or {}) else Scale(robot).rate)
+        frequency = preset.angular_frequency * (1.0 if preset.native else Scale(robot).rate)
         if arguments.frequency is not None:
             frequency = math.tau * arguments.frequency
         gait = tune_commanded_gait(robot, name, frequency, arguments.generations, log)

@@ -5,7 +5,7 @@ import shlex
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.policy_files import SHIPPED
+from quadruped_env.control.policy_files import DEFAULT, SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
@@ -23,7 +23,7 @@ def add_run(parser: argparse.ArgumentParser) -> None:
     """Add the policy to read, `RUN`."""
     text = (
         f"a run's directory, {SHIPPED_POLICIES}, which ship, or a Python file of a policy, which is executed (default: "
-        f"runs/latest, or {SHIPPED[0]})"
+        f"runs/latest, or {DEFAULT})"
     )
     parser.add_argument("run", nargs="?", metavar="RUN", help=text)
 

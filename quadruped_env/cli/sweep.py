@@ -12,6 +12,7 @@ Each trial is one training, as of 'train', with its run directory in sweeps/<nam
 """
 
 import argparse
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -114,10 +115,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.scale.ranks.ray_address import check_answers
-    from quadruped_env.scale.sweep.cluster import check_installed
+    from quadruped_env.scale.ranks.job import cores
+    from quadruped_env.scale.ray_connection import check_answers, check_installed
     from quadruped_env.scale.sweep.sweep_results import collect, table, write
-    from quadruped_env.scale.sweep.trial import cores
 
     here = cores() if arguments.cores is None else arguments.cores
     if here < 1:
@@ -127,7 +127,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     config, make = definition(arguments)
     if arguments.address is None and config.cores_per_trial > here:
         raise QuadrupedError(f"--cores-per-trial: found {config.cores_per_trial}; this machine has {here}; lower it")
-    check_installed()
+    check_installed("A sweep")
     if arguments.address is not None:
         check_answers(arguments.address)
     if arguments.resume is None:
@@ -197,7 +197,8 @@ def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
     asked = {name: value for name in _OPTIONS if (value := getattr(arguments, name)) is not None}
     settings = asked.pop("trials", None)
     if settings is None:
-        settings = _grid(space) if asked.get("search") == "grid" else DEFAULT_TRIALS if space else 1
+        grid = math.prod(max(1, len(dimension.choices)) for dimension in space)
+        settings = grid if asked.get("search") == "grid" else DEFAULT_TRIALS if space else 1
     return (
         SweepConfig(
             training=typed,
@@ -210,13 +211,6 @@ def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
         ),
         make,
     )
-
-
-def _grid(space: list[Dimension]) -> int:
-    size = 1
-    for dimension in space:
-        size *= max(1, len(dimension.choices))
-    return size
 
 
 def _check_kept(

@@ -37,9 +37,8 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import kept_definition
 from quadruped_env.robot import Robot
 from quadruped_env.robot.description import check_no_description
-from quadruped_env.scale.ranks import torchrun
 from quadruped_env.scale.ranks.job import Job
-from quadruped_env.scale.ranks.training_launch import LAUNCHERS, launch
+from quadruped_env.scale.ranks.training_launch import LAUNCHERS, check_ranks, launch, torchrun_place
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training import TrainConfig
@@ -132,9 +131,9 @@ def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Train, and print where the result is."""
     typed, task_file, definition, whole = typed_settings(arguments)
-    here = torchrun.place()
+    here = torchrun_place()
     if here is not None:
-        torchrun.check_ranks(typed.setdefault("ranks", here.ranks), here)
+        check_ranks(typed.setdefault("ranks", here.ranks), here)
     runs, resume = arguments.output, arguments.resume
     before = latest.resolve().name if (latest := runs / "latest").exists() else ""
     if resume is None:

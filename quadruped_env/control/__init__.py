@@ -3,14 +3,6 @@
 from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ActionConfig, Command, ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
-from quadruped_env.control.controllers import (
-    CommandedGaitController,
-    Controller,
-    GaitController,
-    PolicyController,
-    TrajectoryController,
-    ZeroController,
-)
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout, observation
 
 __all__ = [
@@ -18,15 +10,9 @@ __all__ = [
     "ActionConfig",
     "Command",
     "CommandedFrequency",
-    "CommandedGaitController",
     "ControlConfig",
     "ControlInterface",
-    "Controller",
-    "GaitController",
     "ObservationField",
     "ObservationLayout",
-    "PolicyController",
-    "TrajectoryController",
-    "ZeroController",
     "observation",
 ]

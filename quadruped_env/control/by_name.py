@@ -14,7 +14,6 @@ from quadruped_env.errors import QuadrupedError, did_you_mean
 from quadruped_env.gait import PRESETS
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
-from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import shown_path
 
 RUNS: Final = Path("runs")
@@ -48,6 +47,8 @@ def _policy(name: str, where: str | Path, load: Load) -> ControllerSpec:
 
 def _recording(path: Path, robot: Robot) -> ControllerSpec:
     def make() -> Controller:
+        from quadruped_env.trajectory import JointTrajectory
+
         return LoopController(JointTrajectory.load(path).in_joint_order(robot), path.name)
 
     return ControllerSpec(f"recording {path.name}", make)

@@ -3,14 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
-from quadruped_env.utils.plain import PlainFields, plain
+from quadruped_env.utils.plain import Plain, PlainFields, plain
 
 Floats = NDArray[np.float64]
 
@@ -49,7 +49,7 @@ class CommandedFrequency(PlainFields):
 Frequency = float | CommandedFrequency
 
 
-def frequency_of(value: Any) -> Frequency:
+def frequency_of(value: Plain) -> Frequency:
     """The frequency from a config's value: a number in Hz, or a `CommandedFrequency` or its fields.
 
     Raises:

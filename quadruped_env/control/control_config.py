@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Final, Literal, Self
+from typing import Final, Literal, Self
 
 from quadruped_env.control.clock import Frequency, frequency_of
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.gait import COMMANDED, CommandedGait
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
-from quadruped_env.utils.plain import PlainFields
+from quadruped_env.utils.plain import Plain, PlainFields
 
 ACTION_MODES: Final = ("position", "residual")
 MAX_DECIMATION: Final = 1000
@@ -28,13 +28,13 @@ def check(condition: bool, name: str, value: object, rule: str) -> None:
         raise QuadrupedError(f"config: {name} must be {rule}; found {short(value)}")
 
 
-def check_history(history: Any) -> None:
+def check_history(history: Plain) -> None:
     """Raise a QuadrupedError unless a value is a number of control steps."""
     rule = f"a whole number of control steps, 1 or more (1: only the present observation), at most {MAX_HISTORY}"
     check(type(history) is int and 1 <= history <= MAX_HISTORY, "observation_history", history, rule)
 
 
-def check_rates(decimation: Any, physics_timestep: Any) -> None:
+def check_rates(decimation: Plain, physics_timestep: Plain) -> None:
     """Raise a QuadrupedError unless two values are a number of physics steps per control step and a time step in s."""
     valid = type(decimation) is int and 1 <= decimation <= MAX_DECIMATION
     check(valid, "decimation", decimation, f"1 or more, at most {MAX_DECIMATION}")
@@ -47,7 +47,7 @@ def check_rates(decimation: Any, physics_timestep: Any) -> None:
     )
 
 
-def check_range(name: str, value: Any) -> None:
+def check_range(name: str, value: Plain) -> None:
     """Raise a QuadrupedError unless a value is a pair (low, high) with low <= high, each at most `LARGEST` in size."""
     rule = "a pair (low, high) with low <= high"
     check(isinstance(value, (tuple, list)) and len(value) == 2, name, value, rule)
@@ -130,7 +130,7 @@ class ControlConfig:
     """Components of the command, the velocity command first."""
 
     @classmethod
-    def of_task(cls, values: Any, commands: Sequence[Command] = COMMANDS) -> Self:
+    def of_task(cls, values: Plain, commands: Sequence[Command] = COMMANDS) -> Self:
         """Create a config from the plain values of a task's config, as stored in a policy's file.
 
         Args:

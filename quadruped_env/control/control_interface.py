@@ -2,12 +2,10 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.capture import Functions
 from quadruped_env.control.clock import frequency_at
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.episode_memory import EpisodeMemory
@@ -16,19 +14,9 @@ from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
 from quadruped_env.gait import joint_phases, wave_positions
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
-from quadruped_env.utils.arrays import NUMPY, Namespace
+from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
-
-# Scalars are arrays and vectors have an axis for the envs, because for a single env conversion and broadcasting cost
-# more than the arithmetic.
-_ONE: Final = np.array(1.0)
-_MINUS_ONE: Final = np.array(-1.0)
-_CYCLE: Final = np.array(math.tau)
-_NEXT: Final = np.array(1)
-
-_ROWS_IN_ONE: Final = 16
-"""Number of observations, at most, that are scaled and clipped as one row."""
 
 
 class ControlInterface:
@@ -43,7 +31,7 @@ class ControlInterface:
         config: time step, clock, action scaling and ranges of the command.
         num_envs: number of envs, N.
         fields: fields of the observation.
-        xp: array functions.
+        like: an array of the kind to compute with; None: NumPy's.
     """
 
     def __init__(
@@ -52,14 +40,13 @@ class ControlInterface:
         config: ControlConfig,
         num_envs: int = 1,
         fields: Sequence[ObservationField] = OBSERVATIONS,
-        xp: Namespace = NUMPY,
+        like: Floats | None = None,
     ) -> None:
-        self._xp = xp
         self.robot = robot
         self.config = config
         self.num_envs = num_envs
         self.layout = ObservationLayout.of(robot, fields, config.observation_history)
-        self.memory = memory = EpisodeMemory(num_envs, xp)
+        self.memory = memory = EpisodeMemory(num_envs, like)
         self.action: Floats = memory.zeros("action", robot.num_joints)
         """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
         self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
@@ -83,38 +70,24 @@ class ControlInterface:
         depth = config.observation_history
         past = (depth, self.layout.width) if depth > 1 else (0, 0)
         self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
-        self._env_ids, self._ages = xp.arange(num_envs)[:, None], xp.arange(depth)
+        self._env_ids, self._ages = np.arange(num_envs, like=like)[:, None], np.arange(depth, like=like)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
-        self._gait = config.action.scripted_gait(robot)
-        self._joint_phases = joint_phases(robot)
-        self._leg_phases = xp.constant(self._joint_phases[None, :: robot.num_joints // robot.num_legs])
-        self._joint_phases = xp.constant(self._joint_phases)
-        self.stance: Floats = xp.constant(robot.stance[None])
+        self._gait, self._scale = config.action.scripted_gait(robot), config.action.scale
+        self._joint_phases = frozen(joint_phases(robot))
+        self._leg_phases = self._joint_phases[:: robot.num_joints // robot.num_legs]
+        self.stance: Floats = robot.stance[None]
         """Joint positions of the stance (1, J), rad."""
-        self._low, self._high = (
-            xp.constant(robot.joint_position_low[None]),
-            xp.constant(robot.joint_position_high[None]),
+        self._observation_low, self._observation_high = (
+            frozen(bound.astype(np.float32)) for bound in (self.layout.low, self.layout.high)
         )
-        self._scale = np.array(config.action.scale)
-        # NumPy takes three times as long for many short rows as for a few long ones.
-        self._rows_in_one = max(k for k in range(1, _ROWS_IN_ONE + 1) if num_envs % k == 0)
-        scale, low, high = (
-            np.tile(bound, self._rows_in_one)[None] for bound in (self.layout.scale, self.layout.low, self.layout.high)
-        )
-        self._observation_scale = xp.constant(scale)
-        self._observation_low, self._observation_high = xp.asarray(low, np.float32), xp.asarray(high, np.float32)
-        self._clock = xp.zeros((num_envs, 2))
-        self._raw = xp.zeros((num_envs, self.layout.width))
-        self._observed: Readings | None = None
-        self._fields: Functions | None = None
-        self.reset(xp.arange(num_envs))
+        self._clock: Floats = np.zeros((num_envs, 2), like=like)
+        self.reset(np.arange(num_envs, like=like))
 
-    def __getstate__(self) -> dict[str, Any]:
-        # `command` is a view, and unpickling would turn it into a copy; captured fields refer to other arrays then.
-        kept = {name: value for name, value in self.__dict__.items() if name != "command"}
-        return {**kept, "_observed": None, "_fields": None}
+    def __getstate__(self) -> dict[str, object]:
+        # `command` is a view, and unpickling would turn it into a copy.
+        return {name: value for name, value in self.__dict__.items() if name != "command"}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
+    def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
         self.command = self.commands[:, :VELOCITY]
 
@@ -123,7 +96,7 @@ class ControlInterface:
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
         # Also for zero: clock and scripted gait follow the command.
-        self.set_command(env_ids, self._xp.zeros((len(env_ids), VELOCITY)) if command is None else command)
+        self.set_command(env_ids, np.zeros((len(env_ids), VELOCITY), like=self.phase) if command is None else command)
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
         """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
@@ -133,7 +106,7 @@ class ControlInterface:
         self.moving[env_ids] = fast[:, 0] | fast[:, 1]
         self._phase_step[env_ids] = self._clock_step(velocity)
         if self._gait is not None:
-            self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity, self._xp)
+            self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity)
 
     def _clock_step(self, velocity: Floats) -> Floats:
         """Advance of the clock per control step (R,) in rad at velocity commands (R, 2)."""
@@ -148,33 +121,23 @@ class ControlInterface:
         """Time since the reset at which the current control step began, (N,), s."""
         return np.maximum(self.steps - 1, 0) * self.config.timestep
 
-    def _captured(self, readings: Readings) -> Functions:
-        """The observation's fields, as functions of these readings and this interface."""
-        return Functions(
-            [(entry.read, entry.pure, self._raw[:, self.layout.slices[entry.name]]) for entry in self.layout.fields],
-            lambda capture: (capture.stand_in(readings), capture.stand_in(self)),
-        )
-
     def advance(self) -> None:
         """Begin a control step: advance the clock and set the action to zero."""
-        # For a single env, NumPy takes longer to change a number in place than to compute a new one and copy it.
-        self.steps[:] = self.steps + _NEXT
-        np.remainder(self.phase + self._phase_step, _CYCLE, self.phase)
+        self.steps += 1
+        np.remainder(self.phase + self._phase_step, math.tau, out=self.phase)
         self.previous_action[:] = self.action
         self.action.fill(0.0)
 
-    def joint_target(self, action: NDArray[np.floating[Any]]) -> Floats:
+    def joint_target(self, action: NDArray[np.floating]) -> Floats:
         """Joint targets (N, J) in rad for actions (N, J), which are clipped to [-1, 1]."""
-        # A ufunc that converts its input takes longer than a conversion and the ufunc one after the other.
-        np.minimum(action.astype(np.float64), _ONE, out=self.action)
-        np.maximum(self.action, _MINUS_ONE, out=self.action)
-        target = self.action * self._scale
-        return self.within_limits(np.add(target, self.nominal(), target))
+        np.minimum(action, 1.0, out=self.action)
+        np.maximum(self.action, -1.0, out=self.action)
+        return self.within_limits(self._scale * self.action + self.nominal())
 
     def within_limits(self, target: Floats) -> Floats:
         """Joint targets (N, J) in rad, clipped in place to the joints' ranges."""
-        np.minimum(target, self._high, out=target)
-        return np.maximum(target, self._low, out=target)
+        np.minimum(target, self.robot.joint_position_high, out=target)
+        return np.maximum(target, self.robot.joint_position_low, out=target)
 
     def nominal(self) -> Floats:
         """Joint positions for a zero action, in rad: the stance (1, J), or the scripted gait (N, J)."""
@@ -203,21 +166,15 @@ class ControlInterface:
             readings: readings of the N robots.
             noise: added to the unscaled readings, (N, layout.width).
         """
-        raw = self._raw
-        if readings is not self._observed or self._fields is None:
-            self._observed, self._fields = readings, self._captured(readings)
-        self._fields.update(readings, self)
+        layout = self.layout
+        raw = np.concatenate([field.read(readings, self) for field in layout.fields], axis=1)
         if noise is not None:
             raw += noise
-        long_rows = raw if self._rows_in_one == 1 else raw.reshape(-1, self._rows_in_one * self.layout.width)
-        np.multiply(long_rows, self._observation_scale, long_rows)
-        # Clipping after the conversion gives the same numbers, as rounding keeps their order, and takes half the time.
-        present = long_rows.astype(np.float32)
+        raw *= layout.scale
+        present = raw.astype(np.float32)
         np.minimum(present, self._observation_high, out=present)
         np.maximum(present, self._observation_low, out=present)
-        if long_rows is not raw:
-            present = present.reshape(raw.shape)
-        return present if self.layout.history == 1 else self._stacked(present)
+        return present if layout.history == 1 else self._stacked(present)
 
     def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
         """The present observations (N, width) and those of the steps before."""

@@ -1,7 +1,7 @@
 """Controllers, which compute joint targets from observations."""
 
 import math
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,9 @@ from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.policy import Policy
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.trajectory import JointTrajectory
+
+if TYPE_CHECKING:
+    from quadruped_env.trajectory import JointTrajectory
 
 Floats = NDArray[np.float64]
 
@@ -104,7 +106,7 @@ class TrajectoryController:
     action_mode = "position"
     follows_command = False
 
-    def __init__(self, trajectory: JointTrajectory, name: str = "recording") -> None:
+    def __init__(self, trajectory: "JointTrajectory", name: str = "recording") -> None:
         self.trajectory = trajectory
         self.name = name
         self._ordered: tuple[Robot, JointTrajectory] | None = None

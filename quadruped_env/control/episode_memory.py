@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.utils.arrays import NUMPY, Namespace
+
+State = dict[str, Any]
+"""Values of one env by name, from which it continues identically."""
 
 
 class EpisodeMemory:
@@ -14,12 +16,12 @@ class EpisodeMemory:
 
     Args:
         num_envs: number of envs, N.
-        xp: array functions.
+        like: an array of the kind to create; None: NumPy's.
     """
 
-    def __init__(self, num_envs: int, xp: Namespace = NUMPY) -> None:
+    def __init__(self, num_envs: int, like: NDArray[np.float64] | None = None) -> None:
         self.num_envs = num_envs
-        self._xp = xp
+        self._like = None if like is None else like[:0]
         self._arrays: dict[str, NDArray[Any]] = {}
 
     def zeros(self, name: str, *shape: int, dtype: DTypeLike = np.float64) -> NDArray[Any]:
@@ -32,7 +34,7 @@ class EpisodeMemory:
             raise QuadrupedError(
                 f"episode memory: the name {name!r} is taken; choose another than {', '.join(self._arrays)}"
             )
-        self._arrays[name] = self._xp.zeros((self.num_envs, *shape), dtype)
+        self._arrays[name] = np.zeros((self.num_envs, *shape), dtype, like=self._like)
         return self._arrays[name]
 
     def clear(self, env_ids: NDArray[np.intp]) -> None:
@@ -40,11 +42,11 @@ class EpisodeMemory:
         for array in self._arrays.values():
             array[env_ids] = 0
 
-    def get_state(self, env_id: int) -> dict[str, Any]:
+    def get_state(self, env_id: int) -> State:
         """Copies of one env's values, by name."""
         return {name: array[env_id].copy() for name, array in self._arrays.items()}
 
-    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+    def set_state(self, env_id: int, state: State) -> None:
         """Restore a state from `get_state`."""
         for name, array in self._arrays.items():
             array[env_id] = state[name]

@@ -3,7 +3,7 @@
 import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Final, Literal, Protocol, Self
+from typing import Final, Literal, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import frozen
+from quadruped_env.utils.plain import Plain
 
 Floats = NDArray[np.float64]
 
@@ -59,10 +61,8 @@ class Field:
     noise: float
     """Amplitude of uniform noise on the reading if `randomization.observation_noise` is 1, in the reading's unit."""
     description: str
-    pure: bool = False
-    """True if `read` can be captured; see `quadruped_env.capture`."""
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         # Pickled by name, like functions: a field of a user's file may hold a lambda.
         return _named, (self.read.__module__, self.name)
 
@@ -90,7 +90,6 @@ def observation(
     scale: PerRobot = 1.0,
     bound: PerRobot = 1.0,
     noise: float = 0.0,
-    pure: bool = False,
 ) -> Callable[[Reader], ObservationField]:
     """Decorator: a function (readings, control) -> (N, width) becomes an `ObservationField` of the same name.
 
@@ -101,8 +100,6 @@ def observation(
         scale: factor from the reading to the observation.
         bound: the scaled value is clipped to +-bound.
         noise: amplitude of uniform noise on the reading, in its unit.
-        pure: True if the function only applies NumPy's ufuncs to arrays of the readings and the control interface, the
-            same at every step, and takes views of them. It is then called once, and its ufuncs are repeated.
     """
 
     def decorate(read: Reader) -> ObservationField:
@@ -115,7 +112,6 @@ def observation(
             bound=bound,
             noise=noise,
             description=first_line(read),
-            pure=pure,
         )
 
     return decorate
@@ -125,7 +121,7 @@ def _named(module: str, name: str) -> Field:
     return getattr(importlib.import_module(module), name)
 
 
-def first_line(function: Callable[..., Any]) -> str:
+def first_line(function: Callable[..., object]) -> str:
     """First line of a function's docstring."""
     return (function.__doc__ or "").strip().partition("\n")[0]
 
@@ -136,48 +132,46 @@ def _largest_joint_offset(robot: Robot) -> float:
     return float(np.maximum(low, high).max())
 
 
-@observation(unit="1", mirror=(1.0, -1.0, 1.0), noise=0.02, pure=True)
+@observation(unit="1", mirror=(1.0, -1.0, 1.0), noise=0.02)
 def projected_gravity(readings: Readings, control: ControlState) -> Floats:
     """Unit vector of gravity in the base frame."""
     return -readings.up_b
 
 
 # Mirroring flips the x and z components of an axial vector.
-@observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=0.25, bound=4.0, noise=0.1, pure=True)
+@observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=0.25, bound=4.0, noise=0.1)
 def angular_velocity(readings: Readings, control: ControlState) -> Floats:
     """Angular velocity in the base frame (gyroscope)."""
     return readings.angular_velocity_b
 
 
-@observation(unit="rad", mirror="joints", bound=_largest_joint_offset, noise=0.01, pure=True)
+@observation(unit="rad", mirror="joints", bound=_largest_joint_offset, noise=0.01)
 def joint_position(readings: Readings, control: ControlState) -> Floats:
     """Joint positions relative to the stance."""
     return readings.joint_position - control.stance
 
 
 # Impacts can move a joint faster than its motor can, hence the bound of 3.
-@observation(
-    unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit.max(), bound=3.0, noise=0.3, pure=True
-)
+@observation(unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit.max(), bound=3.0, noise=0.3)
 def joint_velocity(readings: Readings, control: ControlState) -> Floats:
     """Joint velocities."""
     return readings.joint_velocity
 
 
-@observation(unit="1", mirror="joints", pure=True)
+@observation(unit="1", mirror="joints")
 def last_action(readings: Readings, control: ControlState) -> Floats:
     """Previous action, clipped to [-1, 1]."""
     return control.action
 
 
-@observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0, pure=True)
+@observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0)
 def command(readings: Readings, control: ControlState) -> Floats:
     """Commanded forward velocity and yaw rate."""
     return control.command
 
 
 # In a trot the left fore leg swings with the right hind leg, so the mirrored clock is shifted by half a cycle.
-@observation(unit="1", mirror=(-1.0, -1.0), pure=True)
+@observation(unit="1", mirror=(-1.0, -1.0))
 def gait_clock(readings: Readings, control: ControlState) -> Floats:
     """Sine and cosine of the gait phase; 0 when standing is commanded: at most 0.02 m/s and 0.02 rad/s."""
     return control.clock
@@ -224,7 +218,7 @@ class ObservationLayout:
         widths = [entry.width(self.robot) for entry in self.fields]
         starts = [sum(widths[:i]) for i in range(len(widths))]
         bounds = self._columns("bound", widths)
-        values: dict[str, Any] = {
+        values: dict[str, object] = {
             "width": sum(widths),
             "slices": {n: slice(s, s + w) for n, s, w in zip(names, starts, widths, strict=True)},
             "scale": self._columns("scale", widths),
@@ -237,12 +231,12 @@ class ObservationLayout:
 
     def _columns(self, attribute: str, widths: Sequence[int]) -> Floats:
         numbers = [self._number(getattr(entry, attribute)) for entry in self.fields]
-        return np.repeat(np.array(numbers, dtype=np.float64), widths)
+        return frozen(np.repeat(np.array(numbers, dtype=np.float64), widths))
 
     def _number(self, value: PerRobot) -> float:
         return float(value(self.robot) if callable(value) else value)
 
-    def document(self) -> list[dict[str, Any]]:
+    def document(self) -> list[dict[str, Plain]]:
         """The layout as plain values, as stored in a policy's file."""
         return [
             {

@@ -45,7 +45,9 @@ from quadruped_env.utils.provenance import TaskFile
 CHECKPOINTS: Final = "checkpoints"
 """Directory of a run's checkpoints, each with the files of a policy."""
 SHIPPED: Final = ("flat", "robust", "rough")
-"""Names of the policies that the package has; the first is the default."""
+"""Names of the policies that the package has."""
+DEFAULT: Final = SHIPPED[0]
+"""The one that programs take."""
 LIVE_POLICY: Final = "robust"
 """The one that live nodes and the viewer run by default: a robot's masses, motors and delays are never the model's."""
 

@@ -10,7 +10,7 @@ import traceback
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import Any, Final, TypeVar
+from typing import Final, TypeVar
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.description import description_problem
@@ -18,6 +18,7 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.documents import check_regular
+from quadruped_env.utils.plain import Plain
 from quadruped_env.utils.provenance import TaskFile
 
 Term = TypeVar("Term")
@@ -29,7 +30,7 @@ KEPT_FILE: Final = "task.py"
 """Copy of the user's file in a run, as data."""
 
 
-def recorded_file(recorded: Any, field: str = TASK_FILE) -> TaskFile | None:
+def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
     """The user's file that a config's plain values name; None if they name none.
 
     Args:
@@ -46,7 +47,7 @@ def recorded_file(recorded: Any, field: str = TASK_FILE) -> TaskFile | None:
     return TaskFile(str(recorded["name"]), str(recorded["sha256"]))
 
 
-def recorded_terms(recorded: Mapping[str, Any]) -> dict[str, list[str]] | None:
+def recorded_terms(recorded: Mapping[str, Plain]) -> dict[str, list[str]] | None:
     """Names of what the user's file that a config names defines, by kind; None in configs of earlier versions."""
     terms = recorded.get("terms")
     if not isinstance(terms, dict) or not all(isinstance(names, list) for names in terms.values()):
@@ -129,7 +130,7 @@ def _identifiers(node: ast.AST) -> frozenset[str]:
     return frozenset(entry.id for entry in ast.walk(node) if isinstance(entry, ast.Name))
 
 
-def names_of(term: Any) -> tuple[str, ...]:
+def names_of(term: Plain) -> tuple[str, ...]:
     """Names of a term; most terms have one."""
     return tuple(term.names) if hasattr(term, "names") else (term.name,)
 

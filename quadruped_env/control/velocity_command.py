@@ -1,7 +1,7 @@
 """Commands: forward velocity in m/s, yaw rate in rad/s, and any further components of a task."""
 
 from collections.abc import Iterable, Sequence
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +27,6 @@ def check_command(command: Sequence[float] | NDArray[np.float64], commands: Sequ
     Raises:
         QuadrupedError: if it is not two (or C) finite numbers within the ranges.
     """
-    value: NDArray[Any]
     try:
         value = np.asarray(command, dtype=np.float64)
     except (TypeError, ValueError):

@@ -2,13 +2,12 @@
 
 from typing import TYPE_CHECKING, Any
 
-import gymnasium
-
 from quadruped_env.envs import arguments
-from quadruped_env.envs.rough_envs import ROUGH_CONFIG, MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
-from quadruped_env.envs.single import MiniQuadrupedEnv
-from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
+from quadruped_env.envs.arguments import ROUGH_CONFIG
+from quadruped_env.envs.single import MiniQuadrupedEnv, MiniQuadrupedRoughEnv
+from quadruped_env.envs.vector import MiniQuadrupedRoughVectorEnv, MiniQuadrupedVectorEnv
 from quadruped_env.task.randomization.tile_assignment import EPISODE_SECONDS
+from quadruped_env.utils.registration import ENV_ID, MAX_EPISODE_STEPS, ROUGH_ENV_ID
 
 if TYPE_CHECKING:
     from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
@@ -16,6 +15,7 @@ if TYPE_CHECKING:
 __all__ = [
     "ENV_ID",
     "EPISODE_SECONDS",
+    "MAX_EPISODE_STEPS",
     "ROUGH_CONFIG",
     "ROUGH_ENV_ID",
     "MiniQuadrupedEnv",
@@ -23,28 +23,7 @@ __all__ = [
     "MiniQuadrupedRoughVectorEnv",
     "MiniQuadrupedVectorEnv",
     "make_sb3_vec_env",
-    "register",
 ]
-
-ENV_ID = "MiniQuadruped-v0"
-ROUGH_ENV_ID = "MiniQuadrupedRough-v0"
-MAX_EPISODE_STEPS = 1000
-"""Number of control steps in `EPISODE_SECONDS` at 50 Hz."""
-
-
-def register() -> None:
-    """Register the environments for `gymnasium.make` and `make_vec`; `import quadruped_env` calls this."""
-    for env_id, single, vector in (
-        (ENV_ID, "single:MiniQuadrupedEnv", "vector:MiniQuadrupedVectorEnv"),
-        (ROUGH_ENV_ID, "rough_envs:MiniQuadrupedRoughEnv", "rough_envs:MiniQuadrupedRoughVectorEnv"),
-    ):
-        if env_id not in gymnasium.registry:
-            gymnasium.register(
-                id=env_id,
-                entry_point=f"quadruped_env.envs.{single}",
-                vector_entry_point=f"quadruped_env.envs.{vector}",
-                max_episode_steps=MAX_EPISODE_STEPS,
-            )
 
 
 def make_sb3_vec_env(

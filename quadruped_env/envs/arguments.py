@@ -22,6 +22,9 @@ RENDER_MODES: Final = ("human", "rgb_array")
 
 RESET_MASK: Final = "reset_mask"
 
+ROUGH_CONFIG: Final[dict[str, Any]] = {"terrain": {"name": "tiles", "curriculum": True}}
+"""Changes to the default config of `MiniQuadrupedRough-v0`."""
+
 
 def task_config(
     action_mode: str | None,
@@ -96,11 +99,7 @@ def check_render_mode(render_mode: str | None) -> None:
 
 
 def frame_size(width: int, height: int) -> tuple[int, int]:
-    """Width and height of an image, pixels.
-
-    Raises:
-        QuadrupedError: if one of them is not a whole number, 1 or more.
-    """
+    """Width and height of an image, pixels. Raises a QuadrupedError if one of them is not a whole number, 1 or more."""
     return whole_number("width", width, 1), whole_number("height", height, 1)
 
 
@@ -118,11 +117,7 @@ def autoreset_mode(mode: AutoresetMode | str) -> AutoresetMode:
 
 
 def seed(value: int | None, name: str = "seed") -> int | None:
-    """The seed of one environment.
-
-    Raises:
-        QuadrupedError: if it is neither None nor a whole number, 0 or more.
-    """
+    """The seed of one environment. Raises a QuadrupedError if it is neither None nor a whole number, 0 or more."""
     return None if value is None else whole_number(name, value, 0, or_none=True)
 
 

@@ -9,9 +9,8 @@ import numpy as np
 from gymnasium.vector import AutoresetMode
 from numpy.typing import NDArray
 
-from quadruped_env.envs.member import MemberEnv
-from quadruped_env.envs.spaces import observation_space
-from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
+from quadruped_env.envs.spaces_and_info import observation_space
+from quadruped_env.envs.vector import MemberEnv, MiniQuadrupedVectorEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 
 try:

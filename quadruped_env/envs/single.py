@@ -3,21 +3,23 @@
 import os
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.envs import arguments, spaces
-from quadruped_env.envs.info import Info
-from quadruped_env.envs.rendering import SceneRenderer
+from quadruped_env.envs import arguments
+from quadruped_env.envs import spaces_and_info as spaces
 from quadruped_env.envs.specification import with_tables
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig
+
+if TYPE_CHECKING:
+    from quadruped_env.envs.rendering import SceneRenderer
 
 _ENV_IDS = np.zeros(1, dtype=np.intp)
 
@@ -135,7 +137,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         model = task_config.compiled_model()
         self._simulation = SingleSimulation(model, task_robot)
         self.task = Task(self._simulation, task_config)
-        self._info = Info(self.task)
+        self._info = spaces.Info(self.task)
         self.action_space = spaces.action_space(self.task.control.robot)
         self.observation_space = spaces.observation_space(self.task.control.layout)
         self._renderer: SceneRenderer | None = None
@@ -167,7 +169,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.task.reset(_ENV_IDS, command=command)
         if self.render_mode == "human":
             self.render()
-        return self.task.observe()[0], self._readings()
+        return self.task.observe()[0], self._info.readings(0)
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         """Advance by one control step."""
@@ -177,7 +179,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
                 f"action: expected shape {self.action_space.shape}, one value per joint; found {action.shape}"
             )
         transition = self.task.step(action[None])
-        info: dict[str, Any] = self._readings()
+        info: dict[str, Any] = self._info.readings(0)
         # A 0-d array: from a NumPy bool, Gymnasium's vector environments would create an array of objects.
         info["diverged"] = transition.diverged.reshape(())
         info.update(zip(self.task.reward_keys, transition.terms[0], strict=True))
@@ -185,9 +187,6 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
             self.render()
         terminated = bool(transition.terminated[0])
         return transition.observation[0], float(transition.reward[0]), terminated, False, info
-
-    def _readings(self) -> dict[str, NDArray[Any]]:
-        return self._info.readings({name: values[0].copy() for name, values in self._info.state().items()})
 
     def render(self) -> NDArray[np.uint8] | None:
         """Image (height, width, 3) in `rgb_array` mode; updates the window in `human` mode."""
@@ -200,7 +199,9 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
             self._renderer = self._make_renderer()
         return self._renderer.render(self.data)
 
-    def _make_renderer(self) -> SceneRenderer:
+    def _make_renderer(self) -> "SceneRenderer":
+        from quadruped_env.envs.rendering import SceneRenderer
+
         assert self.render_mode is not None
         return SceneRenderer(self.model, self.data, self.render_mode, *self._frame_size)
 
@@ -223,3 +224,15 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     def __getstate__(self) -> dict[str, Any]:
         # A renderer holds OpenGL contexts, so a copy creates its own.
         return {**self.__dict__, "_renderer": None}
+
+
+class MiniQuadrupedRoughEnv(MiniQuadrupedEnv):
+    """`MiniQuadrupedEnv` on tiles of seven kinds of terrain at ten levels, with a curriculum.
+
+    The seed of an env gives the kind of its tiles and its first level, which the curriculum changes from episode to
+    episode (docs/terrain.md). A reset with a seed begins again. `info` has also `terrain_kind`, the index of the kind,
+    and `terrain_level`. The default config has the changes of `ROUGH_CONFIG`; the argument `config` may change them
+    again, or name another terrain. All else is as in `MiniQuadrupedEnv`.
+    """
+
+    default_config = MappingProxyType(arguments.ROUGH_CONFIG)

@@ -4,24 +4,26 @@ import functools
 import os
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import mujoco
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
-from quadruped_env.envs import arguments, spaces
-from quadruped_env.envs.info import Info
-from quadruped_env.envs.member import MemberEnv
-from quadruped_env.envs.rendering import SceneRenderer
+from quadruped_env.envs import arguments
+from quadruped_env.envs import spaces_and_info as spaces
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.utils.plain import whole_number
+
+if TYPE_CHECKING:
+    from quadruped_env.envs.rendering import SceneRenderer
 
 
 class MiniQuadrupedVectorEnv(
@@ -78,14 +80,14 @@ class MiniQuadrupedVectorEnv(
         model = task_config.compiled_model()
         self._simulation = BatchSimulation(model, self.num_envs, num_threads, task_robot)
         self.task = Task(self._simulation, task_config, max_episode_steps)
-        self._info = Info(self.task)
+        self._info = spaces.Info(self.task)
         self.single_action_space = spaces.action_space(self.task.control.robot)
         self.single_observation_space = spaces.observation_space(self.task.control.layout)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
 
     # A class attribute, because Gymnasium 1.2 closes an env even if `__init__` raised an error.
-    _renderer: SceneRenderer | None = None
+    _renderer: "SceneRenderer | None" = None
 
     @property  # type: ignore[misc]  # read-only, and one per env, as in SyncVectorEnv
     def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
@@ -98,10 +100,7 @@ class MiniQuadrupedVectorEnv(
         return tuple(self.task.seeds)
 
     def reset(
-        self,
-        *,
-        seed: int | list[int | None] | None = None,
-        options: dict[str, Any] | None = None,
+        self, *, seed: int | list[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Begin new episodes in every env, or in those where `options["reset_mask"]` (N,) is true."""
         command, mask = arguments.reset_options(options, self.task.config, self.num_envs)
@@ -110,8 +109,7 @@ class MiniQuadrupedVectorEnv(
             mask = np.ones(self.num_envs, dtype=np.bool_)
         env_ids = np.flatnonzero(mask)
         self.task.reset(env_ids, [seeds[env_id] for env_id in env_ids], command)
-        state = {name: _only(values, env_ids) for name, values in self._info.state().items()}
-        return self.task.observe(), _with_mask(self._info.readings(state), mask)
+        return self.task.observe(), _with_mask(self._info.readings(only=mask), mask)
 
     def step(
         self, actions: NDArray[np.float32]
@@ -138,7 +136,7 @@ class MiniQuadrupedVectorEnv(
 
     def _step_info(self, transition: Transition, moved: NDArray[np.bool_]) -> dict[str, Any]:
         """Info after a step: the readings of all envs, and the results of those that moved (N,), not of those reset."""
-        readings = self._info.readings({name: values.copy() for name, values in self._info.state().items()})
+        readings = self._info.readings()
         results = self._info.step_results(transition.diverged, transition.terms)
         if moved.all():
             return _with_mask(readings | results, moved)
@@ -154,7 +152,7 @@ class MiniQuadrupedVectorEnv(
             final_obs[env_id] = transition.observation[env_id]
         # Masked as whole arrays, before they are divided into entries: masking every entry takes several times longer.
         diverged, terms = transition.diverged, transition.terms
-        final = self._info.readings({name: _only(values, env_ids) for name, values in self._info.state().items()})
+        final = self._info.readings(only=done)
         final |= self._info.step_results(_only(diverged, env_ids), _only(terms, env_ids))
         task.reset(env_ids)
         # The info of a finished env is that of its reset, as in SyncVectorEnv.
@@ -179,6 +177,8 @@ class MiniQuadrupedVectorEnv(
         assert self.render_mode is not None
         data = self.env_data(index)
         if self._renderer is None:
+            from quadruped_env.envs.rendering import SceneRenderer
+
             self._renderer = SceneRenderer(self._simulation.model, data, self.render_mode, *self._frame_size)
         frame = self._renderer.render(data)
         assert frame is not None
@@ -233,6 +233,100 @@ class MiniQuadrupedVectorEnv(
     def __getstate__(self) -> dict[str, Any]:
         # A renderer holds OpenGL contexts, so a copy creates its own.
         return {**self.__dict__, "_renderer": None}
+
+
+class MiniQuadrupedRoughVectorEnv(MiniQuadrupedVectorEnv):
+    """N copies of `MiniQuadrupedRoughEnv`; see `MiniQuadrupedVectorEnv`."""
+
+    default_config = MappingProxyType(arguments.ROUGH_CONFIG)
+
+
+class UnknownAttributeError(QuadrupedError, AttributeError):
+    """Raised if the envs of a native vector environment have no such attribute."""
+
+
+class MemberEnv:
+    """Attributes of env `index` of a native vector environment, named as in the single environment.
+
+    Other names refer to attributes of the vector environment, which all its envs share.
+    """
+
+    def __init__(self, env: MiniQuadrupedVectorEnv, index: int) -> None:
+        self._env = env
+        self._index = index
+
+    @property
+    def action_space(self) -> gymnasium.Space[NDArray[np.float32]]:
+        """Space of one env."""
+        return self._env.single_action_space
+
+    @property
+    def observation_space(self) -> gymnasium.Space[NDArray[np.float32]]:
+        """Space of one env."""
+        return self._env.single_observation_space
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """Specification of the vector environment."""
+        return self._env.spec
+
+    @property
+    def dt(self) -> float:
+        """Time between actions, s."""
+        return self._env.task.config.control_timestep
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo model that all envs share, without the values that differ between envs."""
+        return self._env.task.simulation.model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """Copy of the env's MuJoCo data."""
+        return self._env.env_data(self._index)
+
+    @property
+    def np_random(self) -> np.random.Generator:
+        """Random generator of the env."""
+        return self._env.task.generators[self._index]
+
+    @np_random.setter
+    def np_random(self, generator: np.random.Generator) -> None:
+        if not isinstance(generator, np.random.Generator):
+            raise QuadrupedError(f"set_attr('np_random'): expected a numpy.random.Generator; found {generator!r}")
+        self._env.task.generators[self._index] = generator
+        self._env.task.seeds[self._index] = -1
+
+    @property
+    def np_random_seed(self) -> int:
+        """Seed of the generator; -1 for a generator that the user assigned."""
+        return self._env.task.seeds[self._index]
+
+    def render(self) -> NDArray[np.uint8] | None:
+        """Image (height, width, 3), or None without a render mode."""
+        return None if self._env.render_mode is None else self._env.render_one(self._index)
+
+    def get_state(self) -> dict[str, Any]:
+        """Complete state of the env."""
+        return self._env.task.get_state(self._index)
+
+    def __getattr__(self, name: str) -> Any:
+        value = getattr(self._env, name, None)
+        if name.startswith("_") or not hasattr(self._env, name) or callable(value):
+            raise UnknownAttributeError(
+                f"{name!r}: the environments of a native vector environment have no such attribute of their own; each "
+                "has np_random, np_random_seed, action_space, observation_space, spec, dt, model, data, render and "
+                "get_state; with vectorization_mode='sync' they have all attributes"
+            )
+        return value
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name not in ("_env", "_index", "np_random"):
+            raise UnknownAttributeError(
+                f"set_attr({name!r}): the environments of a native vector environment share their attributes, and only "
+                "'np_random' can be set; with vectorization_mode='sync' every attribute can"
+            )
+        super().__setattr__(name, value)
 
 
 def _only(values: NDArray[Any], env_ids: NDArray[np.intp]) -> NDArray[Any]:

@@ -155,7 +155,7 @@ def record(
     task.reset(_ROW, seeds=[0], command=command)
     qpos = _start(robot, start)
     qpos[2] += highest_ground(task.simulation, qpos[:2])
-    task.simulation.reset(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
+    task.place(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
     recorder = Recorder(Recording, robot, steps + 1)

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.control.kept_task_file import kept_content
-from quadruped_env.control.policy_files import SHIPPED, finished_directory, is_code, shipped_directory
+from quadruped_env.control.policy_files import DEFAULT, SHIPPED, finished_directory, is_code, shipped_directory
 from quadruped_env.policies import Policy, load_policy, trained_with
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
 from quadruped_env.utils.documents import read_json
@@ -89,7 +89,7 @@ def find_subject(
         QuadrupedWarning: if a run is given and its policy is a checkpoint.
     """
     if run is None:
-        run = str(LATEST_RUN) if LATEST_RUN.exists() else SHIPPED[0]
+        run = str(LATEST_RUN) if LATEST_RUN.exists() else DEFAULT
     if run in SHIPPED:
         return Subject(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
     if is_code(run):

@@ -34,7 +34,7 @@ from quadruped_env.gait.waves import Waves, joint_phases, map_waves, wave_positi
 from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
-from quadruped_env.utils.arrays import NUMPY, Namespace
+from quadruped_env.utils.arrays import frozen
 from quadruped_env.utils.plain import plain
 
 _HIPS: Final = slice(0, None, 2)
@@ -279,6 +279,8 @@ class CommandedGait:
     robot: Robot = MINI_QUADRUPED
     native: bool = False
     _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+    _tables: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+    """The nine waves below side by side, (K, 9 J)."""
     straight: Waves = field(init=False, repr=False, compare=False)
     """Waves of all joints at the speeds without a yaw rate, (K, J) each."""
     turn: Waves = field(init=False, repr=False, compare=False)
@@ -296,6 +298,8 @@ class CommandedGait:
         right = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
         for name, waves in (("straight", straight), ("turn", turn), ("side", side * right)):
             object.__setattr__(self, name, tuple(waves))
+        tables = np.concatenate([*straight, *turn, *(side * right)], axis=1)
+        object.__setattr__(self, "_tables", frozen(tables))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
 
     def _mapped(
@@ -359,23 +363,15 @@ class CommandedGait:
             **{name: plain(getattr(self, name)) for name in _TABLES},
         }
 
-    def waves(self, command: ArrayLike, xp: Namespace = NUMPY) -> Waves:
+    def waves(self, command: NDArray[np.float64]) -> Waves:
         """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
-        velocity = xp.asarray(command)
-        speed, size = velocity[:, 0], turn_size(velocity[:, 1], self.largest_yaw_rate)[:, None]
-        row = np.interp(speed, self.speeds, np.arange(len(self.speeds)))
-        below = np.minimum(row.astype(np.int64), len(self.speeds) - 2)
-        share, fade = (row - below)[:, None], self.fade(velocity)[:, None]
-
-        def interpolated(table: NDArray[np.float64]) -> NDArray[np.float64]:
-            low = xp.take(table, below)
-            return low + share * (xp.take(table, below + 1) - low)
-
-        sine, cosine, offset = (
-            interpolated(straight) + np.abs(size) * interpolated(turn) + size * interpolated(side)
-            for straight, turn, side in zip(self.straight, self.turn, self.side, strict=True)
-        )
-        stance = self.robot.stance
+        size = turn_size(command[:, 1], self.largest_yaw_rate)[:, None]
+        row = np.interp(command[:, 0], self.speeds, np.arange(len(self.speeds)))
+        below = np.minimum(row.astype(np.int64), len(self.speeds) - 2)[:, None]
+        low, high = (np.take_along_axis(self._tables, index, axis=0) for index in (below, below + 1))
+        straight, turn, side = np.split(low + (row[:, None] - below) * (high - low), 3, axis=1)
+        sine, cosine, offset = np.split(straight + np.abs(size) * turn + size * side, 3, axis=1)
+        fade, stance = self.fade(command)[:, None], self.robot.stance
         return fade * sine, fade * cosine, stance + fade * (offset - stance)
 
     @staticmethod
@@ -387,19 +383,26 @@ class CommandedGait:
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
         """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
-        return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *self.waves(command))
+        waves = self.waves(np.asarray(command, dtype=np.float64))
+        return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *waves)
 
     def at(self, command: tuple[float, float]) -> SinusoidalGait:
         """The sinusoidal gait for one command."""
-        sine, cosine, offset = (values[0] for values in self.waves([command]))
+        sine, cosine, offset = (values[0] for values in self.waves(np.array([command])))
         return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
 
 
 @functools.cache
 def _commanded(name: str, robot: Robot) -> CommandedGait:
-    own = (robot.gaits or {}).get(name)
-    if own is None:
+    gaits = robot.gaits or {}
+    if unknown := set(gaits) - set(COMMANDED):
+        raise QuadrupedError(
+            f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
+            f"{', '.join(COMMANDED)}"
+        )
+    if name not in gaits:
         return CommandedGait(**COMMANDED[name], robot=robot)
+    own = gaits[name]
     try:
         tables = {table: LegTable(**own[table]) for table in _TABLES}
         return CommandedGait(**{**own, **tables}, robot=robot, native=True)

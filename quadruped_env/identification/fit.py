@@ -23,9 +23,9 @@ from quadruped_env.identification.fitted_parameters import (
     with_values,
 )
 from quadruped_env.identification.rough_least_squares import derivatives, half_widths, search
-from quadruped_env.identification.spec import joint_spec
-from quadruped_env.robot import MotorConfig
+from quadruped_env.robot import MotorConfig, Robot
 from quadruped_env.robot.motors import fill_command_history
+from quadruped_env.simulation.model import scene
 from quadruped_env.utils.progress import Progress
 
 _UNDETERMINED: Final = 1.0
@@ -188,13 +188,9 @@ class MotorFit:
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
         """The smallest error at a fixed delay, and its values."""
         found = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_PER_DELAY)
-        return self._error(found), found
-
-    def _error(self, values: Mapping[str, float]) -> float:
-        """Sum of squares that the fit minimizes."""
-        parameters = self._parameters(values)
+        parameters = self._parameters(found)
         residuals = self._residual_function()(parameters.as_vector(), parameters)[0]
-        return float((residuals[0] ** 2).sum())
+        return float((residuals[0] ** 2).sum()), found
 
     def _solve(
         self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
@@ -378,6 +374,30 @@ class MotorFit:
         after = np.minimum(before + 1, len(signals) - 1)
         share = (place - before)[:, None]
         return (1.0 - share) * signals[before] + share * signals[after]
+
+
+def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
+    """A robot with its joint sensors only, on a stand (`fixed`) or on the ground (`free`)."""
+    spec = scene(robot)
+    spec.option.timestep = timestep
+    wanted = {
+        sensor for field in ("joint_position", "joint_velocity", "joint_torque") for sensor in robot.sensors[field]
+    }
+    for sensor in list(spec.sensors):
+        if sensor.name not in wanted:
+            spec.delete(sensor)
+    # A fit compiles thousands of models, and the textures' pixels would take nine tenths of that.
+    for geom in spec.geoms:
+        geom.material = ""
+    for looks in [*spec.materials, *spec.textures]:
+        spec.delete(looks)
+    if base == "fixed":
+        for key in list(spec.keys):
+            spec.delete(key)
+        spec.delete(spec.joint("floating_base"))
+        # In the air there are no contacts, and with contacts disabled the motion is a smooth function of the motors.
+        spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+    return spec
 
 
 def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -9,7 +9,7 @@ from typing import Any, Final, Self
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.middleware.topics import Topic
-from quadruped_env.trajectory.formats.bag_writer import BagOptions, check_target, connect, open_bag, save_progress
+from quadruped_env.trajectory.formats.bag_writer import check_target, connect, open_bag, save_progress
 from quadruped_env.utils.files import PART, put_in_place, unwritable
 from quadruped_env.utils.interpreter import program_command
 
@@ -46,7 +46,7 @@ class Recorder:
         """Number of messages written."""
         self.size = 0
         """Size of the messages written, bytes."""
-        self._options = BagOptions(storage)
+        self._storage = storage
         self._stack = ExitStack()
         self._writer: Any = None
         self._failed = False
@@ -66,7 +66,7 @@ class Recorder:
         """
         try:
             if self._writer is None:
-                self._writer = self._stack.enter_context(open_bag(self._part, self._options))
+                self._writer = self._stack.enter_context(open_bag(self._part, self._storage))
             if topic not in self._connections:
                 self._connections[topic] = connect(self._writer, topic.name, topic.type_name, topic.qos)
             self._last = max(time.time_ns(), self._last + 1)

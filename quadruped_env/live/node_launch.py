@@ -53,10 +53,3 @@ def launch(nodes: Sequence[Sequence[str]], status: str) -> int:
 
 def _say(text: str) -> None:
     print(f"{CLEAR_LINE if sys.stderr.isatty() else ''}[launch] {text}", file=sys.stderr)
-
-
-def common(domain_id: int | None, subnet: bool, seconds: float | None, quiet: bool) -> list[str]:
-    """Arguments that all nodes of a launch share, see `add_common_arguments`."""
-    arguments = [] if domain_id is None else ["--domain-id", str(domain_id)]
-    arguments += ["--subnet"] * subnet + ["--quiet"] * quiet
-    return arguments if seconds is None else [*arguments, "--seconds", str(seconds)]

@@ -36,12 +36,7 @@ _REMEMBERED: Final = 256
 def add_common_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments that all nodes share."""
     group = parser.add_argument_group("every node")
-    group.add_argument(
-        "--domain-id",
-        type=int,
-        metavar="N",
-        help=f"DDS domain ID, 0 to 232 ({DOMAIN_VARIABLE}, or 0)",
-    )
+    group.add_argument("--domain-id", type=int, metavar="N", help=f"DDS domain ID, 0 to 232 ({DOMAIN_VARIABLE}, or 0)")
     group.add_argument(
         "--subnet",
         action="store_true",
@@ -54,9 +49,7 @@ def add_common_arguments(parser: argparse.ArgumentParser) -> None:
 def add_realtime_argument(parser: argparse.ArgumentParser) -> None:
     """Add the argument of nodes with real-time deadlines."""
     parser.add_argument(
-        "--realtime",
-        action="store_true",
-        help="run with real-time priority (SCHED_FIFO), if the system permits it",
+        "--realtime", action="store_true", help="run with real-time priority (SCHED_FIFO), if the system permits it"
     )
 
 

@@ -12,7 +12,7 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.simulation.push_limit import PushLimit
-from quadruped_env.utils.rotations import from_yaw
+from quadruped_env.utils.rotations import from_yaw, yaw
 
 TIMESTEP: Final = 0.005
 """Duration of a physics step, s."""
@@ -76,18 +76,12 @@ class SimulatedRobot:
 
     def pick_up(self) -> None:
         """Put the robot on its feet at its current position, with motors enabled."""
-        place = self.state.base_position[0, :2]
-        self.put(np.concatenate([place, [self._standing_height(place)], self._facing(), self.robot.stance]))
+        place, heading = self.state.base_position[0, :2], from_yaw(yaw(self.state.orientation[0]))
+        self.put(np.concatenate([place, [self._standing_height(place)], heading, self.robot.stance]))
 
     def _standing_height(self, place: NDArray[np.float64]) -> float:
         """Height of the base's centre in the stance, over the highest ground around a position (2,), m."""
         return self.robot.stance_height + float(highest_ground(self._simulation, place))
-
-    def _facing(self) -> NDArray[np.float64]:
-        """Quaternion wxyz (4,) of the base's yaw alone."""
-        w, x, y, z = self.state.orientation[0]
-        yaw = math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
-        return np.array([math.cos(0.5 * yaw), 0.0, 0.0, math.sin(0.5 * yaw)])
 
     def push(self, velocity: NDArray[np.float64]) -> None:
         """Add a velocity (3,) in the world frame, m/s, to the base's velocity.

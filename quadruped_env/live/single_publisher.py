@@ -4,6 +4,8 @@ import time
 from typing import Final
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.middleware.node import Received
+from quadruped_env.live.middleware.ros_graph import Endpoint
 from quadruped_env.live.middleware.topics import JOINT_STATES, Topic
 from quadruped_env.live.session import Session
 from quadruped_env.ros import SENSOR_DATA_QOS
@@ -38,8 +40,10 @@ class SinglePublisherGuard:
         while self._session.running and time.monotonic() < end:
             self._session.wait(end - time.monotonic())
             if received := self._others.take():
+                other = self._sender(received[0])
+                owner = "another process" if other is None else self._session.node.graph.owner(other)
                 raise QuadrupedError(
-                    f"{self._topic.name}: {self._owner(received[0].writer)} publishes it already on domain "
+                    f"{self._topic.name}: {owner} publishes it already on domain "
                     f"{self._session.node.network.domain_id}; end that first, or take another domain (--domain-id)"
                 )
         self._contest_until = time.monotonic() + CONTEST
@@ -50,9 +54,9 @@ class SinglePublisherGuard:
         Raises:
             QuadrupedError: if both started together and the other one has precedence.
         """
+        graph = self._session.node.graph
         for received in self._others.take():
-            graph = self._session.node.graph
-            other = next((one for one in graph.endpoints(self._topic.name) if one.handle == received.writer), None)
+            other = self._sender(received)
             if other is None:
                 continue
             if time.monotonic() < self._contest_until and other.participant < graph.participant:
@@ -61,6 +65,6 @@ class SinglePublisherGuard:
                 f"{graph.owner(other)} publishes {self._topic.name} too; subscribers receive two robots' messages"
             )
 
-    def _owner(self, writer: int) -> str:
-        graph = self._session.node.graph
-        return next((graph.owner(one) for one in graph.endpoints() if one.handle == writer), "another process")
+    def _sender(self, received: Received) -> Endpoint | None:
+        endpoints = self._session.node.graph.endpoints(self._topic.name)
+        return next((one for one in endpoints if one.handle == received.writer), None)

@@ -10,6 +10,7 @@ from quadruped_env.control.controllers import (
     ZeroController,
 )
 from quadruped_env.control.policy import Agent, Policy
+from quadruped_env.control.policy_files import DEFAULT, SHIPPED
 from quadruped_env.policies.code_policies import as_policy
 from quadruped_env.policies.policy_loading import (
     find_controller,
@@ -23,6 +24,8 @@ from quadruped_env.policies.policy_loading import (
 from quadruped_env.policies.policy_task import with_task
 
 __all__ = [
+    "DEFAULT",
+    "SHIPPED",
     "Agent",
     "CommandedGaitController",
     "Controller",

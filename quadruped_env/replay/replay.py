@@ -74,26 +74,20 @@ class Replay:
         """Played minus recorded position at the same time, rad (T, J)."""
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
+    @cached_property
     def saturation(self) -> Saturation | None:
         """Requested torques, and where they exceed the motors' limits; None in kinematic mode, which has no motors."""
-        return self._saturation
-
-    @cached_property
-    def _saturation(self) -> Saturation | None:
         return (
             None if self.motion is None else saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
         )
 
+    @cached_property
     def comparison(self) -> Signals:
         """Recorded against simulated positions, velocities and efforts.
 
         Raises:
             QuadrupedError: if `measured` has no time in common with the replay.
         """
-        return self._comparison
-
-    @cached_property
-    def _comparison(self) -> Signals:
         return side_by_side(self.measured or self.recorded, self.played)
 
     def film(self) -> Clip:
@@ -108,12 +102,9 @@ class Replay:
         trace = Trace(robot=self.robot, timestep=1.0 / FRAME_RATE, base_pose=base_pose, joint_position=positions)
         return Clip(f"{name}, kinematic", trace)
 
+    @cached_property
     def report(self) -> dict[str, Any]:
         """The replay as JSON-serializable values; errors in rad, times in s."""
-        return self._report
-
-    @cached_property
-    def _report(self) -> dict[str, Any]:
         error = self.tracking_error()
         nothing: list[tuple[float | None, float | None]] = [(None, None)] * self.robot.num_joints
         late = nothing if self.motion is None else lags(self.targets, self.played)
@@ -170,7 +161,7 @@ class Replay:
             }
             for i, name in enumerate(self.robot.joint_names)
         }
-        saturated = self.saturation()
+        saturated = self.saturation
         if saturated is not None:
             assert self.played.efforts is not None
             assert self.played.velocities is not None
@@ -184,7 +175,7 @@ class Replay:
 
     def table(self) -> str:
         """The report as a plain-text table."""
-        report = self.report()
+        report = self.report
         dynamic = self.motion is not None
         low, high = self.recorded.positions.min(axis=0), self.recorded.positions.max(axis=0)
         head = f"{'joint':<16}{'recorded range':>20}{'RMS error':>14}{'max error':>14}{'at':>11}"
@@ -230,7 +221,7 @@ class Replay:
             remarks.append(f"Recorded faster than the motors' {limits} rad/s: {', '.join(fast)}.")
         repeated = {
             name: error["lag_repeats_after"]
-            for name, error in self.report()["tracking_error"]["joints"].items()
+            for name, error in self.report["tracking_error"]["joints"].items()
             if error["lag_repeats_after"] is not None
         }
         if repeated:
@@ -264,8 +255,8 @@ class Replay:
         write_table(directory / POSES_FILE, self.played.stamps, titles, table, overwrite, progress)
         if self.mode == "dynamic":
             self.played.save(directory / JOINTS_FILE, overwrite, robot=self.robot)
-        comparison = {"comparison": self.comparison().report()} if compare else {}
-        write_json(directory / NUMBERS_FILE, {**self.report(), **comparison})
+        comparison = {"comparison": self.comparison.report()} if compare else {}
+        write_json(directory / NUMBERS_FILE, {**self.report, **comparison})
 
 
 def replay(

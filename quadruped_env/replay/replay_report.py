@@ -30,7 +30,7 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
         MissingExtraError: if a library of the `report` extra is not installed.
         QuadrupedError: if the file cannot be written, or `measured` has no time in common with the replay.
     """
-    report = replay.report()
+    report = replay.report
     error = report["tracking_error"]["all"]
     fell = replay.motion is not None and replay.motion.fell_at is not None
     tracks = error["rms"] < _GOOD and (replay.motion is None or replay.motion.stayed_on_its_feet)
@@ -106,14 +106,12 @@ def _limits_table(report: dict[str, Any]) -> dict[str, Any]:
 
 def _comparison_table(replay: Replay) -> dict[str, Any]:
     rows = []
-    for signal, entry in replay.comparison().report().items():
+    for signal, entry in replay.comparison.report().items():
         for name, found in entry["joints"].items():
             cells = [found[key] for key in ("rms", "mean", "max", "correlation")]
             rows.append([f"{name}, {signal} ({entry['unit']})", *("-" if c is None else f"{c:.4f}" for c in cells)])
     derived = (
-        " The recording has no velocities: they were computed from its positions."
-        if replay.comparison().derived
-        else ""
+        " The recording has no velocities: they were computed from its positions." if replay.comparison.derived else ""
     )
     return {
         "title": "Recorded against simulated",
@@ -134,7 +132,7 @@ def _tracking_figure(replay: Replay) -> dict[str, str]:
 
 
 def _motor_figures(replay: Replay) -> list[dict[str, str]]:
-    saturation = replay.saturation()
+    saturation = replay.saturation
     assert saturation is not None
     assert replay.played.efforts is not None
     assert replay.played.velocities is not None
@@ -161,7 +159,7 @@ def _motor_figures(replay: Replay) -> list[dict[str, str]]:
 
 
 def _comparison_figures(replay: Replay) -> list[dict[str, str]]:
-    signals = replay.comparison()
+    signals = replay.comparison
     return [
         figure(
             f"Recorded and simulated {name}",

@@ -14,7 +14,7 @@ SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}
 """Array of a `JointTrajectory` -> unit."""
 
 MAX_LAG: Final = 0.4
-"""Maximum lag that `lag` finds, s."""
+"""Maximum lag that `lags` finds, s."""
 _LAG_STEP: Final = 0.002
 """Resolution of the lag, s."""
 _LAG_ROWS: Final = 5000
@@ -108,18 +108,12 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
     )
 
 
-def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
-    """Lag of each joint behind its target, s: the first time shift, up to `MAX_LAG`, with about the smallest error.
-
-    None for a joint that hardly moves. Both trajectories have the same joints in the same order.
-    """
-    return [first for first, _ in lags(target, played)]
-
-
 def lags(target: JointTrajectory, played: JointTrajectory) -> list[tuple[float | None, float | None]]:
-    """As `lag`, each with its ambiguity, s: a lag that is longer by this fits as well, as the motion repeats.
+    """Lag of each joint behind its target, and its ambiguity, s.
 
-    None in its place if no other lag up to `MAX_LAG` fits.
+    The lag is the first time shift, up to `MAX_LAG`, with about the smallest error. A lag that is longer by the
+    ambiguity fits as well, as the motion repeats. None for a joint that hardly moves, and in place of an ambiguity if
+    no other lag fits. Both trajectories have the same joints in the same order.
     """
     shifts = np.arange(0.0, MAX_LAG, _LAG_STEP)
     # At the start, target and motion are equal for every lag.

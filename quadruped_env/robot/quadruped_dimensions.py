@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
-from quadruped_env.robot.solids import solid_box_inertia, solid_cylinder_inertia, solid_sphere_inertia
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import PlainFields
 
@@ -137,3 +136,20 @@ def _are_numbers(values: Any, length: int) -> bool:
 
 def _error(name: str, value: Any, rule: str) -> QuadrupedError:
     return QuadrupedError(f"QuadrupedDesign: {name} must be {rule}; found {short(value)}")
+
+
+def solid_box_inertia(mass: float, size: tuple[float, float, float]) -> NDArray[np.float64]:
+    """Principal moments of inertia (3,) of a homogeneous box about its centre."""
+    x, y, z = size
+    return mass / 12.0 * np.array([y * y + z * z, x * x + z * z, x * x + y * y])
+
+
+def solid_sphere_inertia(mass: float, radius: float) -> NDArray[np.float64]:
+    """Principal moments of inertia (3,) of a homogeneous ball about its centre."""
+    return np.full(3, 0.4 * mass * radius * radius)
+
+
+def solid_cylinder_inertia(mass: float, radius: float, length: float) -> NDArray[np.float64]:
+    """Principal moments of inertia (3,) of a homogeneous cylinder along z about its centre."""
+    transverse = mass / 12.0 * (3.0 * radius * radius + length * length)
+    return np.array([transverse, transverse, 0.5 * mass * radius * radius])

@@ -114,6 +114,18 @@ class Robot:
         ):
             if len(getattr(self, name)) != length:
                 raise self._error(f"{name} must have {length} entries, one per {what}; found {getattr(self, name)!r}")
+        self._check_given()
+        for names in (self.leg_names, self.joint_names, self.link_names):
+            if len(set(names)) < len(names):
+                raise self._error(f"names must differ; found {names!r}")
+        outside = (self.stance < self.joint_position_low) | (self.stance > self.joint_position_high)
+        if outside.any():
+            raise self._error(
+                f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
+            )
+
+    def _check_given(self) -> None:
+        """Check the optional fields, and make them plain."""
         for name, length, allowed in (
             ("motor_kinds", self.num_joints, JOINT_KINDS),
             ("mirror_signs", self.num_joints, (1, -1)),
@@ -125,14 +137,10 @@ class Robot:
             if len(given) != length or not set(given) <= set(allowed):
                 raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {given!r}")
             object.__setattr__(self, name, tuple(given))
-        for names in (self.leg_names, self.joint_names, self.link_names):
-            if len(set(names)) < len(names):
-                raise self._error(f"names must differ; found {names!r}")
-        outside = (self.stance < self.joint_position_low) | (self.stance > self.joint_position_high)
-        if outside.any():
-            raise self._error(
-                f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
-            )
+        if self.gaits is not None:
+            if not isinstance(self.gaits, Mapping):
+                raise self._error(f"gaits must be a dict of preset -> parameters; found {short(self.gaits)}")
+            object.__setattr__(self, "gaits", plain(dict(self.gaits)))
 
     @property
     def base_name(self) -> str:

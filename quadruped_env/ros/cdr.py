@@ -4,33 +4,17 @@
     data = cdr.serialize(joint_state)
 
 A message is a dataclass of `rosbags`, with the fields of its `MessageType`. Fields left out have ROS's defaults: 0, ""
-or empty, and 1 for the w of a quaternion. For long recordings of joint states, `joint_state_bytes` gives the
-same bytes faster.
+or empty, and 1 for the w of a quaternion.
 """
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.ros.message_types import Field, MessageType, message_type
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.ros.message_types import Field, MessageType, message_type, typestore
 from quadruped_env.ros.timestamps import NS_PER_SECOND
-
-
-@cache
-def typestore() -> Any:
-    """The message types of ROS 2 Humble, as `rosbags` knows them.
-
-    Raises:
-        MissingExtraError: if rosbags is not installed.
-    """
-    try:
-        from rosbags.typesys import Stores, get_typestore
-    except ImportError as error:
-        raise MissingExtraError("reading and writing ROS messages", "ros") from error
-    return get_typestore(Stores.ROS2_HUMBLE)
 
 
 def message(type_name: str, **fields: Any) -> Any:
@@ -50,9 +34,17 @@ def message(type_name: str, **fields: Any) -> Any:
     return typestore().types[type_name](**values)
 
 
+def seconds_of(stamp: int) -> tuple[int, int]:
+    """Seconds and ns of a timestamp in ns. Raises a QuadrupedError if it does not fit into a message."""
+    sec, nanosec = divmod(stamp, NS_PER_SECOND)
+    if not -(2**31) <= sec < 2**31:
+        raise QuadrupedError(f"timestamp {stamp} ns: a ROS message holds -2^31 to 2^31 - 1 s")
+    return sec, nanosec
+
+
 def time(stamp: int) -> Any:
     """A `builtin_interfaces/msg/Time` from a timestamp in ns."""
-    sec, nanosec = divmod(stamp, NS_PER_SECOND)
+    sec, nanosec = seconds_of(stamp)
     return message("builtin_interfaces/msg/Time", sec=sec, nanosec=nanosec)
 
 
@@ -83,11 +75,11 @@ def deserialize(data: bytes, type_name: str) -> Any:
 def _value(kind: MessageType, field: Field, given: Any) -> Any:
     """Value of one field of a message, converted from the given one, or the default."""
     if not field.many:
-        return _single(field, given)
+        return _single(kind.name, field, given)
     given = () if given is None else given
     values: Any
     if field.is_message or field.base == "string":
-        values = [_single(field, one) for one in given]
+        values = [_single(kind.name, field, one) for one in given]
     else:
         values = np.ascontiguousarray(given, dtype=np.dtype(field.base))
         if field.count is not None and not len(values):
@@ -97,7 +89,7 @@ def _value(kind: MessageType, field: Field, given: Any) -> Any:
     return values
 
 
-def _single(field: Field, given: Any) -> Any:
+def _single(type_name: str, field: Field, given: Any) -> Any:
     if field.is_message:
         if given is None or isinstance(given, Mapping):
             return message(field.base, **(given or {}))
@@ -107,4 +99,5 @@ def _single(field: Field, given: Any) -> Any:
     if field.base == "bool":
         return bool(given)
     convert = float if field.base.startswith("float") else int
-    return convert(field.default if given is None else given)
+    default = type_name == "geometry_msgs/msg/Quaternion" and field.name == "w"
+    return convert(default if given is None else given)

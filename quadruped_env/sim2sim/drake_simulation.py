@@ -16,7 +16,6 @@ from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import SimulationState
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils import rotations
-from quadruped_env.utils.arrays import NUMPY
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -42,8 +41,6 @@ class DrakeSimulation:
     """
 
     height_field: HeightField | None = None
-
-    xp = NUMPY
 
     def __init__(self, config: TaskConfig, num_envs: int, timestep: float, contact: Contact) -> None:
         if config.ground.heights().any():

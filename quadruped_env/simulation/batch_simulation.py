@@ -14,7 +14,6 @@ from quadruped_env.robot.readings import Readings, sensor_columns
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState
-from quadruped_env.utils.arrays import NUMPY
 
 _WARNING_COUNT = 1
 _DISABLE: Final = mujoco.mjtDisableBit
@@ -32,8 +31,6 @@ class BatchSimulation:
             do not depend on it.
         robot: robot that the model describes.
     """
-
-    xp = NUMPY
 
     def __init__(
         self, model: mujoco.MjModel, num_envs: int, num_threads: int = 0, robot: Robot = MINI_QUADRUPED
@@ -206,11 +203,7 @@ class BatchSimulation:
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._make(state["model"], state["num_envs"], state["num_threads"], state["robot"])
         self._restore(
-            np.arange(self.num_envs),
-            state["integration"],
-            state["readings"],
-            state["diverged"],
-            state["model_fields"],
+            np.arange(self.num_envs), state["integration"], state["readings"], state["diverged"], state["model_fields"]
         )
 
     def copy_data(self, env_id: int) -> mujoco.MjData:

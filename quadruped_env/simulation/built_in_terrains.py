@@ -7,26 +7,8 @@ from typing import Annotated, Final
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, did_you_mean, short
-from quadruped_env.simulation.grid import MAX_POINTS, ROUNDING, START, Floats, Grid
-from quadruped_env.simulation.terrain import LEVELS, Terrain, terrain
-from quadruped_env.simulation.tiles import Tiles, tiles_of
+from quadruped_env.simulation.terrain import ROUNDING, START, Floats, Grid, Terrain, Tiles, terrain
 from quadruped_env.utils.parameters import Parameter
-
-__all__ = [
-    "LEVELS",
-    "MAX_POINTS",
-    "NAMES",
-    "TERRAINS",
-    "Grid",
-    "Terrain",
-    "Tiles",
-    "find_terrain",
-    "flat",
-    "hills",
-    "rough",
-    "terrain",
-    "tiles",
-]
 
 HIGHEST: Final = 0.055
 """Height at the hardest level, m: 30 % of the built-in robot's leg length of 0.184 m."""
@@ -95,10 +77,7 @@ def stairs(grid: Grid, height: Height = 0.02, run: Length = 0.2) -> Floats:
 
 @terrain(size=_LARGE, cell=FINE, hardest={"depth": HIGHEST})
 def gaps(
-    grid: Grid,
-    depth: Height = 0.02,
-    width: Annotated[float, Parameter("m", 0.1)] = 0.15,
-    distance: Length = 0.45,
+    grid: Grid, depth: Height = 0.02, width: Annotated[float, Parameter("m", 0.1)] = 0.15, distance: Length = 0.45
 ) -> Floats:
     """Trenches in squares around the start, 2 cm deep, 0.15 m wide and 0.45 m apart."""
     number = math.floor(grid.ring_end / distance + ROUNDING)
@@ -114,7 +93,14 @@ def wave(grid: Grid, height: Height = 0.02, length: Length = 0.8) -> Floats:
     return 0.25 * height * (2.0 - along_x - along_y) * grid.fade
 
 
-tiles: Final = tiles_of((flat, slope, rough, steps, stairs, gaps, wave), FINE)
+tiles: Final = Tiles(
+    "tiles",
+    np.zeros_like,
+    parameters={},
+    description="A tile for each kind of ground at each level.",
+    cell=FINE,
+    kinds=(flat, slope, rough, steps, stairs, gaps, wave),
+)
 """All terrains with levels."""
 
 TERRAINS: Final = (flat, rough, hills, slope, steps, stairs, gaps, wave, tiles)
@@ -124,11 +110,7 @@ NAMES: Final = ", ".join(entry.name for entry in TERRAINS)
 
 
 def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrain:
-    """The terrain of a name.
-
-    Raises:
-        QuadrupedError: if there is no such terrain.
-    """
+    """The terrain of a name. Raises a QuadrupedError if there is no such terrain."""
     for entry in terrains:
         if entry.name == name:
             return entry

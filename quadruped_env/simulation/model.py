@@ -68,12 +68,7 @@ def build_model(
 
 @functools.lru_cache(maxsize=8)
 def _compiled(
-    timestep: float | None,
-    motors: MotorConfig | None,
-    terrain: Terrain,
-    robot: Robot,
-    max_delay: float,
-    _modified: int,
+    timestep: float | None, motors: MotorConfig | None, terrain: Terrain, robot: Robot, max_delay: float, _modified: int
 ) -> mujoco.MjModel:
     spec = scene(robot)
     if timestep is not None:

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.utils.arrays import Namespace
 
 SETTLED = mujoco.mjtStage.mjSTAGE_VEL
 """Stage at which every control step ends: positions and velocities are computed at the new state."""
@@ -36,14 +35,15 @@ class SimulationState(NamedTuple):
 class Simulation(Protocol):
     """N copies of the robot on its ground.
 
+    All that it returns and is called with are arrays of one kind, that of `sensordata`: NumPy's, or others that honour
+    NumPy's protocols. A task that is built on it computes with them.
+
     The drivers on the CPU return bit-identical results for the same calls, for any number of envs and threads.
     """
 
     model: mujoco.MjModel
     robot: Robot
     num_envs: int
-    xp: Namespace
-    """Array functions for all that it returns and is called with: a task built on it computes with them."""
     height_field: HeightField | None
     """Heights of the ground; None if it is a plane at height 0."""
     readings: Readings
@@ -108,3 +108,10 @@ class Simulation(Protocol):
     def set_state(self, env_id: int, state: SimulationState) -> None:
         """Restore a state from `get_state`, of this or of another simulation of the same model."""
         ...
+
+
+def highest_ground(simulation: Simulation, positions: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Height (...,) of the highest ground below a simulation's robot at positions (..., 2 or 3), m."""
+    if simulation.height_field is None:
+        return np.zeros_like(positions[..., 0])
+    return simulation.height_field.highest(positions, simulation.robot.footprint)

@@ -12,7 +12,6 @@ from quadruped_env.robot.readings import Readings, sensor_columns
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
-from quadruped_env.utils.arrays import NUMPY
 
 _NO_SENSORS = int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 
@@ -26,7 +25,6 @@ class SingleSimulation:
     """
 
     num_envs = 1
-    xp = NUMPY
 
     def __init__(self, model: mujoco.MjModel, robot: Robot = MINI_QUADRUPED) -> None:
         self.model = model

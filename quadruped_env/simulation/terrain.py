@@ -1,6 +1,6 @@
-"""Terrains: named shapes of the ground, their parameters and levels, and the decorator that creates them."""
+"""Terrains: named shapes of the ground on a grid of points, their parameters and levels, and tiles of several."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final, Self, overload
 
@@ -8,16 +8,121 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.simulation.grid import CELL, MAX_POINTS, SIZE, Grid
 from quadruped_env.utils.parameters import Parameter, described, parameters_of, stay_importable
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
 Floats = NDArray[np.float64]
 
+SIZE: Final = 40.0
+"""Default side length of the square around the start, m; the ground is level beyond it."""
+CELL: Final = 0.1
+"""Default grid spacing, m. Contacts at the edges between cells slow a turning robot down: by 2 %, at 0.05 m by 6 %."""
+MAX_POINTS: Final = 2001
+"""Maximum number of grid points per side."""
+
+START: Final = 0.4
+"""Half the side of the level square around the start, m."""
+TILE_BORDER: Final = 0.25
+"""Width of the level strip along the edge of a tile, m."""
+_FULL: Final = 1.2
+"""Distance from the start from which `Grid.fade` is 1, m."""
+_TILE_FULL: Final = 0.7
+"""The same in a tile, m."""
+_EDGE: Final = 1.0
+"""Width of the strip along the edge in which `Grid.fade` goes to 0, m."""
+_TILE_EDGE: Final = 0.5
+"""The same in a tile, with its level border, m."""
+ROUNDING: Final = 1e-9
+"""Tolerance for rounding errors of coordinates, m."""
+
 LEVELS: Final = 10
 """Number of levels of a terrain that has levels, from 1 to the hardest."""
 FIELDS: Final = ("name", "seed", "level")
 """Fields of every terrain in the config."""
+
+TILE: Final = 4.0
+"""Side length of a tile, m: 13 times the length of the built-in robot's base."""
+_MARGIN: Final = 1.0
+"""Width of the strip around the tiles in which the ground goes down to their lowest point, m."""
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Input of a terrain's function: P x P points, and random numbers."""
+
+    x: Floats
+    """Coordinate along x of each point (P, P), m, from the start; it changes along the second axis."""
+    y: Floats
+    """Coordinate along y of each point (P, P), m, from the start; it changes along the first axis."""
+    size: float
+    """Side length of the square, m; the start is in its middle."""
+    random: np.random.Generator
+    """Random generator from the terrain's seed."""
+    tile: bool = False
+    """True for a tile of `tiles`, whose edge must be level at height 0."""
+
+    @classmethod
+    def square(cls, size: float, cell: float, random: np.random.Generator, tile: bool = False) -> Self:
+        """Grid of a square around the start, with points `cell` apart, m."""
+        along = np.linspace(-0.5 * size, 0.5 * size, round(size / cell) + 1)
+        return cls(*np.meshgrid(along, along), size, random, tile)
+
+    @property
+    def fade(self) -> Floats:
+        """Factor (P, P) that is 0 around the start and at the edge, and 1 between them."""
+        full, edge, border = (_TILE_FULL, _TILE_EDGE, TILE_BORDER) if self.tile else (_FULL, _EDGE, 0.0)
+        from_start = np.hypot(self.x, self.y)
+        return smoothstep((from_start - START) / (full - START)) * smoothstep(
+            (self._to_edge - border) / (edge - border)
+        )
+
+    @property
+    def descent(self) -> Floats:
+        """Factor (P, P) that goes from 0 to 1 in the strip along the edge; 0 everywhere in a tile."""
+        return np.zeros_like(self.x) if self.tile else 1.0 - smoothstep(self._to_edge / _EDGE)
+
+    @property
+    def first(self) -> float:
+        """Sign of the first slope away from the start: 1 for up, and -1 in a tile.
+
+        A height field's highest point decides which parts of a robot MuJoCo looks up in it. With hollows in place of
+        hills, that is the base only for robots that walk through a hollow.
+        """
+        return -1.0 if self.tile else 1.0
+
+    @property
+    def ring(self) -> Floats:
+        """Distance (P, P) from the level square around the start, m; its contour lines are squares."""
+        return np.maximum(np.abs(self.x), np.abs(self.y)) - START
+
+    @property
+    def ring_end(self) -> float:
+        """Largest `ring` at which the ground may be uneven, m."""
+        return 0.5 * self.size - (TILE_BORDER if self.tile else _EDGE) - START
+
+    def inside(self, width: float) -> NDArray[np.bool_]:
+        """Mask (P, P) of the points whose `ring` is from 0 up to a width, m."""
+        ring = self.ring
+        return (ring > -ROUNDING) & (ring < width - ROUNDING)
+
+    def smooth_noise(self, distance: float) -> Floats:
+        """Random numbers in [0, 1) at points `distance` apart, m, smoothly interpolated: (P, P)."""
+        knots = self.random.random((round(self.size / distance) + 2,) * 2)
+        at = (self.x[0] + 0.5 * self.size) / distance
+        index = np.minimum(at.astype(int), len(knots) - 2)
+        share = smoothstep(at - index)
+        along = knots[index] * (1.0 - share[:, None]) + knots[index + 1] * share[:, None]
+        return along[:, index] * (1.0 - share) + along[:, index + 1] * share
+
+    @property
+    def _to_edge(self) -> Floats:
+        return 0.5 * self.size - np.maximum(np.abs(self.x), np.abs(self.y))
+
+
+def smoothstep(x: Floats) -> Floats:
+    """Smoothstep function: from 0 to 1 while x goes from 0 to 1."""
+    x = np.clip(x, 0.0, 1.0)
+    return x * x * (3.0 - 2.0 * x)
 
 
 @dataclass(frozen=True)
@@ -179,3 +284,74 @@ def terrain(
         return Terrain(function.__name__, function, parameters, description, size, cell, hardest)
 
     return decorate if function is None else decorate(function)
+
+
+@dataclass(frozen=True)
+class Tiles(Terrain):
+    """A height field of square tiles: levels along x, from 1 on, and kinds along y."""
+
+    kinds: tuple[Terrain, ...] = ()
+    """Terrains with levels, one line of tiles each."""
+    levels: int = LEVELS
+    """Number of levels, from 1 on."""
+
+    @property
+    def extent(self) -> tuple[float, float]:
+        """See `Terrain`."""
+        return self.levels * TILE + 2.0 * _MARGIN, len(self.kinds) * TILE + 2.0 * _MARGIN
+
+    def variant(self, seed: int = 0, level: int | None = None, scale: float = 1.0, **values: float) -> Self:
+        """See `Terrain`; `scale` is that of all tiles."""
+        return replace(super().variant(seed, level, scale, **values), scale=float(scale))
+
+    def of(self, kinds: Sequence[Terrain], levels: int, seed: int = 0, scale: float = 1.0) -> Self:
+        """Tiles of other kinds and levels; `scale` is the leg length relative to the built-in robot's.
+
+        Raises:
+            QuadrupedError: if a kind has no levels.
+        """
+        for kind in kinds:
+            if kind.hardest is None:
+                raise QuadrupedError(f"terrain {self.name}: the kind {kind.name} has no levels")
+        plain = tuple(kind.variant() for kind in kinds)
+        file = next((kind.file for kind in kinds if kind.file is not None), None)
+        return replace(self, kinds=plain, levels=levels, seed=seed, scale=float(scale), file=file)
+
+    def centres(self) -> Floats:
+        """Middle of each tile (K, L, 2) in the world, m: kind k at level l + 1 has index [k, l]."""
+        along_x = TILE * (np.arange(self.levels) - 0.5 * (self.levels - 1))
+        along_y = TILE * (np.arange(len(self.kinds)) - 0.5 * (len(self.kinds) - 1))
+        return np.stack(np.meshgrid(along_x, along_y), axis=-1)
+
+    def tile(self, kind: int, level: int) -> Floats:
+        """Heights (P, P) of one tile in m, without the other tiles.
+
+        Args:
+            kind: index in `kinds`.
+            level: from 1 on.
+
+        Raises:
+            QuadrupedError: if the kind's heights are not valid, or not 0 on the edge.
+        """
+        random = np.random.default_rng([self.seed, kind, level])
+        grid = Grid.square(TILE, self.cell, random, tile=True)
+        heights = self.kinds[kind].variant(level=level, scale=self.scale).heights_on(grid)
+        edges = np.concatenate([heights[[0, -1]].ravel(), heights[:, [0, -1]].ravel()])
+        if edges.any():
+            raise QuadrupedError(
+                f"terrain {self.kinds[kind].name}: as a tile its edge must be at height 0, and is at up to "
+                f"{np.abs(edges).max():g} m; multiply the heights by grid.fade"
+            )
+        return heights
+
+    def heights(self) -> Floats:
+        """Heights in m (points along y, points along x); see `Terrain.heights`."""
+        cells, margin = round(TILE / self.cell), round(_MARGIN / self.cell)
+        columns, lines = self.levels * cells, len(self.kinds) * cells
+        inner = np.zeros((lines + 1, columns + 1))
+        for kind in range(len(self.kinds)):
+            for level in range(1, self.levels + 1):
+                y, x = kind * cells, (level - 1) * cells
+                inner[y : y + cells + 1, x : x + cells + 1] = self.tile(kind, level)
+        outside = np.pad(np.zeros_like(inner), margin, "linear_ramp", end_values=_MARGIN)
+        return np.pad(inner, margin) + min(inner.min(), 0.0) * smoothstep(outside / _MARGIN)

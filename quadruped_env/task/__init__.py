@@ -2,8 +2,7 @@
 
 from quadruped_env.control.control_config import ActionConfig, Command
 from quadruped_env.control.observations import ObservationField, observation
-from quadruped_env.simulation.grid import Grid
-from quadruped_env.simulation.terrain import Terrain, terrain
+from quadruped_env.simulation.terrain import Grid, Terrain, terrain
 from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.privileged import PrivilegedReading, TrueState, privileged

@@ -2,20 +2,20 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Self, cast
+from typing import Self, cast
 
 from quadruped_env.control.control_config import check, check_range
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.utils.parameters import LARGEST, Parameter
-from quadruped_env.utils.plain import plain
+from quadruped_env.utils.plain import Plain, plain
 
 
 @dataclass(frozen=True)
 class Entry:
     """One field of a section."""
 
-    default: Any
-    convert: Callable[[Any, str], Any]
+    default: Plain
+    convert: Callable[[Plain, str], Plain]
     """Function (value, path in the config) -> converted value; raises a QuadrupedError if the value is not valid."""
     unit: str = "1"
 
@@ -23,7 +23,7 @@ class Entry:
 Schema = Mapping[str, Entry]
 
 
-class Section(Mapping[str, Any]):
+class Section(Mapping[str, Plain]):
     """One section of a task's config. Fields are attributes and items; `replace` returns a changed copy.
 
     Args:
@@ -40,7 +40,7 @@ class Section(Mapping[str, Any]):
     __slots__ = ("_name", "_remake", "_schema", "_values")
 
     def __init__(
-        self, name: str, schema: Schema, values: Any, remake: Callable[[dict[str, Any]], "Section"] | None = None
+        self, name: str, schema: Schema, values: Plain, remake: Callable[[dict[str, Plain]], "Section"] | None = None
     ) -> None:
         if not isinstance(values, Mapping):
             raise QuadrupedError(f"config.{name}: expected a mapping of fields; found {short(values)}")
@@ -55,16 +55,16 @@ class Section(Mapping[str, Any]):
             for field, entry in schema.items()
         }
 
-    def __getitem__(self, field: str) -> Any:
+    def __getitem__(self, field: str) -> Plain:
         return self._values[field]
 
-    def __getattr__(self, field: str) -> Any:
+    def __getattr__(self, field: str) -> Plain:
         # Copying and unpickling look up attributes before `_values` exists.
         if field.startswith("_") or field not in self._values:
             raise AttributeError(f"config.{self._name} has no field {field!r}")
         return self._values[field]
 
-    def __setattr__(self, field: str, value: Any) -> None:
+    def __setattr__(self, field: str, value: Plain) -> None:
         if field not in self.__slots__:
             raise AttributeError(f"config.{self._name}.{field}: a config is frozen; use replace({field}=...)")
         object.__setattr__(self, field, value)
@@ -84,23 +84,23 @@ class Section(Mapping[str, Any]):
     def __repr__(self) -> str:
         return f"{self._name}({', '.join(f'{field}={value!r}' for field, value in self.changes().items())})"
 
-    def __or__(self, changes: Mapping[str, Any]) -> dict[str, Any]:
+    def __or__(self, changes: Mapping[str, Plain]) -> dict[str, Plain]:
         return {**self._values, **changes}
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> Plain:
         return self._remake or dict, (self.to_dict(),)
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+    def __deepcopy__(self, memo: dict[int, Plain]) -> Self:
         return self
 
-    def replace(self, **changes: Any) -> Self:
+    def replace(self, **changes: Plain) -> Self:
         """A copy of the section with other values for some fields; raises a QuadrupedError as the constructor does."""
         if self._remake is None:
             return type(self)(self._name, self._schema, self._values | changes)
         # Without the defaults, some of which depend on other fields.
         return cast(Self, self._remake(self.changes() | changes))
 
-    def changes(self) -> dict[str, Any]:
+    def changes(self) -> dict[str, Plain]:
         """The values that are not the defaults; of a section within the section, its changes."""
         changed = {field: value for field, value in self._values.items() if value != self._schema[field].default}
         return {field: value.changes() if isinstance(value, Section) else value for field, value in changed.items()}
@@ -109,12 +109,12 @@ class Section(Mapping[str, Any]):
         """True if the section was created with this schema."""
         return self._schema is schema
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Plain]:
         """Plain values for JSON."""
         return {field: dict(value) if isinstance(value, Mapping) else value for field, value in self._values.items()}
 
 
-def number(value: Any, path: str, whole: bool = False) -> float:
+def number(value: Plain, path: str, whole: bool = False) -> float:
     """Convert a value of the config to a number; one that need not be whole is at most `LARGEST` in size.
 
     Raises:
@@ -127,7 +127,7 @@ def number(value: Any, path: str, whole: bool = False) -> float:
     return value if whole else float(value)
 
 
-def pair(value: Any, path: str) -> tuple[float, float]:
+def pair(value: Plain, path: str) -> tuple[float, float]:
     """Convert a value of the config to a pair (low, high) with low <= high.
 
     Raises:
@@ -143,7 +143,7 @@ def pair(value: Any, path: str) -> tuple[float, float]:
 def parameter_entry(parameter: Parameter, default: float) -> Entry:
     """Field for a number within the limits of a parameter."""
 
-    def convert(value: Any, path: str) -> float:
+    def convert(value: Plain, path: str) -> float:
         converted = number(value, path)
         check(parameter.accepts(converted), _field(path), converted, parameter.rule())
         return converted
@@ -154,7 +154,7 @@ def parameter_entry(parameter: Parameter, default: float) -> Entry:
 def seed_entry(default: int) -> Entry:
     """Field for a seed."""
 
-    def convert(value: Any, path: str) -> int:
+    def convert(value: Plain, path: str) -> int:
         valid = type(value) is int and 0 <= value < 2**32
         check(valid, _field(path), value, "a whole number, 0 or more, at most 4294967295")
         return int(value)
@@ -175,7 +175,7 @@ def section_entry(name: str, schema: Schema) -> Entry:
 def range_entry(default: tuple[float, float] | None, parameter: Parameter, optional: bool = False) -> Entry:
     """Field for a pair (low, high) within the limits of a parameter, or None if it is optional."""
 
-    def convert(value: Any, path: str) -> tuple[float, float] | None:
+    def convert(value: Plain, path: str) -> tuple[float, float] | None:
         if value is None and optional:
             return None
         low, high = pair(value, path)
@@ -188,7 +188,7 @@ def range_entry(default: tuple[float, float] | None, parameter: Parameter, optio
 def amplitude_entry(default: float, unit: str, parameter: Parameter) -> Entry:
     """Field for a pair (low, high), a number x, 0 or more, that stands for (-x, x), or None; each end is checked."""
 
-    def convert(value: Any, path: str) -> float | tuple[float, float] | None:
+    def convert(value: Plain, path: str) -> float | tuple[float, float] | None:
         if value is None:
             return None
         if isinstance(value, (list, tuple)):

@@ -3,7 +3,7 @@
 import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -123,7 +123,7 @@ def action_latency(state: TrueState) -> Floats:
 @privileged(unit="s", mirror=(1.0,), scale=20.0, bound=4.0)
 def observation_latency(state: TrueState) -> Floats:
     """Age of the readings when the policy receives them."""
-    return state.context.xp.zeros((state.simulation.num_envs, 1)) if state.sensors is None else state.sensors.latency
+    return np.zeros_like(state.context.velocity[:, :1]) if state.sensors is None else state.sensors.latency
 
 
 PRIVILEGED: Final = (
@@ -165,7 +165,7 @@ class PrivilegedReadings:
             QuadrupedError: if one of them is not finite.
         """
         layout, state = self.layout, self._state
-        raw: NDArray[Any] = np.concatenate([field.read(state) for field in layout.fields], axis=1)
+        raw: Floats = np.concatenate([field.read(state) for field in layout.fields], axis=1)
         if not np.isfinite(raw).all():
             column = int(np.argwhere(~np.isfinite(raw))[0, 1])
             name = next(name for name, columns in layout.slices.items() if column < columns.stop)

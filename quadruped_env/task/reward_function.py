@@ -2,19 +2,19 @@
 
 import functools
 import inspect
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.capture import Functions
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardTerm, Termination
 
 Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
 
 
 class RewardFunction:
@@ -28,39 +28,24 @@ class RewardFunction:
 
     def __init__(self, terms: Sequence[RewardTerm], config: Section, context: TaskContext) -> None:
         self.names = tuple(name for term in terms for name in term.names)
-        weights = np.array([config.weights[name] for name in self.names])[:, None] * context.timestep
-        self._weights = context.xp.constant(weights)
-        self._config = config
+        self._weights = np.array([config.weights[name] for name in self.names])[:, None] * context.timestep
+        self._weights.setflags(write=False)
         self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
-        self._listeners: list[Callable[[NDArray[np.intp], Floats], None]] = [
-            function.command_changed for _, function in self._functions if hasattr(function, "command_changed")
-        ]
-        self._values = context.xp.zeros((len(self.names), len(context.velocity)))
-        self._captured: Functions | None = None
-
-    def __getstate__(self) -> dict[str, Any]:
-        # Captured operations refer to arrays, which are others after unpickling.
-        return {**self.__dict__, "_captured": None}
-
-    def command_changed(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
-        """Notify the terms with a method `command_changed` of new velocity commands (R, 2) of some envs (R,)."""
-        for listener in self._listeners:
-            listener(env_ids, velocity)
+        self._paid: list[tuple[int | slice, Callable[[TaskContext], Floats]]] = []
+        """Function of each term that counts, with its index among the terms, or their slice."""
+        start = 0
+        for term, function in self._functions:
+            stop = start + len(term.names)
+            if any(config.weights[name] for name in term.names):
+                self._paid.append((start if stop == start + 1 else slice(start, stop), function))
+            start = stop
+        self._values = np.zeros((len(self.names), len(context.velocity)), like=context.velocity)
 
     def __call__(self, context: TaskContext) -> Floats:
         """Weighted terms (T, N) in a new array."""
-        if self._captured is None:
-            self._captured = Functions(self._with_results(), context.stand_ins)
-        self._captured.update(context)
+        for index, function in self._paid:
+            self._values[index] = function(context).T
         return self._values * self._weights
-
-    def _with_results(self) -> Iterator[tuple[Callable[..., Any], bool, Floats]]:
-        start = 0
-        for term, function in self._functions:
-            rows = self._values[start : start + len(term.names)]
-            start += len(rows)
-            if any(self._config.weights[name] for name in term.names):
-                yield function, term.pure, rows[0] if len(rows) == 1 else rows.T
 
     def check(self, context: TaskContext) -> None:
         """Compute every term once, to check its result.
@@ -68,28 +53,25 @@ class RewardFunction:
         Raises:
             QuadrupedError: if a term raises an error or its result does not have shape (N,), or (N, K) for K names.
         """
+        n = len(context.velocity)
         for term, function in self._functions:
-            call = functools.partial(function, context)
-            checked(f"reward {' and '.join(term.names)}", _shape(term, context), call)
+            shape = (n,) if len(term.names) == 1 else (n, len(term.names))
+            checked(f"reward {' and '.join(term.names)}", shape, functools.partial(function, context))
 
 
-def _shape(term: RewardTerm, context: TaskContext) -> tuple[int, ...]:
-    n, columns = len(context.velocity), len(term.names)
-    return (n,) if columns == 1 else (n, columns)
-
-
-def checked(what: str, shape: tuple[int, ...], call: Callable[[], Any]) -> None:
+def checked(what: str, shape: tuple[int, ...], call: Callable[[], object]) -> None:
     """Check that a user's function returns an array of a given shape.
 
     Raises:
-        QuadrupedError: if it raises an error or returns another shape.
+        QuadrupedError: if it raises an error or returns something else.
     """
     try:
         value = call()
     except Exception as error:
         raise QuadrupedError(f"{what}: {type(error).__name__}: {error}") from error
-    if np.shape(value) != shape:
-        raise QuadrupedError(f"{what}: expected an array of shape {shape}, one value per env; found {np.shape(value)}")
+    found = getattr(value, "shape", type(value).__name__)
+    if found != shape:
+        raise QuadrupedError(f"{what}: expected an array of shape {shape}, one value per env; found {found}")
 
 
 class Terminations:
@@ -102,32 +84,27 @@ class Terminations:
     """
 
     def __init__(self, terms: Sequence[Termination], config: Section, context: TaskContext) -> None:
-        self._functions = [(term, _with_parameters(term, config, context)) for term in terms]
-        self._values = [context.xp.zeros(len(context.velocity), np.bool_) for _ in terms]
-        self._captured: Functions | None = None
+        self._names = [term.name for term in terms]
+        self._functions: list[Callable[[TaskContext], Bools]] = [
+            _with_parameters(term, config, context) for term in terms
+        ]
 
-    def __getstate__(self) -> dict[str, Any]:
-        # See `RewardFunction`.
-        return {**self.__dict__, "_captured": None}
-
-    def __call__(self, context: TaskContext, diverged: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    def __call__(self, context: TaskContext, diverged: Bools) -> Bools:
         """Mask (N,) of the envs in which a condition holds or the simulation diverged, in a new array."""
-        if self._captured is None:
-            functions = zip(self._functions, self._values, strict=True)
-            self._captured = Functions([(f, term.pure, row) for (term, f), row in functions], context.stand_ins)
-        self._captured.update(context)
-        return functools.reduce(np.logical_or, self._values, diverged.copy())
+        ended = diverged.copy()
+        for function in self._functions:
+            np.logical_or(ended, function(context), out=ended)
+        return ended
 
     def check(self, context: TaskContext) -> None:
         """Compute every termination once, to check its result; see `RewardFunction.check`."""
-        for term, function in self._functions:
-            checked(f"termination {term.name}", (len(context.velocity),), functools.partial(function, context))
+        for name, function in zip(self._names, self._functions, strict=True):
+            checked(f"termination {name}", (len(context.velocity),), functools.partial(function, context))
 
 
 def _with_parameters(term: RewardTerm | Termination, config: Section, context: TaskContext) -> Any:
     """Function of a term with the config's parameters; for a class, an instance of it."""
     parameters = {name: config[name] for name in term.parameters}
-    function: Any = term.function
     if inspect.isclass(term.function):
-        return function(context, **parameters)
-    return functools.partial(function, **parameters) if parameters else function
+        return term(context, **parameters)
+    return functools.partial(term.function, **parameters) if parameters else term.function

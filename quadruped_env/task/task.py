@@ -5,18 +5,17 @@ rules in CONTRIBUTING.md before changing an expression here.
 """
 
 import functools
-import operator
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from gymnasium.utils import seeding
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.control.control_interface import ControlInterface
-from quadruped_env.control.episode_memory import EpisodeMemory
-from quadruped_env.control.velocity_command import VELOCITY, check_command
+from quadruped_env.control.controllers import Controller
+from quadruped_env.control.episode_memory import EpisodeMemory, State
+from quadruped_env.control.velocity_command import check_command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation, Tiles
 from quadruped_env.task.context import TaskContext
@@ -78,18 +77,17 @@ class Task:
         self.simulation = simulation
         self.max_episode_steps = max_episode_steps
         n = self.num_envs = simulation.num_envs
-        xp = self._xp = simulation.xp
-        self.control = ControlInterface(config.robot, config.control, n, definition.observations, xp)
+        like = simulation.sensordata
+        self.control = ControlInterface(config.robot, config.control, n, definition.observations, like)
         self.context = TaskContext(
             simulation.readings,
             self.control,
             config.reward.velocity_time_constant,
             config.reward.contact_threshold,
             simulation.height_field,
-            xp,
-            motors=config.motor,
+            config.motor,
         )
-        self.draws = Draws(n, xp)
+        self.draws = Draws(n, like)
         self._rewards = RewardFunction(definition.rewards, config.reward, self.context)
         self._terminations = Terminations(definition.terminations, config.termination, self.context)
         self._randomizer = Randomizer(simulation, self.control, self.draws, config)
@@ -101,14 +99,12 @@ class Task:
         self.term_names = self._rewards.names
         self.reward_keys = tuple(f"reward_{name}" for name in self.term_names)
 
-        self._memory = EpisodeMemory(n, xp)
+        self._memory = EpisodeMemory(n, like)
         self._fixed: NDArray[np.bool_] = self._memory.zeros("command_is_fixed", dtype=np.bool_)
         self._started: NDArray[np.bool_] = self._memory.zeros("started", dtype=np.bool_)
         self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
         """Mask (N,) of the envs whose episode has ended and that have not been reset since."""
         self._all_started = False
-        self._steps_to_next_command = 0
-        """Control steps after which a single env needs a new command; 0: not known."""
         self.generators: list[np.random.Generator] = []
         """Random generator of each env, from which the key of its draws is taken."""
         self.seeds: list[int] = []
@@ -121,7 +117,7 @@ class Task:
         if self._own_terms:
             self._check_terms()
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
+    def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
         # Unpickling the simulation creates new views of its readings.
         self.context.bind(self.simulation.readings, self.control)
@@ -197,11 +193,15 @@ class Task:
         self.context.memory.clear(env_ids)
         place = None if self.tiles is None else self.tiles.begin_episodes(env_ids, first, self.draws, tiles)
         fixed = None if command is None else np.tile(command, (len(env_ids), 1))
-        started_with = self._randomizer.begin_episodes(env_ids, place, fixed)
+        self._randomizer.begin_episodes(env_ids, place, fixed)
         self._started[env_ids] = True
         self._fixed[env_ids] = fixed is not None
-        self._steps_to_next_command = 0
-        self._rewards.command_changed(env_ids, started_with[:, :VELOCITY])
+        self.context.read()
+
+    def place(self, env_ids: EnvIds, qpos: Floats, qvel: Floats) -> None:
+        """Set the positions (R, 7 + J) and velocities (R, 6 + J) of some envs (R,), in MuJoCo's order."""
+        self.simulation.reset(env_ids, qpos, qvel)
+        self.context.read()
 
     def set_command(self, env_ids: EnvIds, command: Sequence[float] | Floats) -> None:
         """Change the command of some envs (R,) within their episodes; it stays fixed from then on.
@@ -211,7 +211,7 @@ class Task:
         """
         checked_command = check_command(command, self.config.commands)
         self._fixed[env_ids] = True
-        self._set_command(env_ids, np.tile(checked_command, (len(env_ids), 1)))
+        self.control.set_command(env_ids, np.tile(checked_command, (len(env_ids), 1)))
 
     def step(self, action: ArrayLike, restart: NDArray[np.bool_] | None = None) -> Transition:
         """Advance every env by one control step. No env is reset except those in `restart`.
@@ -225,8 +225,9 @@ class Task:
             QuadrupedError: if an env was never reset, the action's shape is wrong or a value is not finite; in that
                 case no env has moved.
         """
-        self._check_started()
-        values = self._xp.asarray(action)
+        if not self._all_started:
+            self._check_started()
+        values = np.asarray(action, dtype=np.float64, like=self.control.action)
         if restart is not None and values.shape == self.control.action.shape:
             values = values.copy()
             values[restart] = 0.0
@@ -234,7 +235,7 @@ class Task:
         self.control.advance()
         return self._move(self.control.joint_target(values), restart)
 
-    def act(self, controller: Any, observation: NDArray[np.float32]) -> Transition:
+    def act(self, controller: Controller, observation: NDArray[np.float32]) -> Transition:
         """Advance every env by one control step with a controller's joint targets.
 
         Args:
@@ -244,7 +245,8 @@ class Task:
         Raises:
             QuadrupedError: as `step`.
         """
-        self._check_started()
+        if not self._all_started:
+            self._check_started()
         self.control.advance()
         target = np.array(controller.act(observation, self.control), dtype=np.float64)
         self._check_values(target, "joint target")
@@ -260,19 +262,13 @@ class Task:
         diverged = self.simulation.diverged()
         terminated = self._terminations(self.context, diverged)
         self.context.fallen[:] = terminated
-        if self.max_episode_steps is None:
-            truncated = self._xp.zeros(self.num_envs, np.bool_)
-        else:
-            truncated = self.steps >= self.max_episode_steps
+        limit = self.max_episode_steps
+        truncated = np.zeros_like(diverged) if limit is None else self.control.steps >= limit
         if self.tiles is not None:
             self.tiles.update(self.context, terminated, diverged, running)
         terms = self._rewards(self.context)
-        # Added one by one in the declared order. For several envs `reduce` does so, in less time; the terms of a single
-        # one it would add in pairs.
-        if self.num_envs > 1:
-            reward = np.add.reduce(terms, axis=0)
-        else:
-            reward = self._xp.asarray([functools.reduce(operator.add, terms[:, 0].tolist())])
+        # One by one in the declared order. `reduce`, which is faster, would add the terms of a single env in pairs.
+        reward = np.add.reduce(terms, axis=0) if self.num_envs > 1 else np.add.accumulate(terms, axis=0)[-1]
         if self._own_terms and not np.isfinite(reward).all():
             self._refuse_reward(terms)
         self._resample_commands(running)
@@ -302,7 +298,7 @@ class Task:
         readings = self.simulation.readings if sensors is None else sensors.read(self.steps)
         return self.control.observe(readings, noise)
 
-    def get_state(self, env_id: int) -> dict[str, Any]:
+    def get_state(self, env_id: int) -> State:
         """Complete state of an env: physics, episode, draws and random generator."""
         return {
             "simulation": self.simulation.get_state(env_id),
@@ -312,15 +308,15 @@ class Task:
             **{name: part.get_state(env_id) for name, part in self._parts().items()},
         }
 
-    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+    def set_state(self, env_id: int, state: State) -> None:
         """Restore a state from `get_state`; the env then continues identically."""
         for name, part in self._parts().items():
             part.set_state(env_id, state[name])
         self.generators[env_id].bit_generator.state = state["generator"]
         self.seeds[env_id] = state["seed"]
         self._keyed[env_id] = self.generators[env_id] if state["keyed"] else None
-        self._steps_to_next_command = 0
         self.simulation.set_state(env_id, state["simulation"])
+        self.context.read()
 
     def _parts(self) -> dict[str, EpisodeMemory | Draws]:
         sensors = self._randomizer.sensors
@@ -335,12 +331,11 @@ class Task:
         }
 
     def _check_started(self) -> None:
-        if not self._all_started:
-            if not self._started.all():
-                raise QuadrupedError(
-                    f"step: call reset() first; env {np.argmin(self._started)} of {self.num_envs} has no episode yet"
-                )
-            self._all_started = True
+        if not self._started.all():
+            raise QuadrupedError(
+                f"step: call reset() first; env {np.argmin(self._started)} of {self.num_envs} has no episode yet"
+            )
+        self._all_started = True
 
     def _check_tiles(self, tiles: NDArray[np.intp], count: int) -> None:
         if self.tiles is None:
@@ -352,7 +347,7 @@ class Task:
             raise QuadrupedError(
                 f"{what}: expected shape {self.control.action.shape}, one value per joint; found {values.shape}"
             )
-        if np.count_nonzero(np.isfinite(values)) != values.size:
+        if not np.isfinite(values).all():
             env_id, column = np.argwhere(~np.isfinite(values))[0]
             raise QuadrupedError(
                 f"{what}: value {values[env_id, column]} for {self.control.robot.joint_names[column]} in env {env_id} "
@@ -369,7 +364,7 @@ class Task:
             shape = self.num_envs, field.width(self.control.robot)
             read = functools.partial(field.read, self.simulation.readings, self.control)
             checked(f"observation {field.name}", shape, read)
-        self.context.memory.clear(self._xp.arange(self.num_envs))
+        self.context.memory.clear(np.arange(self.num_envs, like=self.control.phase))
 
     def _refuse_reward(self, terms: Floats) -> None:
         term, env_id = np.argwhere(~np.isfinite(terms))[0]
@@ -379,20 +374,9 @@ class Task:
         )
 
     def _resample_commands(self, running: EnvIds | None) -> None:
-        if self._steps_to_next_command > 1:
-            self._steps_to_next_command -= 1
-            return
-        due = self.steps >= self._randomizer.command_due
-        if np.count_nonzero(due):
-            env_ids = np.flatnonzero(due & ~self._fixed)
+        due = (self.control.steps >= self._randomizer.command_due) & ~self._fixed
+        if due.any():
+            env_ids = np.flatnonzero(due)
             if running is not None:
                 env_ids = np.intersect1d(env_ids, running)
-            if len(env_ids):
-                self._set_command(env_ids, self._randomizer.next_command(env_ids))
-        # Of several envs, some one needs a command nearly at every step.
-        if self.num_envs == 1 and not self._fixed[0]:
-            self._steps_to_next_command = int(self._randomizer.command_due[0] - self.steps[0])
-
-    def _set_command(self, env_ids: EnvIds, command: Floats) -> None:
-        self.control.set_command(env_ids, command)
-        self._rewards.command_changed(env_ids, command[:, :VELOCITY])
+            self.control.set_command(env_ids, self._randomizer.next_command(env_ids))

@@ -10,7 +10,7 @@ import functools
 import typing
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Final, Literal, Self
+from typing import Final, Literal, Self
 
 import mujoco
 import numpy as np
@@ -41,14 +41,14 @@ from quadruped_env.task.randomization.randomization_presets import preset_values
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.terrain_section import Choice, check_tiles, ground_of, leg_scale, terrain_schema, values_of
 from quadruped_env.utils.parameters import Parameter
-from quadruped_env.utils.plain import PlainFields, plain
+from quadruped_env.utils.plain import Plain, PlainFields, plain
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
 ROBOT: Final = "robot"
 """Field of a config's plain values that names the robot, if it is not the built-in one."""
 
 _POSITIVE_SECONDS: Final = Parameter.positive("s")
-_OF_THE_DEFINITION: Final[Any] = None
+_OF_THE_DEFINITION: Final[Plain] = None
 """Default of the fields whose defaults depend on the task's definition."""
 
 
@@ -106,14 +106,14 @@ def _schema(name: str, choice: Choice, definition: TaskDefinition) -> Schema:
     return terrain_schema(choice, definition) if name == "terrain" else _schemas(definition)[name]
 
 
-def _terrain_names(section: Any) -> list[Any]:
+def _terrain_names(section: Plain) -> list[Plain]:
     """The terrains that a section of plain values names, itself or as kinds of its tiles."""
     values = section if isinstance(section, Mapping) else {}
     kinds = values.get("kinds")
     return [values.get("name"), *(kinds if isinstance(kinds, (list, tuple)) else ())]
 
 
-def _terrains_of_file(recorded: Any, section: Any, definition: TaskDefinition) -> list[Terrain]:
+def _terrains_of_file(recorded: Plain, section: Plain, definition: TaskDefinition) -> list[Terrain]:
     """The terrains that a section names and that are from a user's file, as they must be if one is recorded."""
     names = _terrain_names(section)
     found = [entry for entry in definition.terrains if entry.name in names and entry.file is not None]
@@ -123,19 +123,19 @@ def _terrains_of_file(recorded: Any, section: Any, definition: TaskDefinition) -
     return found
 
 
-def _defaults(definition: TaskDefinition) -> dict[str, Any]:
+def _defaults(definition: TaskDefinition) -> dict[str, Plain]:
     """Default of every field of the sections that depend on the task's terms, by its path (see `flat`)."""
     schemas = _schemas(definition).items()
     return flat({section: {name: entry.default for name, entry in schema.items()} for section, schema in schemas})
 
 
-def _own_defaults(definition: TaskDefinition) -> dict[str, Any]:
+def _own_defaults(definition: TaskDefinition) -> dict[str, Plain]:
     """The same of what a user's file defines."""
     built_in = _defaults(BUILT_IN.with_robot(definition.robot))
     return {path: value for path, value in _defaults(definition).items() if built_in.get(path, flat) != value}
 
 
-def for_definition(values: Mapping[str, Any], definition: TaskDefinition) -> dict[str, Any]:
+def for_definition(values: Mapping[str, Plain], definition: TaskDefinition) -> dict[str, Plain]:
     """Plain values of a config for another version of the user's file that they name, or for the built-in terms.
 
     What the user changed stays. What had its default by that file gets the present default, and what the definition
@@ -151,14 +151,14 @@ def for_definition(values: Mapping[str, Any], definition: TaskDefinition) -> dic
     built_in = _defaults(BUILT_IN.with_robot(definition.robot))
     old = before if isinstance(before, dict) else {}
 
-    def stays(path: str, value: Any) -> bool:
+    def stays(path: str, value: Plain) -> bool:
         if path not in known:
             return False
         if path not in old and path not in own:
             return True
         return isinstance(before, dict) and plain(value) != plain(old.get(path, built_in.get(path)))
 
-    def kept(section: Mapping[str, Any], path: str) -> dict[str, Any]:
+    def kept(section: Mapping[str, Plain], path: str) -> dict[str, Plain]:
         return {
             name: kept(value, f"{path}.{name}") if isinstance(value, Mapping) else value
             for name, value in section.items()
@@ -173,15 +173,15 @@ def for_definition(values: Mapping[str, Any], definition: TaskDefinition) -> dic
     }
 
 
-def flat(values: Mapping[str, Any], path: str = "") -> dict[str, Any]:
+def flat(values: Mapping[str, Plain], path: str = "") -> dict[str, Plain]:
     """Nested values by their path, such as `reward.weights.upright`."""
-    found: dict[str, Any] = {}
+    found: dict[str, Plain] = {}
     for name, value in values.items():
         found |= flat(value, f"{path}{name}.") if isinstance(value, Mapping) else {f"{path}{name}": value}
     return found
 
 
-def config_differences(values: Mapping[str, Any], config: "TaskConfig") -> list[str]:
+def config_differences(values: Mapping[str, Plain], config: "TaskConfig") -> list[str]:
     """Differences of a config from the plain values of another one in its sections of terms, in words."""
     recorded, terms = recorded_terms(values.get(TASK_FILE) or {}) or {}, config.definition.own_terms()
     found = []
@@ -207,16 +207,16 @@ def _sections(definition: TaskDefinition) -> tuple[str, ...]:
     return (*_schemas(definition), "terrain")
 
 
-def _known(values: dict[str, Any], schema: Schema) -> dict[str, Any]:
+def _known(values: dict[str, Plain], schema: Schema) -> dict[str, Plain]:
     """The values of a section that another schema has, too."""
     return {name: value for name, value in values.items() if name in schema}
 
 
-def _section(name: str, values: Any, definition: TaskDefinition) -> Section:
+def _section(name: str, values: Plain, definition: TaskDefinition) -> Section:
     return _remade(name, definition, Choice.of(values).name, values)
 
 
-def _remade(name: str, definition: TaskDefinition, terrain: Any, values: Any) -> Section:
+def _remade(name: str, definition: TaskDefinition, terrain: Plain, values: Plain) -> Section:
     """A section of the config; that of a terrain stays one of this terrain when it is changed."""
     schema = _schema(name, Choice.of(values)._replace(name=terrain), definition)
     if name == "randomization":
@@ -230,27 +230,27 @@ def _remade(name: str, definition: TaskDefinition, terrain: Any, values: Any) ->
     return section
 
 
-def CommandConfig(**values: Any) -> Section:  # noqa: N802  named like the class of a section
+def CommandConfig(**values: Plain) -> Section:  # noqa: N802  named like the class of a section
     """Distribution of the velocity commands, with the built-in task's fields."""
     return _section("command", values, BUILT_IN)
 
 
-def RewardConfig(**values: Any) -> Section:  # noqa: N802
+def RewardConfig(**values: Plain) -> Section:  # noqa: N802
     """Weights (per second) and parameters of the reward terms, with the built-in task's fields."""
     return _section("reward", values, BUILT_IN)
 
 
-def TerminationConfig(**values: Any) -> Section:  # noqa: N802
+def TerminationConfig(**values: Plain) -> Section:  # noqa: N802
     """Parameters of the terminations, with the built-in task's fields."""
     return _section("termination", values, BUILT_IN)
 
 
-def RandomizationConfig(**values: Any) -> Section:  # noqa: N802
+def RandomizationConfig(**values: Plain) -> Section:  # noqa: N802
     """Randomization of episodes, with the built-in task's fields; `preset="hard"` starts from a preset."""
     return _section("randomization", values, BUILT_IN)
 
 
-def TerrainConfig(**values: Any) -> Section:  # noqa: N802
+def TerrainConfig(**values: Plain) -> Section:  # noqa: N802
     """A built-in terrain with its seed and parameters."""
     return _section("terrain", values, BUILT_IN)
 
@@ -307,7 +307,7 @@ class TaskConfig(PlainFields):
     def with_definition(self, definition: TaskDefinition) -> Self:
         """A copy with other terms or another robot, whose motors and defaults replace those of the old one."""
         motor = _OF_THE_DEFINITION if self.motor == self.robot.motors else self.motor
-        sections: dict[str, Any] = {}
+        sections: dict[str, Plain] = {}
         for name in _sections(definition):
             section = getattr(self, name)
             changes = _known(section.changes(), _schema(name, Choice.of(section), definition))
@@ -368,7 +368,7 @@ class TaskConfig(PlainFields):
         own = (entry.name for entry in self.definition.randomizations if entry not in BUILT_IN.randomizations)
         return self._with_randomization({**preset_values(preset, self.robot), **dict.fromkeys(own)})
 
-    def _with_randomization(self, values: Mapping[str, Any]) -> Self:
+    def _with_randomization(self, values: Mapping[str, Plain]) -> Self:
         return dataclasses.replace(self, randomization=_section("randomization", values, self.definition))
 
     @property
@@ -402,9 +402,9 @@ class TaskConfig(PlainFields):
         """Components of the command, the velocities first."""
         return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, Plain]:
         """Nested plain values for `from_dict` and JSON; user's files and robots are given by name and SHA-256."""
-        values: dict[str, Any] = {}
+        values: dict[str, Plain] = {}
         for entry in dataclasses.fields(self):
             value = getattr(self, entry.name)
             if isinstance(value, Section):
@@ -425,7 +425,7 @@ class TaskConfig(PlainFields):
         return values
 
     @classmethod
-    def from_dict(cls, values: dict[str, Any], definition: TaskDefinition = BUILT_IN) -> Self:
+    def from_dict(cls, values: dict[str, Plain], definition: TaskDefinition = BUILT_IN) -> Self:
         """Create a config from nested values, which may be NumPy's; missing fields have their defaults.
 
         Args:
@@ -461,7 +461,7 @@ class TaskConfig(PlainFields):
 _type_hints = functools.cache(typing.get_type_hints)
 
 
-def _build(kind: type, values: Any, path: str, definition: TaskDefinition) -> Any:
+def _build(kind: type, values: Plain, path: str, definition: TaskDefinition) -> Plain:
     """An instance of a config dataclass from nested plain values; `path` names it in errors."""
     if not isinstance(values, dict):
         raise QuadrupedError(f"{path}: expected a mapping of fields; found {short(values)}")
@@ -469,7 +469,7 @@ def _build(kind: type, values: Any, path: str, definition: TaskDefinition) -> An
     unknown = sorted(str(name) for name in set(values) - set(hints))
     if unknown:
         raise QuadrupedError(f"{path}: unknown field {short(unknown[0])}; valid fields are {', '.join(hints)}")
-    fields: dict[str, Any] = {}
+    fields: dict[str, Plain] = {}
     for name, hint in hints.items():
         if hint is Section:
             fields[name] = _section(name, values.get(name, {}), definition)
@@ -480,7 +480,7 @@ def _build(kind: type, values: Any, path: str, definition: TaskDefinition) -> An
     return kind(**fields, definition=definition) if kind is TaskConfig else kind(**fields)
 
 
-def _motor(values: Any, path: str, definition: TaskDefinition) -> MotorConfig:
+def _motor(values: Plain, path: str, definition: TaskDefinition) -> MotorConfig:
     """Motors whose missing fields are those of the robot."""
     default = dataclasses.asdict(definition.robot.motors)
     if isinstance(values, dict):
@@ -492,7 +492,7 @@ def _motor(values: Any, path: str, definition: TaskDefinition) -> MotorConfig:
     return motors
 
 
-def _convert(hint: Any, value: Any, path: str, definition: TaskDefinition) -> Any:
+def _convert(hint: object, value: Plain, path: str, definition: TaskDefinition) -> Plain:
     if dataclasses.is_dataclass(hint):
         assert isinstance(hint, type)
         return _build(hint, value, path, definition)

@@ -15,8 +15,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.built_in_terrains import TERRAINS
-from quadruped_env.simulation.terrain import Terrain
-from quadruped_env.simulation.tiles import Tiles
+from quadruped_env.simulation.terrain import Terrain, Tiles
 from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
 from quadruped_env.task.randomization.randomization import Randomization
@@ -72,14 +71,14 @@ class TaskDefinition:
         return hash(self._identity)
 
     @property
-    def _identity(self) -> tuple[Any, ...]:
+    def _identity(self) -> tuple[object, ...]:
         return None if self.file is None else self.file.sha256, self.robot, self.added_terrains
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         # Functions of a user's file do not support pickling: unpickling loads the file again.
         return _again, (self.path, self.file, self.robot, self.added_terrains)
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+    def __deepcopy__(self, memo: dict[int, object]) -> Self:
         return self
 
     def with_robot(self, robot: Robot) -> Self:
@@ -99,7 +98,7 @@ class TaskDefinition:
         terrains = merged(self.terrains, [plain])
         return dataclasses.replace(self, terrains=terrains, added_terrains=(*self.added_terrains, plain))
 
-    def extended(self, terms: Iterable[Any], file: TaskFile, path: str) -> Self:
+    def extended(self, terms: Iterable[object], file: TaskFile, path: str) -> Self:
         """A copy with a user's terms appended to the lists, in order; a term replaces a built-in one of the same name.
 
         Raises:

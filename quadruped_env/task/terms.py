@@ -2,14 +2,29 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
+from quadruped_env.task.context import TaskContext
+from quadruped_env.utils.parameters import (
+    LARGEST,
+    Parameter,
+    described,
+    is_quantity,
+    parameters_of,
+    stay_importable,
+)
 from quadruped_env.utils.plain import plain
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+Term = Callable[..., Floats | Callable[[TaskContext], Floats]]
+"""Function (context, parameters) -> (N,), or (N, K) for K terms; or a class, created with the context and the
+parameters, and then called with the context."""
+Condition = Callable[..., Bools | Callable[[TaskContext], Bools]]
+"""Function (context, parameters) -> mask (N,), or a class as above."""
 
 
 @dataclass(frozen=True)
@@ -18,12 +33,10 @@ class RewardTerm:
 
     weights: dict[str, float]
     """Default weight of each term by name, per second."""
-    function: Callable[..., Any]
-    """Function (context) -> (N,), or (N, K) for K names; or a class, created and then called with the context."""
+    function: Term
     unit: str
     parameters: dict[str, tuple[Parameter, float]]
     description: str
-    pure: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "weights", plain(self.weights))
@@ -45,7 +58,7 @@ class RewardTerm:
         own = [line.partition(": ")[2] for line in lines if line.startswith(f"{name}: ")]
         return own[0] if own else self.description
 
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+    def __call__(self, *args: object, **kwargs: object) -> Floats | Callable[[TaskContext], Floats]:
         """Call the function, or create an instance of the class."""
         return self.function(*args, **kwargs)
 
@@ -55,17 +68,16 @@ class Termination:
     """A condition that ends an episode as a fall. Created by `termination`."""
 
     name: str
-    function: Callable[..., NDArray[np.bool_]]
+    function: Condition
     parameters: dict[str, tuple[Parameter, float]]
     description: str
-    pure: bool = False
 
-    def __call__(self, *args: Any, **kwargs: Any) -> NDArray[np.bool_]:
-        """Mask (N,) of the envs whose episode ends."""
+    def __call__(self, *args: object, **kwargs: object) -> Bools | Callable[[TaskContext], Bools]:
+        """Mask (N,) of the envs whose episode ends, or an instance of the class."""
         return self.function(*args, **kwargs)
 
 
-def reward(weight: float, unit: str = "1", pure: bool = False) -> Callable[[Callable[..., Any]], RewardTerm]:
+def reward(weight: float, unit: str = "1") -> Callable[[Term], RewardTerm]:
     """Decorator: a function (context) -> (N,) becomes a reward term of the same name.
 
     Arguments with a default, after the context, are parameters that the config can change. A class in place of a
@@ -75,51 +87,26 @@ def reward(weight: float, unit: str = "1", pure: bool = False) -> Callable[[Call
     Args:
         weight: default weight, per second; negative for a penalty.
         unit: unit of the function's result.
-        pure: True if the function only applies NumPy's ufuncs to the context's arrays and to constants, the same at
-            every step, and takes views of them. It is then called once, and its ufuncs are repeated (see `capture`),
-            which is faster for a single env.
     """
-
-    def decorate(function: Callable[..., Any]) -> RewardTerm:
-        return _term({function.__name__: weight}, unit, function, pure)
-
-    return decorate
+    return lambda function: _term({function.__name__: weight}, unit, function)
 
 
-def reward_group(unit: str = "1", pure: bool = False, **weights: float) -> Callable[[Callable[..., Any]], RewardTerm]:
+def reward_group(unit: str = "1", **weights: float) -> Callable[[Term], RewardTerm]:
     """Decorator: a function (context) -> (N, K) becomes K reward terms that are computed together.
 
     Args:
         unit: unit of the function's result.
-        pure: see `reward`.
         weights: default weight of each column by name, per second.
     """
-
-    def decorate(function: Callable[..., Any]) -> RewardTerm:
-        return _term(weights, unit, function, pure)
-
-    return decorate
+    return lambda function: _term(weights, unit, function)
 
 
-def _term(weights: dict[str, float], unit: str, function: Callable[..., Any], pure: bool) -> RewardTerm:
+def _term(weights: dict[str, float], unit: str, function: Term) -> RewardTerm:
     stay_importable(function)
-    return RewardTerm(weights, function, unit, parameters_of(function), described(function), pure)
+    return RewardTerm(weights, function, unit, parameters_of(function), described(function))
 
 
-@overload
-def termination(function: Callable[..., Any], /) -> Termination: ...
-@overload
-def termination(*, pure: bool) -> Callable[[Callable[..., Any]], Termination]: ...
-def termination(function: Callable[..., Any] | None = None, /, *, pure: bool = False) -> Any:
-    """Decorator: a function (context) -> bool (N,) becomes a termination of the same name.
-
-    Args:
-        function: the function.
-        pure: see `reward`.
-    """
-
-    def decorate(function: Callable[..., Any]) -> Termination:
-        stay_importable(function)
-        return Termination(function.__name__, function, parameters_of(function), described(function), pure)
-
-    return decorate if function is None else decorate(function)
+def termination(function: Condition) -> Termination:
+    """Decorator: a function (context) -> bool (N,) becomes a termination of the same name."""
+    stay_importable(function)
+    return Termination(function.__name__, function, parameters_of(function), described(function))

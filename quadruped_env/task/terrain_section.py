@@ -2,17 +2,17 @@
 
 import functools
 from collections.abc import Mapping, Sequence
-from typing import Any, Final, NamedTuple, Self
+from typing import Final, NamedTuple, Self
 
 from quadruped_env.control.control_config import check
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.built_in_terrains import find_terrain
-from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain
-from quadruped_env.simulation.tiles import Tiles
+from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain, Tiles
 from quadruped_env.task.config_sections import Entry, Schema, Section, number, parameter_entry, seed_entry
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
 from quadruped_env.utils.parameters import Parameter
+from quadruped_env.utils.plain import Plain
 
 DEFAULT_TERRAIN: Final = "flat"
 _SHARE: Final = Parameter(low=0.0, exclusive=True)
@@ -21,11 +21,11 @@ _SHARE: Final = Parameter(low=0.0, exclusive=True)
 class Choice(NamedTuple):
     """The fields that determine which other fields the section has, and their defaults."""
 
-    name: Any = DEFAULT_TERRAIN
-    level: Any = None
+    name: Plain = DEFAULT_TERRAIN
+    level: Plain = None
 
     @classmethod
-    def of(cls, values: Any) -> Self:
+    def of(cls, values: Plain) -> Self:
         """The choice in values of the section, which may be invalid."""
         if not isinstance(values, Mapping):
             return cls()
@@ -71,7 +71,7 @@ def ground_of(section: Section, definition: TaskDefinition) -> Terrain:
     return terrain.variant(section["seed"], section.get("level"), scale, **parameters)
 
 
-def values_of(terrain: Terrain) -> dict[str, Any]:
+def values_of(terrain: Terrain) -> dict[str, Plain]:
     """Values of the section that describe a terrain, without its seed."""
     if isinstance(terrain, Tiles):
         return {"name": terrain.name, "kinds": [kind.name for kind in terrain.kinds], "levels": terrain.levels}
@@ -91,7 +91,7 @@ def _shape_schema(terrain: Terrain, level: int | None, scale: float) -> Schema:
 def _tiles_schema(tiles: Tiles, definition: TaskDefinition) -> Schema:
     valid = with_levels(definition.terrains)
 
-    def kinds(value: Any, path: str) -> tuple[str, ...]:
+    def kinds(value: Plain, path: str) -> tuple[str, ...]:
         if not isinstance(value, (list, tuple)) or not value:
             raise QuadrupedError(
                 f"{path}: expected a list of one or more terrains with levels; found {short(value)}; valid are "
@@ -104,7 +104,7 @@ def _tiles_schema(tiles: Tiles, definition: TaskDefinition) -> Schema:
                 )
         return tuple(value)
 
-    def switch(value: Any, path: str) -> bool:
+    def switch(value: Plain, path: str) -> bool:
         if not isinstance(value, bool):
             raise QuadrupedError(f"{path}: expected true or false; found {short(value)}")
         return value
@@ -137,7 +137,7 @@ def check_tiles(section: Section) -> None:
 
 
 def _name_entry(terrain: Terrain) -> Entry:
-    def name(value: Any, path: str) -> str:
+    def name(value: Plain, path: str) -> str:
         if value != terrain.name:
             raise QuadrupedError(
                 f"{path}: this section is for {terrain.name!r}; found {short(value)}; make a new section, or use "
@@ -148,7 +148,7 @@ def _name_entry(terrain: Terrain) -> Entry:
     return Entry(DEFAULT_TERRAIN, name)
 
 
-def _level(value: Any, path: str) -> int | None:
+def _level(value: Plain, path: str) -> int | None:
     """Convert a level; None is valid only where it is the default."""
     if value is None and path.endswith(".level"):
         return None

@@ -90,32 +90,20 @@ def convert(
     pieces: Iterable[Rows] = stream
     if change is not None:
         pieces = saving.in_pieces(change(JointTrajectory.from_stream(stream)).to_rows())
-    observer = _Observer()
-    saving.save(observer.observe(pieces), target, writing)
-    return observer.account(stream)
+    stamps = array("q")
+    names: tuple[str, ...] = ()
+    kinds: tuple[str, ...] = ()
 
-
-class _Observer:
-    """Collects the content of an account from the pieces of a recording."""
-
-    def __init__(self) -> None:
-        self._stamps = array("q")
-        self._names: tuple[str, ...] = ()
-        self._kinds: tuple[str, ...] = ()
-
-    def observe(self, pieces: Iterable[Rows]) -> Iterator[Rows]:
-        """The same pieces."""
+    def observed() -> Iterator[Rows]:
+        nonlocal names, kinds
         for piece in pieces:
-            self._stamps.frombytes(piece.stamps.tobytes())
-            self._names, self._kinds = piece.names, tuple(ARRAYS[kind] for kind in piece.values)
+            stamps.frombytes(piece.stamps.tobytes())
+            names, kinds = piece.names, tuple(ARRAYS[kind] for kind in piece.values)
             yield piece
 
-    def account(self, stream: Stream) -> Account:
-        """The account of the pieces, with the remarks of their stream."""
-        stamps: NDArray[np.int64] = np.frombuffer(self._stamps, np.int64)
-        rate = NS_PER_SECOND / float(np.median(np.diff(stamps))) if len(stamps) > 1 else float("nan")
-        seconds = float(stamps[-1] - stamps[0]) / NS_PER_SECOND
-        gaps = find_gaps(stamps)
-        return Account(
-            len(stamps), self._names, self._kinds, seconds, rate, gaps, stream.remarks(), stream.unchecked_rows
-        )
+    saving.save(observed(), target, writing)
+    times: NDArray[np.int64] = np.frombuffer(stamps, np.int64)
+    rate = NS_PER_SECOND / float(np.median(np.diff(times))) if len(times) > 1 else float("nan")
+    seconds = float(times[-1] - times[0]) / NS_PER_SECOND
+    found = stream.reading
+    return Account(len(times), names, kinds, seconds, rate, find_gaps(times), found.remarks(), found.unchecked_rows)

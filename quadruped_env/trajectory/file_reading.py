@@ -31,8 +31,6 @@ class Reading:
     """The format's word for a row"""
     rows: int = 0
     """Rows read so far, kept or not"""
-    expected_rows: int = 0
-    """Rows in the file; 0 if unknown"""
     left_out: Counter[str] = field(default_factory=Counter)
     """Reason for leaving rows out -> number of rows"""
     counted: Counter[str] = field(default_factory=Counter)

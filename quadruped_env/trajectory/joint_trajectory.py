@@ -17,18 +17,16 @@ from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import row_conversion, saving
 from quadruped_env.trajectory.interpolation import Gap, derivative, even_stamps, find_gaps, interpolate, nanoseconds_of
-from quadruped_env.trajectory.joint_state import JointState
 from quadruped_env.trajectory.loading import Stream
 from quadruped_env.trajectory.maps import ColumnMap, JointMap
 from quadruped_env.trajectory.read_options import ReadOptions
-from quadruped_env.trajectory.rows import ARRAYS, Rows
+from quadruped_env.trajectory.rows import ARRAYS, JointState, Rows
 from quadruped_env.trajectory.validation import (
     IN_MEMORY,
     Source,
     check_finite,
     checked_names,
     checked_stamps,
-    checked_stamps_within,
     checked_values,
     read_only,
 )
@@ -90,10 +88,10 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if something in the recording is invalid; see `load`.
         """
-        names, stamps, values = stream.collect()
-        arrays = {name: values.get(kind) for kind, name in ARRAYS.items()}
+        rows = stream.collect()
+        arrays = {name: rows.values.get(kind) for kind, name in ARRAYS.items()}
         trajectory = cls.__new__(cls)
-        trajectory._set(stamps=stamps, names=names, source=stream.source, **arrays)
+        trajectory._set(stamps=rows.stamps, names=rows.names, source=stream.source, **arrays)
         return trajectory
 
     def to_rows(self, base_pose: NDArray[np.float64] | None = None) -> Rows:
@@ -239,11 +237,7 @@ class JointTrajectory:
         return float(self.times[-1])
 
     def select(self, names: Sequence[str]) -> "JointTrajectory":
-        """The trajectory with these joints only, in this order.
-
-        Raises:
-            QuadrupedError: if a joint is missing.
-        """
+        """The trajectory with these joints only, in this order. Raises a QuadrupedError if a joint is missing."""
         if tuple(names) == self.names:
             return self
         return self._of_rows(row_conversion.select(self.to_rows(), names, self.source.name))
@@ -296,7 +290,13 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if the timestamps do not increase, or lie outside the recording.
         """
-        wanted = checked_stamps_within(self.stamps, stamps, Source(f"{self.source.name}: at"))
+        wanted, first, last = checked_stamps(stamps, Source(f"{self.source.name}: at")), self.stamps[0], self.stamps[-1]
+        if wanted[0] < first or wanted[-1] > last:
+            outside = wanted[0] if wanted[0] < first else wanted[-1]
+            raise QuadrupedError(
+                f"{self.source.name}: at: timestamp {outside} ns lies outside the recording, {first} to {last} ns; "
+                f"choose timestamps within it"
+            )
         nanoseconds = (wanted - self.stamps[0]).astype(np.float64)
         return self._changed(
             stamps=wanted,

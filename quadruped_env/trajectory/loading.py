@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,16 +15,13 @@ from quadruped_env.trajectory.formats import recognition
 from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.row_conversion import from_degrees, retarget
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, concatenated
-from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, validate
+from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, read_only, validate
 from quadruped_env.utils.progress import Progress
 
 MAX_PLAUSIBLE: Final = 4.0 * np.pi
 """Two turns, rad. No joint of a leg reaches it, and a log in degrees nearly always does."""
 
 _DEFAULTS: Final = ReadOptions()
-_MIN_ROWS: Final = 1024
-_MAX_ROWS: Final = 1 << 22
-"""Maximum rows for which memory is allocated in advance: a damaged file may claim any number."""
 
 
 class Stream:
@@ -43,35 +40,22 @@ class Stream:
     """
 
     def __init__(self, path: str | Path, options: ReadOptions = _DEFAULTS, progress: Progress | None = None) -> None:
-        self._reading = Reading(Path(path), options, progress)
+        self.reading = Reading(Path(path), options, progress)
+        """State of the file; its remarks are complete once the last piece was read."""
         self._first: int | None = None
         """Number of the first row in the file"""
-
-    def remarks(self) -> tuple[str, ...]:
-        """Remarks on the numbers: rows left out, damage. Complete once the last piece was read."""
-        return self._reading.remarks()
 
     @property
     def source(self) -> Source:
         """The source of all rows. Complete once the last piece was read."""
-        reading = self._reading
-        source = Source(reading.name, "kept row", 0, notes=self.remarks())
+        reading = self.reading
+        source = Source(reading.name, "kept row", 0, notes=reading.remarks())
         if self._first is None or reading.left_out or reading.options.sort:
             return source
         return replace(source, row_name=reading.row_name, first_row=self._first)
 
-    @property
-    def unchecked_rows(self) -> int:
-        """Number of salvaged rows that no checksum covers, also those that were left out later."""
-        return self._reading.unchecked_rows
-
-    @property
-    def expected_rows(self) -> int:
-        """Estimated number of rows; 0 if unknown."""
-        return self._reading.expected_rows
-
     def __iter__(self) -> Iterator[Rows]:
-        reading = self._reading
+        reading = self.reading
         with ExitStack() as stack:
             pieces = recognition.read(reading, stack)
             if reading.options.sort:
@@ -84,45 +68,12 @@ class Stream:
             raise reading.error(None, f"no row is left; {'; '.join(reading.remarks()) or 'record again'}")
         reading.report_progress(1.0)
 
-    def collect(self) -> tuple[tuple[str, ...], NDArray[np.int64], dict[str, NDArray[np.float64]]]:
-        """All rows, read-only: names (J,), timestamps in ns (T,), and kind -> values (T, J)."""
-        stamps = _Column()
-        values: dict[str, _Column] = {}
-        names: tuple[str, ...] = ()
-        for piece in self:
-            names = piece.names
-            stamps.append(piece.stamps, self.expected_rows)
-            for kind, array in piece.values.items():
-                values.setdefault(kind, _Column()).append(array, self.expected_rows)
-        return names, stamps.array(), {kind: column.array() for kind, column in values.items()}
-
-
-class _Column:
-    """Collects rows in one array, which grows if there are more than expected: no rows are in memory twice."""
-
-    def __init__(self) -> None:
-        self._array: NDArray[Any] | None = None
-        self._rows = 0
-
-    def append(self, rows: NDArray[Any], expected: int) -> None:
-        """Add rows (n, ...), of which so many are expected in all."""
-        end = self._rows + len(rows)
-        if self._array is None:
-            expected = min(max(expected, _MIN_ROWS), _MAX_ROWS)
-            self._array = np.empty((max(expected, end), *rows.shape[1:]), rows.dtype)
-        elif end > len(self._array):
-            larger = np.empty((max(end, len(self._array) * 3 // 2), *rows.shape[1:]), rows.dtype)
-            larger[: self._rows] = self._array[: self._rows]
-            self._array = larger
-        self._array[self._rows : end] = rows
-        self._rows = end
-
-    def array(self) -> NDArray[Any]:
-        """The rows, read-only: trajectories share such arrays instead of copying them."""
-        assert self._array is not None
-        result = self._array[: self._rows]
-        result.flags.writeable = False
-        return result
+    def collect(self) -> Rows:
+        """All rows, read-only: trajectories share such arrays instead of copying them."""
+        rows = concatenated(list(self))
+        for array in (rows.stamps, *rows.values.values()):
+            read_only(array)
+        return rows
 
 
 def _sorted(pieces: Iterator[Rows]) -> Iterator[Rows]:

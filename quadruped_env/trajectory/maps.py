@@ -92,24 +92,26 @@ class ColumnMap:
     """Name in error messages"""
 
     def __post_init__(self) -> None:
-        for key in ("stamp_unit", "separator"):
-            if not isinstance(getattr(self, key), str) or not getattr(self, key):
-                raise QuadrupedError(f"{self.name}: {key}: expected a text; found {short(getattr(self, key))}")
-        if not _is_column(self.stamp):
-            raise QuadrupedError(f"{self.name}: stamp: expected a column, {_COLUMN_FORM}; found {short(self.stamp)}")
-        if self.stamp_unit not in STAMP_UNITS:
-            raise QuadrupedError(
-                f"{self.name}: stamp_unit: expected one of {', '.join(STAMP_UNITS)}; found {short(self.stamp_unit)}"
-            )
-        if len(self.separator) != 1 or self.separator in '"\n\r':
-            raise QuadrupedError(f"{self.name}: separator: expected one character; found {short(self.separator)}")
         files = {} if self.velocity_files is None else self.velocity_files
-        if not isinstance(files, dict) or not all(
-            isinstance(name, str) and Path(name).name == name for name in files.values()
-        ):
-            raise QuadrupedError(
-                f"{self.name}: velocity_files: expected a table of files in the same directory; found {short(files)}"
-            )
+        unit, separator = self.stamp_unit, self.separator
+        expected = {
+            "stamp": (f"a column, {_COLUMN_FORM}", _is_column(self.stamp)),
+            "stamp_unit": (f"one of {', '.join(STAMP_UNITS)}", isinstance(unit, str) and unit in STAMP_UNITS),
+            "separator": (
+                "one character",
+                isinstance(separator, str) and len(separator) == 1 and separator not in '"\n\r',
+            ),
+            "velocity_files": (
+                "a table of files in the same directory",
+                isinstance(files, dict)
+                and all(isinstance(name, str) and Path(name).name == name for name in files.values()),
+            ),
+            "missing": (
+                "a number, a text, or a list of them",
+                all(isinstance(mark, str) or _is_number(mark) for mark in self.marks),
+            ),
+        }
+        _check(self.name + ":", self, expected)
         if not self.joints:
             raise QuadrupedError(f"{self.name}: positions: name one column or more")
         for key in ARRAYS.values():
@@ -127,10 +129,6 @@ class ColumnMap:
                     f"{where}: expected each joint once, those of the positions; found {', '.join(_joints(columns))}"
                 )
         self._check_header()
-        if not all(isinstance(mark, str) or _is_number(mark) for mark in self.marks):
-            raise QuadrupedError(
-                f"{self.name}: missing: expected a number, a text, or a list of them; found {short(self.missing)}"
-            )
 
     def _check_header(self) -> None:
         """Raise a QuadrupedError if `header` is invalid, or contradicts columns that are given by name."""
@@ -284,11 +282,7 @@ class JointMap:
 
 
 def _table(document: Mapping[str, Any], key: str, where: str) -> dict[str, Any]:
-    """A table of a TOML document.
-
-    Raises:
-        QuadrupedError: if the key is missing, or is not a table.
-    """
+    """A table of a TOML document. Raises a QuadrupedError if the key is missing, or is not a table."""
     table = document.get(key)
     if not isinstance(table, dict):
         raise QuadrupedError(f"{where}: expected a table [{key}]; found {'none' if table is None else short(table)}")
@@ -306,21 +300,26 @@ def _check_keys(table: Any, known: Iterable[str], where: str) -> None:
 
 
 def _check_rule(where: str, rule: JointRule) -> None:
+    source, unit, velocity_unit = rule.source, rule.unit, rule.velocity_unit
     expected = {
-        "source": ("the name of a joint", rule.source is None or (isinstance(rule.source, str) and rule.source)),
+        "source": ("the name of a joint", source is None or (isinstance(source, str) and source)),
         "sign": ("1 or -1", _is_finite(rule.sign) and rule.sign in {1, -1}),
         "scale": ("a number above 0", _is_finite(rule.scale) and rule.scale > 0.0),
         "offset": ("a number", _is_finite(rule.offset)),
         "velocity_unit": (
             " or ".join(map(repr, VELOCITY_UNITS)),
-            rule.velocity_unit is None
-            or (isinstance(rule.velocity_unit, str) and rule.velocity_unit in VELOCITY_UNITS),
+            velocity_unit is None or (isinstance(velocity_unit, str) and velocity_unit in VELOCITY_UNITS),
         ),
-        "unit": (" or ".join(map(repr, UNITS)), isinstance(rule.unit, str) and rule.unit in UNITS),
+        "unit": (" or ".join(map(repr, UNITS)), isinstance(unit, str) and unit in UNITS),
     }
+    _check(where, rule, expected)
+
+
+def _check(where: str, checked: object, expected: Mapping[str, tuple[str, object]]) -> None:
+    """Raise a QuadrupedError for the first field that is not as expected: field -> description, whether it holds."""
     for key, (wanted, holds) in expected.items():
         if not holds:
-            raise QuadrupedError(f"{where} {key}: expected {wanted}; found {short(getattr(rule, key))}")
+            raise QuadrupedError(f"{where} {key}: expected {wanted}; found {short(getattr(checked, key))}")
 
 
 def _is_column(value: object) -> bool:
@@ -343,4 +342,4 @@ def _is_number(value: object) -> bool:
 
 
 def _is_finite(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
+    return isinstance(value, (int, float)) and _is_number(value) and abs(value) <= sys.float_info.max

@@ -1,10 +1,10 @@
 """The options for reading a recording: one table for Python and for the command line.
 
-To add an option, add a field to `ReadOptions`, and a keyword to `JointTrajectory.load`.
+To add an option, add a field to `ReadOptions`, its flag to `FLAGS`, and a keyword to `JointTrajectory.load`.
 """
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, Self
 
@@ -15,15 +15,57 @@ from quadruped_env.trajectory.rows import KINDS
 STAMPS: Final = ("header", "log")
 """Sources of a message's timestamp: its header, or the time at which it was recorded."""
 
-
-def _flag(name: str, **arguments: Any) -> dict[str, dict[str, Any]]:
-    """A flag of the command line, with arguments of argparse's `add_argument`."""
-    return {name: arguments}
-
-
-def _option(flags: Mapping[str, Mapping[str, Any]], convert: Callable[[Any], Any] | None = None) -> dict[str, Any]:
-    """Metadata of an option: its flags, which exclude each other, and a conversion of the value that a user gives."""
-    return {"flags": flags, "convert": convert}
+FLAGS: Final[Mapping[str, Mapping[str, Mapping[str, Any]]]] = {
+    "topic": {"--topic": {"help": "topic of the joint states, for a bag that has several"}},
+    "columns": {
+        "--columns": {"type": Path, "metavar": "MAP.toml", "help": "map of the columns of a CSV: table [columns]"}
+    },
+    "joint_map": {
+        "--map": {
+            "type": Path,
+            "metavar": "MAP.toml",
+            "help": "map of another robot's joints to this one's: tables [joints.<joint>]",
+        }
+    },
+    "names": {
+        "--names": {
+            "type": lambda text: text.split(","),
+            "metavar": "A,B,...",
+            "help": "names of the joints in their order, for messages with positions and without names",
+        }
+    },
+    "degrees": {
+        "--degrees": {
+            "action": "store_const",
+            "const": True,
+            "help": "positions and velocities are in degrees: convert them",
+        },
+        "--radians": {
+            "action": "store_const",
+            "const": False,
+            "help": "positions and velocities are in rad, even if they look like degrees",
+        },
+    },
+    "stamps": {
+        "--stamps": {
+            "choices": STAMPS,
+            "help": "timestamp of a message: its header's, or the time at which a bag recorded it; default: header",
+        }
+    },
+    "ignore": {
+        "--ignore": {"action": "append", "choices": KINDS[1:], "help": "do not read these values; may be given twice"}
+    },
+    "sort": {"--sort": {"action": "store_true", "help": "sort the rows by timestamp"}},
+    "drop": {
+        "--drop": {
+            "action": "store_true",
+            "help": "leave out rows that cannot be used (timestamps that do not increase, NaN, other joints), and "
+            "count them",
+        }
+    },
+    "salvage": {"--salvage": {"action": "store_true", "help": "keep the readable part of a damaged file"}},
+}
+"""Option -> its flags, which exclude each other -> arguments of argparse's `add_argument`."""
 
 
 @dataclass(frozen=True)
@@ -34,93 +76,16 @@ class ReadOptions:
         QuadrupedError: if a value is unknown, or two options contradict each other.
     """
 
-    topic: str | None = field(
-        default=None,
-        metadata=_option(_flag("--topic", help="topic of the joint states, for a bag that has several")),
-    )
-    columns: ColumnMap | None = field(
-        default=None,
-        metadata=_option(
-            _flag("--columns", type=Path, metavar="MAP.toml", help="map of the columns of a CSV: table [columns]"),
-            ColumnMap.of,
-        ),
-    )
-    joint_map: JointMap | None = field(
-        default=None,
-        metadata=_option(
-            _flag(
-                "--map",
-                type=Path,
-                metavar="MAP.toml",
-                help="map of another robot's joints to this one's: tables [joints.<joint>]",
-            ),
-            JointMap.of,
-        ),
-    )
-    names: tuple[str, ...] | None = field(
-        default=None,
-        metadata=_option(
-            _flag(
-                "--names",
-                type=lambda text: text.split(","),
-                metavar="A,B,...",
-                help="names of the joints in their order, for messages with positions and without names",
-            ),
-            tuple,
-        ),
-    )
-    degrees: bool | None = field(
-        default=None,
-        metadata=_option(
-            _flag(
-                "--degrees",
-                action="store_const",
-                const=True,
-                help="positions and velocities are in degrees: convert them",
-            )
-            | _flag(
-                "--radians",
-                action="store_const",
-                const=False,
-                help="positions and velocities are in rad, even if they look like degrees",
-            )
-        ),
-    )
-    stamps: str = field(
-        default="header",
-        metadata=_option(
-            _flag(
-                "--stamps",
-                choices=STAMPS,
-                help="timestamp of a message: its header's, or the time at which a bag recorded it; default: header",
-            )
-        ),
-    )
-    ignore: tuple[str, ...] = field(
-        default=(),
-        metadata=_option(
-            _flag("--ignore", action="append", choices=KINDS[1:], help="do not read these values; may be given twice"),
-            tuple,
-        ),
-    )
-    sort: bool = field(
-        default=False, metadata=_option(_flag("--sort", action="store_true", help="sort the rows by timestamp"))
-    )
-    drop: bool = field(
-        default=False,
-        metadata=_option(
-            _flag(
-                "--drop",
-                action="store_true",
-                help="leave out rows that cannot be used (timestamps that do not increase, NaN, other joints), and "
-                "count them",
-            )
-        ),
-    )
-    salvage: bool = field(
-        default=False,
-        metadata=_option(_flag("--salvage", action="store_true", help="keep the readable part of a damaged file")),
-    )
+    topic: str | None = None
+    columns: ColumnMap | None = None
+    joint_map: JointMap | None = None
+    names: tuple[str, ...] | None = None
+    degrees: bool | None = None
+    stamps: str = "header"
+    ignore: tuple[str, ...] = ()
+    sort: bool = False
+    drop: bool = False
+    salvage: bool = False
 
     def __post_init__(self) -> None:
         if self.stamps not in STAMPS:
@@ -138,13 +103,13 @@ class ReadOptions:
 
     @classmethod
     def of(cls, **given: Any) -> Self:
-        """Options as `JointTrajectory.load` takes them: a map may be the path of its TOML file.
-
-        Raises:
-            QuadrupedError: if a map or an option is wrong.
-        """
-        for option in fields(cls):
-            convert, value = option.metadata["convert"], given.get(option.name)
-            if convert is not None and value is not None:
-                given[option.name] = convert(value)
+        """Options as `JointTrajectory.load` takes them: a map may be the path of its TOML file."""
+        for name, convert in (
+            ("columns", ColumnMap.of),
+            ("joint_map", JointMap.of),
+            ("names", tuple),
+            ("ignore", tuple),
+        ):
+            if given.get(name) is not None:
+                given[name] = convert(given[name])
         return cls(**given)

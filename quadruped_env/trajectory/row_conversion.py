@@ -18,8 +18,7 @@ _IN_DEGREES: Final = ("position", "velocity")
 def from_degrees(rows: Rows) -> Rows:
     """The rows in rad and rad/s, for rows in degrees and degrees/s."""
     return replace(
-        rows,
-        values={kind: np.radians(array) if kind in _IN_DEGREES else array for kind, array in rows.values.items()},
+        rows, values={kind: np.radians(array) if kind in _IN_DEGREES else array for kind, array in rows.values.items()}
     )
 
 

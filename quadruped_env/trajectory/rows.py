@@ -18,6 +18,22 @@ TORQUE_ONLY: Final = (
 
 
 @dataclass(frozen=True, eq=False)
+class JointState:
+    """One row of a trajectory: in ROS, a `sensor_msgs/JointState`."""
+
+    stamp: int
+    """ns"""
+    names: tuple[str, ...]
+    """(J,)"""
+    position: NDArray[np.float64]
+    """rad (J,)"""
+    velocity: NDArray[np.float64] | None
+    """rad/s (J,)"""
+    effort: NDArray[np.float64] | None
+    """N m (J,); NaN where it was not measured"""
+
+
+@dataclass(frozen=True, eq=False)
 class Rows:
     """Consecutive joint states of a recording, not validated: see `validation.validate`."""
 

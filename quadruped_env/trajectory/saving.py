@@ -9,8 +9,9 @@ from typing import Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.trajectory.formats import bag_writer, project_csv
-from quadruped_env.trajectory.formats.bag_writer import STORAGES, TF_RATE, BagOptions
+from quadruped_env.trajectory.formats.bag_writer import STORAGES, TF_RATE
 from quadruped_env.trajectory.rows import Rows
+from quadruped_env.utils.files import check_free
 from quadruped_env.utils.progress import Progress
 
 _CSV: Final = ".csv"
@@ -26,6 +27,12 @@ class WriteOptions:
     compress: bool = False
     overwrite: bool = False
     robot: Robot = MINI_QUADRUPED
+
+    def __post_init__(self) -> None:
+        if self.storage is not None and self.storage not in STORAGES:
+            raise QuadrupedError(f"storage: expected one of {', '.join(STORAGES)}; found {self.storage!r}")
+        if not 0.0 <= self.tf_rate <= 1e6:
+            raise QuadrupedError(f"tf_rate: expected 0 to 1e6 Hz; found {self.tf_rate!r}")
 
 
 def in_pieces(rows: Rows, progress: Progress | None = None) -> Iterator[Rows]:
@@ -53,7 +60,8 @@ def save(pieces: Iterable[Rows], path: Path, options: WriteOptions) -> None:
     if path.suffix.lower() == _CSV:
         project_csv.write(pieces, path, options.overwrite)
     else:
-        bag_writer.write(pieces, path, options.robot, _bag_options(path, options), options.overwrite)
+        storage = _storage(path, options)
+        bag_writer.write(pieces, path, options.robot, storage, options.tf_rate, options.compress, options.overwrite)
 
 
 def check(path: Path, options: WriteOptions) -> None:
@@ -63,13 +71,14 @@ def check(path: Path, options: WriteOptions) -> None:
             raise QuadrupedError(
                 f"{path}: a CSV has no storage and is not compressed; name a bag, or leave these options out"
             )
-        project_csv.check_target(path, options.overwrite)
+        check_free([path], options.overwrite)
         return
-    _bag_options(path, options)
+    _storage(path, options)
     bag_writer.check_target(path, options.overwrite)
 
 
-def _bag_options(path: Path, options: WriteOptions) -> BagOptions:
+def _storage(path: Path, options: WriteOptions) -> str:
+    """Storage of a bag, from the ending of its path and the options."""
     suffixes = {suffix: storage for storage, suffix in STORAGES.items()}
     if path.suffix and path.suffix not in suffixes:
         raise QuadrupedError(
@@ -83,4 +92,4 @@ def _bag_options(path: Path, options: WriteOptions) -> BagOptions:
         )
     if path.suffix and options.compress and storage == "sqlite3":
         raise QuadrupedError(f"{path}: a bare sqlite3 file cannot be compressed; name a directory, or use mcap")
-    return BagOptions(storage, options.tf_rate, options.compress)
+    return storage

@@ -10,8 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory.rows import Rows
 
-_ROWS_PER_CHECK: Final = 65536
-
 _NOT_FINITE: Final = {
     "position": "leave the row out (--drop)",
     "velocity": "leave the velocities out if not all are known (--ignore velocity)",
@@ -65,11 +63,7 @@ def validate(rows: Rows, source: Source) -> None:
 
 
 def checked_names(names: Sequence[str], source: Source) -> tuple[str, ...]:
-    """Joint names, each once.
-
-    Raises:
-        QuadrupedError: if a name is empty or repeated, or there is none.
-    """
+    """Joint names, each once. Raises a QuadrupedError if a name is empty or repeated, or there is none."""
     if isinstance(names, str) or not all(isinstance(name, str) and name for name in names) or not len(names):
         raise QuadrupedError(f"{source.name}: names must be joint names, one per column; found {names!r}")
     for i, name in enumerate(names):
@@ -97,23 +91,6 @@ def checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
     array = raw if raw.dtype == np.int64 and not raw.flags.writeable else raw.astype(np.int64)
     _check_order(array, source)
     return read_only(array)
-
-
-def checked_stamps_within(recorded: NDArray[np.int64], stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
-    """Timestamps as of `checked_stamps`, none before the first of `recorded` (T,) or after the last.
-
-    Raises:
-        QuadrupedError: if they are invalid or lie outside.
-    """
-    wanted = checked_stamps(stamps, source)
-    first, last = recorded[0], recorded[-1]
-    if wanted[0] < first or wanted[-1] > last:
-        outside = wanted[0] if wanted[0] < first else wanted[-1]
-        raise QuadrupedError(
-            f"{source.name}: timestamp {outside} ns lies outside the recording, {first} to {last} ns; choose "
-            f"timestamps within it"
-        )
-    return wanted
 
 
 def _check_order(stamps: NDArray[np.int64], source: Source) -> None:
@@ -158,16 +135,12 @@ def checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source:
 
 def check_finite(kind: str, values: NDArray[np.float64], names: tuple[str, ...], source: Source) -> None:
     """Raise a QuadrupedError if a position or velocity is not finite, or an effort infinite."""
-    # In parts: a mask of a long recording would be as large as one of its joints.
-    for start in range(0, len(values), _ROWS_PER_CHECK):
-        part = values[start : start + _ROWS_PER_CHECK]
-        bad = invalid(kind, part)
-        if bad.any():
-            row, column = np.argwhere(bad)[0]
-            raise QuadrupedError(
-                f"{source.row(start + row)}, {kind}.{names[column]}: {part[row, column]} is not finite; "
-                f"{_NOT_FINITE[kind]}"
-            )
+    bad = invalid(kind, values)
+    if bad.any():
+        row, column = np.argwhere(bad)[0]
+        raise QuadrupedError(
+            f"{source.row(row)}, {kind}.{names[column]}: {values[row, column]} is not finite; {_NOT_FINITE[kind]}"
+        )
 
 
 def invalid(kind: str, values: NDArray[np.float64]) -> NDArray[np.bool_]:

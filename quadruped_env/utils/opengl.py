@@ -1,4 +1,4 @@
-"""Choice of MuJoCo's OpenGL backend on a machine without a display."""
+"""Import of MuJoCo: its OpenGL backend on a machine without a display, and where its warnings go."""
 
 import ctypes.util
 import os
@@ -25,18 +25,25 @@ def choose_opengl() -> None:
 
 
 def import_mujoco() -> None:
-    """Import MuJoCo, without OpenGL if its backend cannot be imported: only rendering needs one."""
+    """Import MuJoCo, without OpenGL if its backend cannot be imported: only rendering needs one.
+
+    It then prints its warnings, from whichever thread, and writes no MUJOCO_LOG.TXT into the working directory, unless
+    the process has chosen a file of another name.
+    """
+    choose_opengl()
     chosen = os.environ.get("MUJOCO_GL")
     try:
-        import_module("mujoco")
+        mujoco = import_module("mujoco")
     except Exception as error:  # an unknown MUJOCO_GL, or a missing library, even as an AttributeError
         import_errors.append(error)
-    else:
-        return
-    os.environ["MUJOCO_GL"] = "disable"
-    try:
-        import_module("mujoco")
-    finally:
-        os.environ.pop("MUJOCO_GL")
-        if chosen is not None:
-            os.environ["MUJOCO_GL"] = chosen
+        os.environ["MUJOCO_GL"] = "disable"
+        try:
+            mujoco = import_module("mujoco")
+        finally:
+            os.environ.pop("MUJOCO_GL")
+            if chosen is not None:
+                os.environ["MUJOCO_GL"] = chosen
+    config = mujoco.MjLogConfig.get()
+    if config.logto_file and config.logfile == "MUJOCO_LOG.TXT":
+        config.logto_file = False
+        config.set()

@@ -8,6 +8,9 @@ import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 
+Plain = Any
+"""A value as JSON takes it, such as a field of a config: number, text, None, or lists and mappings of these."""
+
 _PLAIN: Final = frozenset({float, int, str, bool, type(None)})
 
 

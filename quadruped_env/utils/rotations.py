@@ -4,18 +4,20 @@ Every function takes arrays with any leading axes (...), computes in float64, an
 messages and SciPy order a quaternion xyzw.
 """
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env.utils.arrays import floats
-
 Floats = NDArray[np.float64]
+
+_ONE: Final = np.float64(1.0)
 
 
 def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
     """Quaternions (..., 4) of rotations by angles (...) in rad about unit axes (3,) or (..., 3)."""
-    half = 0.5 * floats(angle)[..., None]
-    xyz = np.sin(half) * floats(axis)
+    half = 0.5 * _floats(angle)[..., None]
+    xyz = np.sin(half) * _floats(axis)
     return np.concatenate([np.broadcast_to(np.cos(half), (*xyz.shape[:-1], 1)), xyz], axis=-1)
 
 
@@ -29,7 +31,7 @@ def from_roll_pitch_yaw(angles: ArrayLike) -> Floats:
 
     Roll about the fixed x axis, then pitch about the fixed y axis, then yaw about the fixed z axis.
     """
-    half = 0.5 * floats(angles)
+    half = 0.5 * _floats(angles)
     (cr, cp, cy), (sr, sp, sy) = _components(np.cos(half)), _components(np.sin(half))
     cc, cs, sc, ss = cr * cp, cr * sp, sr * cp, sr * sp
     quaternions = np.empty_like(half, shape=(*half.shape[:-1], 4))
@@ -57,12 +59,12 @@ def multiply(first: ArrayLike, second: ArrayLike) -> Floats:
 
 def inverse(rotation: ArrayLike) -> Floats:
     """Inverse rotations (..., 4)."""
-    return floats(rotation) * [1.0, -1.0, -1.0, -1.0]
+    return _floats(rotation) * [1.0, -1.0, -1.0, -1.0]
 
 
 def rotate(rotation: ArrayLike, vector: ArrayLike) -> Floats:
     """Vectors (..., 3) rotated by quaternions (..., 4); by an orientation: from body to world."""
-    quaternion, v = floats(rotation), floats(vector)
+    quaternion, v = _floats(rotation), _floats(vector)
     w, axis = quaternion[..., :1], quaternion[..., 1:]
     turned = 2.0 * np.cross(axis, v)
     return v + w * turned + np.cross(axis, turned)
@@ -91,7 +93,12 @@ def tilt(orientation: ArrayLike) -> Floats:
     return np.arctan2(np.hypot(up[..., 0], up[..., 1]), up[..., 2])
 
 
+def _floats(values: ArrayLike) -> Floats:
+    """Array of float64. A product, since `np.asarray` would refuse the arrays of a GPU."""
+    return np.multiply(values, _ONE)
+
+
 def _components(rotation: ArrayLike) -> Floats:
     """The components w, x, y, z (4, ...) of quaternions (..., 4), or of other vectors."""
-    values = floats(rotation)
+    values = _floats(rotation)
     return values.transpose(-1, *range(values.ndim - 1))

@@ -268,7 +268,7 @@ class TaskRobot:
             start = qpos[:2].copy()
             qpos[1] += self.lane
             qpos[2] += highest_ground(self._simulation, qpos[:2]) - highest_ground(self._simulation, start)
-        self._simulation.reset(_ROW, qpos[None], qvel[None])
+        self.task.place(_ROW, qpos[None], qvel[None])
 
 
 def heading(data: mujoco.MjData) -> float:

@@ -15,7 +15,7 @@ from paths import ROOT
 import quadruped_env
 from quadruped_env import JOINT_NAMES, QuadrupedError, SinusoidalGait, asset_path
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.terrain_arguments import chosen_terrain
+from quadruped_env.live.node_options import chosen_terrain
 from quadruped_env.simulation import TERRAINS
 
 NAME = "mini_quadruped_sim"

@@ -9,7 +9,7 @@ import pytest
 from quadruped_env import JointTrajectory, QuadrupedError, trajectory
 from quadruped_env.cli.reading_options import add_reading_options, reading_options
 from quadruped_env.trajectory import JointMap, JointRule
-from quadruped_env.trajectory.read_options import ReadOptions
+from quadruped_env.trajectory.read_options import FLAGS, ReadOptions
 
 FIELDS = {field.name: field for field in dataclasses.fields(ReadOptions)}
 GIVEN = {
@@ -38,6 +38,7 @@ def test_load_has_the_keywords_and_defaults_of_the_table():
     keywords = {one.name: one.default for one in parameters if one.kind is inspect.Parameter.KEYWORD_ONLY}
     assert keywords.pop("progress") is None
     assert keywords == {name: field.default for name, field in FIELDS.items()}
+    assert list(FLAGS) == list(FIELDS)
 
 
 def test_load_documents_every_option():

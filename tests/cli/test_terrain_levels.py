@@ -10,7 +10,7 @@ from quadruped_env.cli.main import main
 from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.terrain_arguments import chosen_terrain
+from quadruped_env.live.node_options import chosen_terrain
 from quadruped_env.policies import load_policy
 from quadruped_env.simulation import find_terrain
 from quadruped_env.task import TaskConfig

@@ -21,9 +21,8 @@ from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.robot_option import robot_of
+from quadruped_env.live.node_options import chosen_terrain, robot_of
 from quadruped_env.live.simulated import SimulatedRobot
-from quadruped_env.live.terrain_arguments import chosen_terrain
 from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
 from quadruped_env.reporting.films.film import Camera, Clip, size_of
 from quadruped_env.reporting.ground_mesh import ground_mesh
@@ -105,7 +104,7 @@ def test_policy_that_was_trained_with_a_curriculum_is_compared_on_random_tiles()
     policy = load_policy("flat")
     on_tiles = policy.config.on_terrain("tiles")
     curriculum = dataclasses.replace(on_tiles, terrain=on_tiles.terrain.replace(curriculum=True, levels=3))
-    trained = type(policy).for_task(policy.weights, policy.biases, policy.activation, curriculum, policy.card)
+    trained = policy.for_task(policy.weights, policy.biases, policy.activation, curriculum, policy.card)
     comparison = compare(trained, 6, 2.0, [(0.4, 0.0)])
     assert comparison.config.terrain.to_dict() == curriculum.terrain.to_dict() | {"curriculum": False}
     starts = {name: rollout.base_position[0, :, :2] for name, rollout in comparison.rollouts.items()}
@@ -119,7 +118,7 @@ def test_policy_that_was_trained_with_a_curriculum_is_compared_on_random_tiles()
 
 def test_baseline_on_a_terrain_measures_and_records_on_it():
     rough, flat = (run_baseline(seconds=2.0, episodes=1, terrain=name) for name in ("rough", None))
-    assert (rough.report()["terrain"], flat.report()["terrain"]) == ("rough", "flat")
+    assert (rough.report["terrain"], flat.report["terrain"]) == ("rough", "flat")
     assert rough.recording.terrain == find_terrain("rough")
     assert not np.array_equal(rough.metrics["forward_velocity"], flat.metrics["forward_velocity"])
 

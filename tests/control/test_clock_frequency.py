@@ -9,14 +9,9 @@ from settings import settings
 from tasks import NEVER_FALLS, ONE_COMMAND, make_task
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import (
-    CommandedFrequency,
-    CommandedGaitController,
-    ControlConfig,
-    ControlInterface,
-    PolicyController,
-)
+from quadruped_env.control import CommandedFrequency, ControlConfig, ControlInterface
 from quadruped_env.control.clock import frequency_at, frequency_of
+from quadruped_env.control.controllers import CommandedGaitController, PolicyController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.joint_command import limited
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety

@@ -8,10 +8,9 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from tasks import LAYOUT, NEVER_FALLS, OBSERVATION_WIDTH, STILL_START, column, make_env, make_task
 
 from quadruped_env import JOINT_NAMES
-from quadruped_env.control.observations import observation
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.task import RandomizationConfig, reward, reward_group, termination
+from quadruped_env.task import RandomizationConfig
 
 # --- observations ---
 
@@ -159,22 +158,6 @@ def test_observation_noise_stays_within_each_fields_amplitude():
 def test_observing_twice_gives_the_same_noise():
     task = make_task(randomization=RandomizationConfig(observation_noise=1.0))
     np.testing.assert_array_equal(task.observe(), task.observe())
-
-
-def test_a_users_function_is_captured_only_if_it_is_declared_pure():
-    @observation(unit="1", mirror=(1.0,))
-    def own_field(readings, control):
-        """Ones."""
-        return np.ones((len(readings.joint_position), 1))
-
-    def own_term(context):
-        """Zeros."""
-        return 0.0 * context.base_height
-
-    terms = [own_field, reward(weight=1.0)(own_term), reward_group(first=1.0)(own_term), termination(own_term)]
-    assert not any(term.pure for term in terms)
-    assert termination(pure=True)(own_term).pure
-    assert reward(weight=1.0, pure=True)(own_term).pure
 
 
 def test_readings_of_another_robot_are_observed_from_those():

@@ -12,8 +12,15 @@ from gymnasium.utils.env_checker import check_env
 from gymnasium.vector import AutoresetMode
 
 from quadruped_env import QuadrupedError
-from quadruped_env.envs import ENV_ID, MAX_EPISODE_STEPS, ROUGH_CONFIG, ROUGH_ENV_ID, make_sb3_vec_env
-from quadruped_env.envs.rough_envs import MiniQuadrupedRoughEnv, MiniQuadrupedRoughVectorEnv
+from quadruped_env.envs import (
+    ENV_ID,
+    MAX_EPISODE_STEPS,
+    ROUGH_CONFIG,
+    ROUGH_ENV_ID,
+    MiniQuadrupedRoughEnv,
+    MiniQuadrupedRoughVectorEnv,
+    make_sb3_vec_env,
+)
 from quadruped_env.task import TaskConfig
 
 STEPS = 40

@@ -270,7 +270,7 @@ def test_turn_has_the_same_bits_alone_and_among_others():
     assert sizes.tolist() == [turn_size(np.array(yaw_rate), 0.7).item() for yaw_rate in commands[:, 1]]
     together = TUNED.waves(commands)
     for i, command in enumerate(commands):
-        for values, alone in zip(together, TUNED.waves([command]), strict=True):
+        for values, alone in zip(together, TUNED.waves(np.array([command])), strict=True):
             np.testing.assert_array_equal(values[i], alone[0])
 
 
@@ -279,7 +279,7 @@ def test_turn_has_the_same_bits_alone_and_among_others():
 def test_tuned_gait_turns_by_the_size_of_the_turn(speed, sign):
     """A quarter of the largest yaw rate is half of its turn, and a larger one is no more than that."""
     largest = sign * TUNED.largest_yaw_rate
-    commands = [[speed, yaw_rate] for yaw_rate in (0.0, largest / 4, largest, 1.5 * largest)]
+    commands = np.array([[speed, yaw_rate] for yaw_rate in (0.0, largest / 4, largest, 1.5 * largest)])
     for straight, quarter, full, beyond in TUNED.waves(commands):
         np.testing.assert_allclose(quarter - straight, 0.5 * (full - straight), atol=1e-14)
         np.testing.assert_array_equal(beyond, full)
@@ -290,9 +290,9 @@ def test_tuned_gait_turning_the_other_way_swaps_left_and_right():
     phase = np.linspace(0, math.tau, 30)
     left, right = (TUNED.positions(phase, np.tile([0.1, w], (30, 1))) for w in (0.5, -0.5))
     # The mirror image of a trot's leg is the other side's, half a cycle on.
-    sine, cosine, offset = TUNED.waves([[0.1, 0.5]])
+    sine, cosine, offset = TUNED.waves(np.array([[0.1, 0.5]]))
     mirrored = [values[0].reshape(2, 2, 2)[:, ::-1].reshape(8) for values in (sine, cosine, offset)]
-    for values, expected in zip(TUNED.waves([[0.1, -0.5]]), mirrored, strict=True):
+    for values, expected in zip(TUNED.waves(np.array([[0.1, -0.5]])), mirrored, strict=True):
         np.testing.assert_allclose(values[0], expected, atol=1e-12)
     assert abs(left - right).max() > 0.01
 

@@ -45,12 +45,6 @@ ROUGH = {
         "push_force_duration": [0.05, 0.2],
     },
 }
-# Rough, too, but nothing prevents a vector env from drawing starts, commands and pushes ahead.
-SHOVED = {
-    "command": ROUGH["command"],
-    "termination": ROUGH["termination"],
-    "randomization": {"start_tilt": 0.2, "push_velocity": 3.0, "push_interval": [0.2, 0.8]},
-}
 # Only the time limit ends an episode.
 SAFE = {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}}
 

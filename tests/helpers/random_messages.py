@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from quadruped_env.ros import MESSAGE_TYPES, cdr
+from quadruped_env.ros import cdr, message_type
 
 
 def filled(type_name, rng):
     """A message of a type with every field filled."""
-    kind = MESSAGE_TYPES[type_name]
+    kind = message_type(type_name)
 
     def value(field):
         if field.is_message:

@@ -6,7 +6,7 @@ from quadruped_env.cli.train import with_recipe
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig
-from quadruped_env.scale.sweep.search import proposals
+from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_driver import TrialBook
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.scale.sweep.sweep_results import collect, table, write
@@ -38,7 +38,7 @@ def write_sweep(parent):
     )
     config = SweepConfig({"timesteps": 2048, "seed": 3}, (), space, 2, 2, scheduler="asha")
     folder = SweepFolder.create(parent, "ppo", config, "sweep")
-    book = TrialBook(folder, make, proposals(config), lambda line: None)
+    book = TrialBook(folder, make, Proposals(config), lambda line: None)
     while (number := book.begin()) is not None:
         trial = folder.trial(number)
         trial.write_scores([{"rung": 1, "timesteps": 256, "seconds": 1.0, "score": 0.1 * number}])
@@ -64,7 +64,7 @@ def read_sweep(path):
 def resume(path):
     """Go on with a sweep up to its results, without training; the lines that it prints."""
     folder, said = SweepFolder.open(path), []
-    book = TrialBook(folder, make, proposals(folder.config), said.append)
+    book = TrialBook(folder, make, Proposals(folder.config), said.append)
     for number in set(range(len(folder.config))) - book.missing():
         book.ended(number)
     found = collect(folder, "sweep")

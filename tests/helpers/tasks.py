@@ -93,7 +93,6 @@ class Terms:
     def set_command(self, command):
         everywhere = np.arange(len(command))
         self.control.set_command(everywhere, command)
-        self.function.command_changed(everywhere, command)
 
     def randomize(self, rng):
         """Set random actions, commands, velocities, clocks and falls."""
@@ -110,4 +109,5 @@ class Terms:
 
     def values(self):
         """Name -> (N,)."""
+        self.context.read()
         return dict(zip(self.function.names, self.function(self.context), strict=True))

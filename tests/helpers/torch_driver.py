@@ -4,7 +4,7 @@ import numpy as np
 import torch
 
 from quadruped_env.robot.readings import Readings
-from quadruped_env.scale.gpu.torch_arrays import TensorArray, TorchArrays
+from quadruped_env.scale.gpu.torch_arrays import TensorArray
 from quadruped_env.simulation import BatchSimulation
 
 EXACT = {"model", "robot", "height_field", "num_envs", "sensor_columns", "compiled_field"}
@@ -16,8 +16,7 @@ class TorchDriver:
 
     def __init__(self, model, num_envs, robot):
         self.batch = BatchSimulation(model, num_envs, 1, robot)
-        self.xp = TorchArrays("cpu")
-        self.sensordata = self.xp.zeros(self.batch.sensordata.shape)
+        self.sensordata = TensorArray(torch.zeros(self.batch.sensordata.shape, dtype=torch.float64))
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
 
     def __getattr__(self, name):
@@ -50,7 +49,7 @@ class TorchDriver:
         return TensorArray(torch.from_numpy(self.batch.model_field(name)))  # shares its memory
 
     def field_values(self, name):
-        return self.xp.asarray(np.array(self.batch.field_values(name)))
+        return np.asarray(np.array(self.batch.field_values(name)), like=self.sensordata)
 
     def restore_model_fields(self, env_ids):
         self.batch.restore_model_fields(env_ids.numpy())

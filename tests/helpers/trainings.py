@@ -65,10 +65,16 @@ def learn_until(monkeypatch, note, runs, config):
     return run
 
 
+def completed(command, status=0):
+    """Run a command to its end; what it printed."""
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=DEADLINE)
+    assert done.returncode == status, done.stderr
+    return done
+
+
 def train(runs, *arguments):
     """Run the program to its end; returns the run directory."""
-    done = subprocess.run(command(runs, *arguments), capture_output=True, text=True, check=False, timeout=DEADLINE)
-    assert done.returncode == 0, done.stderr
+    completed(command(runs, *arguments))
     return (runs / "latest").resolve()
 
 

@@ -16,7 +16,7 @@ from quadruped_env.cli.identify import add_arguments
 from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.identification import BASES, FITTED, QUANTITIES, find_commands, identify
 from quadruped_env.identification.dataset import align, held
-from quadruped_env.identification.fit import MotorFit
+from quadruped_env.identification.fit import MotorFit, joint_spec
 from quadruped_env.identification.fitted_parameters import (
     coordinate_derivatives,
     from_coordinates,
@@ -26,7 +26,6 @@ from quadruped_env.identification.fitted_parameters import (
     with_values,
 )
 from quadruped_env.identification.identification_report import save
-from quadruped_env.identification.spec import joint_spec
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, asset_path
@@ -354,7 +353,7 @@ class TestIdentify:
         counted = np.array([name not in broken for name in JOINT_NAMES])
         assert (after[counted] < 0.6 * before[counted]).all()
         played = [
-            replay(commands, measured=recording, motors=motors).comparison().difference("positions")
+            replay(commands, measured=recording, motors=motors).comparison.difference("positions")
             for motors in (found.before, found.after)
         ]
         rms = [np.sqrt((difference[:, counted] ** 2).mean(axis=0)) for difference in played]

@@ -14,10 +14,9 @@ from waiting import DEADLINE, killed_on_failure, output_of, status_of, wait_unti
 
 from quadruped_env import asset_path
 from quadruped_env.live import Topic
-from quadruped_env.live.messages.transform_messages import description_message
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.ros import Qos
+from quadruped_env.ros import Qos, cdr
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -105,7 +104,7 @@ def read(line):
 
 
 def test_an_independent_dds_that_joins_late_gets_the_description(nodes, peer):
-    nodes().publish(ROBOT_DESCRIPTION).send(description_message(MINI_QUADRUPED))
+    nodes().publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf))
     with peer("localhost", "description") as process:
         output, _ = output_of(process)
     assert process.returncode == 0

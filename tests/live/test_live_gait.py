@@ -11,9 +11,10 @@ from waiting import wait_until
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.messages.gait_messages import AdjustableGait, read_settings, settings_message
+from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.live.nodes.gait import AdjustableGait
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.viewer import ViewController

@@ -38,6 +38,9 @@ def test_node_on_a_robot_imports_no_viewer_evaluation_or_training(node, code):
     packages = tuple(f"quadruped_env.{name}" for name in ("viewer", "reporting", "replay", "evaluation", "training"))
     assert [name for name in loaded if name.startswith(packages)] == []
     assert not {"matplotlib", "viser", "torch", "stable_baselines3"} & set(loaded)
+    if node == "controller":
+        packages = ("task", "envs", "simulation", "policies", "trajectory")
+        assert not {"gymnasium", *(f"quadruped_env.{name}" for name in packages)} & set(loaded)
 
 
 def test_view_node_imports_the_viewer():

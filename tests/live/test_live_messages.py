@@ -83,24 +83,6 @@ def test_state_interrupted_answers_what_was_received(nodes):
 # --- reading
 
 
-@pytest.mark.parametrize("topic", TOPICS.values(), ids=str)
-def test_subscribe_reads_an_example_before_the_first_message(topic, nodes, monkeypatch):
-    """The cost of the first reading is paid before the subscription exists."""
-    order = []
-    monkeypatch.setattr(
-        "quadruped_env.live.middleware.node.Subscription", lambda *_, **__: order.append("subscribed") or Made()
-    )
-
-    class Made:
-        condition = None
-
-    node = nodes()
-    monkeypatch.setattr(node, "_waitset", type("Waitset", (), {"attach": lambda self, condition: None})())
-    node.subscribe(topic, read=lambda data: order.append(cdr.deserialize(data, topic.type_name).__msgtype__))
-    assert order == [topic.type_name, "subscribed"]
-    node.subscriptions.clear()
-
-
 def test_message_gets_the_time_when_it_is_taken_not_when_it_was_read(nodes):
     node = nodes()
     publisher = node.publish(CMD_VEL)

@@ -125,7 +125,7 @@ def test_nodes_with_commands_of_ros2_control_walk(start, watcher, nodes):
     start("sim")
     controller = start("controller", "--arrays")
     watcher.until_it_walks()
-    assert len(arrays.decode(arrays.latest()).data) == 8
+    assert len(arrays.decode(arrays.take()[-1]).data) == 8
     assert controller.interrupt() == 0
     watcher.until_it_lies()
 

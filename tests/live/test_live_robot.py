@@ -19,7 +19,6 @@ from quadruped_env.live import Node
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.messages.message_stamps import read_stamp
 from quadruped_env.live.messages.sensor_messages import Sensors
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.live.nodes import node_module
@@ -27,6 +26,7 @@ from quadruped_env.live.session import Session
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
 from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
+from quadruped_env.ros.timestamps import read_stamp
 from quadruped_env.simulation import build_model, find_terrain, flat
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import terrain
@@ -205,9 +205,8 @@ def taken(node, *subscriptions):
     def complete():
         node.wait(0.05)
         for one in subscriptions:
-            received = one.latest()
-            if received is not None:
-                found[one] = one.decode(received)
+            if received := one.take():
+                found[one] = one.decode(received[-1])
         return len(found) == len(subscriptions)
 
     wait_until(complete, "a message of each topic")

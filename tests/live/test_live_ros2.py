@@ -12,11 +12,10 @@ from waiting import output_of, status_of, wait_until
 from quadruped_env import asset_path
 from quadruped_env.live import TOPICS, Topic
 from quadruped_env.live.messages.message_text import plain
-from quadruped_env.live.messages.transform_messages import description_message
 from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF_STATIC
 from quadruped_env.live.middleware.type_information import withhold_type_information
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.ros import Qos, message_type
+from quadruped_env.ros import Qos, cdr, message_type
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -152,7 +151,7 @@ def test_late_subscriber_receives_description_and_static_transforms(nodes, ros2)
     known(ros2, TF_STATIC)
     node = nodes()
     transforms = filled(TF_STATIC.type_name, np.random.default_rng(3))
-    node.publish(ROBOT_DESCRIPTION).send(description_message(MINI_QUADRUPED))
+    node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf))
     node.publish(TF_STATIC).send(transforms)
     with ros2.node() as peer:
         for topic in (ROBOT_DESCRIPTION, TF_STATIC):

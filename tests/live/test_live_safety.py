@@ -12,9 +12,14 @@ from quadruped_env.control import ControlInterface
 from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.control.live_controller import Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
-from quadruped_env.live.messages.command_messages import CommandWriter, positions_message, read_positions, read_target
 from quadruped_env.live.messages.imu_messages import read_imu
-from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.messages.joint_messages import (
+    JointReader,
+    command_message,
+    positions_message,
+    read_positions,
+    read_target,
+)
 from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
@@ -291,10 +296,11 @@ def test_an_attitude_that_cannot_be_used_is_refused(changes, words):
 
 
 def test_commands_are_read_as_they_are_written():
-    write, read = CommandWriter(MINI_QUADRUPED), JointReader("/joint_commands", MINI_QUADRUPED)
-    np.testing.assert_array_equal(read_target(read(write(7, STANCE))), STANCE)
-    assert read(write(7, STANCE)).stamp == 7
-    assert read_target(read(write(7, LIMP))) is LIMP
+    read = JointReader("/joint_commands", MINI_QUADRUPED)
+    command = command_message(MINI_QUADRUPED, 7, STANCE)
+    np.testing.assert_array_equal(read_target(read(command)), STANCE)
+    assert read(command).stamp == 7
+    assert read_target(read(command_message(MINI_QUADRUPED, 7, LIMP))) is LIMP
     with pytest.raises(QuadrupedError, match="has no positions"):
         read_target(read(joint_state(position=(), velocity=np.ones(8))))
     with pytest.raises(QuadrupedError, match="has no positions"):

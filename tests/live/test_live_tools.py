@@ -24,7 +24,6 @@ from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
 from quadruped_env.live.listener import common_qos
 from quadruped_env.live.message_recorder import Recorder
 from quadruped_env.live.messages.message_text import as_csv, as_yaml, field_at, plain
-from quadruped_env.live.messages.transform_messages import TransformWriter, description_message
 from quadruped_env.live.middleware.dds import open_participant
 from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.nodes.hz import rate_text
@@ -32,6 +31,7 @@ from quadruped_env.live.nodes.teleop import after, twist
 from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
+from quadruped_env.ros.robot_messages import transform_messages
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -79,7 +79,9 @@ def test_echo_yaml_is_that_of_ros():
 
 
 def test_echo_field_is_chosen_by_its_path():
-    values = plain(cdr.deserialize(TransformWriter(MINI_QUADRUPED)(STAMP, np.zeros(8)), TF.type_name))
+    values = plain(
+        cdr.deserialize(next(transform_messages([STAMP], MINI_QUADRUPED.joint_transforms(np.zeros(8)))), TF.type_name)
+    )
     assert field_at(values, "transforms.0.header.stamp.sec") == 1_700_000_000
     assert as_yaml(field_at(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
     assert field_at(values, "") is values
@@ -194,8 +196,8 @@ def test_recording_of_a_gait_replays_to_the_same_motion(nodes, tmp_path):
     )
     node, bag = nodes(), tmp_path / "bag"
     states, transforms = node.publish(JOINT_STATES, DEEP), node.publish(TF, DEEP)
-    node.publish(ROBOT_DESCRIPTION).send(description_message(MINI_QUADRUPED))
-    tf_bytes = [TransformWriter(MINI_QUADRUPED)(int(stamps[row]), trajectory.positions[row]) for row in range(100)]
+    node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf))
+    tf_bytes = list(transform_messages(stamps.tolist(), MINI_QUADRUPED.joint_transforms(trajectory.positions)))
     with started("record", "-o", str(bag)) as process:
         wait_until(lambda: states.readers and transforms.readers)
         for row in range(100):
@@ -237,7 +239,7 @@ def test_recording_of_joint_targets_replays_to_the_same_motion(nodes, tmp_path):
     assert "/joint_commands" in output
     commands = JointTrajectory.load(bag, topic="/joint_commands")
     result = replay(commands, measured=JointTrajectory.load(bag))
-    assert np.sqrt(np.mean(result.comparison().difference("positions") ** 2)) < 0.03
+    assert np.sqrt(np.mean(result.comparison.difference("positions") ** 2)) < 0.03
     recorded = [cdr.deserialize(data, "nav_msgs/msg/Odometry").pose.pose.position for data in contents(bag)["/odom"]]
     went = np.hypot(recorded[-1].x - recorded[0].x, recorded[-1].y - recorded[0].y)
     assert went > 0.5
@@ -277,7 +279,7 @@ def test_recording_keeps_the_qos_of_publishers(tmp_path):
     from rosbags.rosbag2 import Reader
 
     with Recorder(tmp_path / "bag") as recorder:
-        recorder.write(ROBOT_DESCRIPTION, cdr.serialize(description_message(MINI_QUADRUPED)))
+        recorder.write(ROBOT_DESCRIPTION, cdr.serialize(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf)))
         recorder.write(Topic("/joint_states", JOINT_STATES.type_name, Qos(10, False)), cdr.serialize(joint_state()))
     with Reader(tmp_path / "bag") as reader:
         profiles = {one.topic: one.ext.offered_qos_profiles[0] for one in reader.connections}

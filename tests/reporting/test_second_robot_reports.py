@@ -24,10 +24,9 @@ from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.subject import Subject
 from quadruped_env.identification import identify
 from quadruped_env.identification.dataset import align
-from quadruped_env.identification.fit import MotorFit
+from quadruped_env.identification.fit import MotorFit, joint_spec
 from quadruped_env.identification.fitted_parameters import with_values
 from quadruped_env.identification.identification_report import save
-from quadruped_env.identification.spec import joint_spec
 from quadruped_env.policies import CommandedGaitController, Policy, TrajectoryController, find_controllers, load_policy
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
@@ -244,7 +243,7 @@ class TestReplay:
         np.testing.assert_array_equal(found.played.positions, recording.joints.positions)
         np.testing.assert_array_equal(found.motion.base_pose, recording.base_pose)
         assert found.motors == ROBOT.motors
-        assert found.report()["motion"]["feet_on_ground_at_start"] >= 3
+        assert found.report["motion"]["feet_on_ground_at_start"] >= 3
 
     def test_trajectory_controller_orders_the_columns_for_the_robot(self, targets, recording):
         controller = TrajectoryController(shuffled(targets))

@@ -246,7 +246,7 @@ class TestGait:
     def test_gait_turning_the_other_way_swaps_left_and_right(self):
         gait = CommandedGait.tuned(ROBOT)
         for speed, rate in ((0.0, 0.5), (0.3, 0.2), (-0.2, 0.8)):
-            left, right = (gait.waves([[speed, sign * rate]]) for sign in (1.0, -1.0))
+            left, right = (gait.waves(np.array([[speed, sign * rate]])) for sign in (1.0, -1.0))
             for one, other in zip(left, right, strict=True):
                 np.testing.assert_allclose(one[:, ROBOT.joint_mirror], other, atol=1e-12)
             assert abs(left[0] - right[0]).max() > 0.01

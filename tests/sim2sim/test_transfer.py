@@ -109,7 +109,7 @@ def test_command_that_is_not_followed_here_leaves_the_conclusion_open(here):
 
 def test_same_engine_twice_loses_nothing_and_ignores_the_tasks_randomization(policy):
     config = policy.config.randomized("hard").on_terrain("stairs")
-    hard = type(policy).for_task(policy.weights, policy.biases, policy.activation, config, policy.card)
+    hard = policy.for_task(policy.weights, policy.biases, policy.activation, config, policy.card)
     plain, found = (run_transfer(one, [(0.3, 0.5)], 2, 2.0, there=MuJoCo()) for one in (policy, hard))
     assert set(found.commands) == {"policy", "tuned"}
     for name in ("forward_velocity", "yaw_rate", "base_height"):
@@ -229,7 +229,7 @@ def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer,
     path = transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
     other = subject.policy
     weights = tuple(weight + 1.0 for weight in other.weights)
-    changed = type(other).for_task(weights, other.biases, other.activation, other.config, other.card)
+    changed = dataclasses.replace(other, weights=weights)
     with pytest.warns(UserWarning, match=r"sim2sim\.json: is of another policy.*again"):
         assert transfer_results.load(dataclasses.replace(subject, policy=changed)) is None
     for name, value in (

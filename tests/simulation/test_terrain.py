@@ -11,8 +11,9 @@ from second_robot import ROBOT
 from quadruped_env import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import SingleSimulation, build_model, highest_ground
-from quadruped_env.simulation.built_in_terrains import MAX_POINTS, hills, rough
+from quadruped_env.simulation.built_in_terrains import hills, rough
 from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.simulation.terrain import MAX_POINTS
 from quadruped_env.task import terrain
 
 

@@ -13,9 +13,8 @@ from second_robot import ROBOT
 from quadruped_env import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import TERRAINS, build_model, find_terrain
-from quadruped_env.simulation.grid import Grid
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.simulation.terrain import LEVELS
+from quadruped_env.simulation.terrain import LEVELS, Grid
 from quadruped_env.task import TaskConfig, terrain
 from quadruped_env.task.terrain_section import leg_scale
 

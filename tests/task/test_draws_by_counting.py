@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from quadruped_env.task.randomization.draws import Draws, Purposes, uniform
+from quadruped_env.task.randomization.draws import Draws, Purposes
 
 FIRST = Purposes({"first": 30, "second": 4})
 
@@ -92,15 +92,3 @@ def test_restored_state_repeats_the_draws():
     assert not np.isin(made.uniform(FIRST, ids, np.array([3, 3])), expected).any()
     made.set_state(1, state)
     np.testing.assert_array_equal(made.uniform(FIRST, ids, np.array([3, 3]))[1], expected)
-
-
-def test_keys_of_starts_are_those_of_the_first_step_and_known_an_episode_ahead():
-    made, env_ids = draws(5), np.array([3, 1])
-    start = np.zeros(2, dtype=np.int64)
-    np.testing.assert_array_equal(made.key_at_start(env_ids), made.key(env_ids, start))
-    numbers = made.uniform(FIRST, env_ids, start)
-    np.testing.assert_array_equal(uniform(FIRST, made.key_at_start(env_ids)), numbers)
-    following = made.key_of_next_start()
-    made.begin_episode(env_ids)
-    np.testing.assert_array_equal(made.key_at_start(env_ids), following[env_ids])
-    assert not np.isin(made.uniform(FIRST, env_ids, start), numbers).any()

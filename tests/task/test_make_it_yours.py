@@ -224,7 +224,7 @@ def test_a_file_that_does_not_work_is_refused_with_its_line(text, message, tmp_p
 @pytest.mark.parametrize(
     ("body", "message"),
     [
-        ("return 1.0", r"reward mine: expected an array of shape \(1,\).*found \(\)"),
+        ("return 1.0", r"reward mine: expected an array of shape \(1,\).*found float"),
         ("return context.joint_offset", r"reward mine: expected an array of shape \(1,\).*found \(1, 8\)"),
         ("return context.nothing", r"reward mine: AttributeError: .*nothing"),
     ],
@@ -288,7 +288,7 @@ def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):
 
 def test_observation_that_the_robot_does_not_measure_is_refused_live(my_task, tmp_path):
     pytest.importorskip("stable_baselines3")
-    from quadruped_env.control import PolicyController
+    from quadruped_env.control.controllers import PolicyController
     from quadruped_env.control.live_controller import LiveController
     from quadruped_env.training import TrainConfig
     from quadruped_env.training.train import train

@@ -184,7 +184,6 @@ def test_a_normal_value_has_a_quarter_of_the_width_as_deviation_and_is_clipped()
         ({"width": 0}, r"randomization x: width must be 1 or more; found 0"),
         ({"default": (2.0, 1.0)}, r"randomization x: default must be .*low <= high.*found \(2.0, 1.0\)"),
         ({"default": (0.0, math.nan)}, r"randomization x: default must be .*found \(0.0, nan\)"),
-        ({"pure": True, "interval": ("x_interval", (1.0, 2.0))}, r"randomization x: pure needs .*found an interval"),
         ({"default": -0.5}, r"randomization x: default must be 0 or more.*found -0.5"),
         ({"default": "much"}, r"randomization x: default must be .*found 'much'"),
         ({"default": (0.0, 1.0), "law": "log_uniform"}, r"randomization x: default must be .*each positive"),

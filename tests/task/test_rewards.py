@@ -16,15 +16,27 @@ from quadruped_env.task import RewardConfig, Task, TaskConfig, load_task_file, q
 # --- rewards, by hand ---
 
 
-def test_tracking_kernel_is_one_on_target_and_1_over_e_an_std_away():
-    value = quantities.tracking_kernel(np.array([0.0, 0.15, -0.15, 0.3]), 0.15)
-    np.testing.assert_allclose(value, [1.0, math.exp(-1), math.exp(-1), math.exp(-4)], rtol=1e-12)
+def of_velocity(velocity, command, config=None):
+    """Values of the terms at average forward velocities and yaw rates (N, 2) under one command."""
+    velocity = np.atleast_2d(np.asarray(velocity, dtype=np.float64))
+    terms = Terms(random_readings(np.random.default_rng(0), len(velocity)), config)
+    terms.set_command(np.tile(np.asarray(command, dtype=np.float64), (len(velocity), 1)))
+    terms.context.smooth_velocity[:] = velocity
+    terms.context.tracking_error[:] = velocity - command
+    return terms.values()
+
+
+def test_tracking_is_one_on_target_and_1_over_e_an_std_away():
+    config = TaskConfig(reward=RewardConfig(forward_velocity_std=0.15, yaw_rate_std=0.3))
+    values = of_velocity([[0.2, 0.5], [0.35, 0.2], [0.05, 0.8], [0.5, 1.1]], (0.2, 0.5), config)
+    for name in ("track_forward_velocity", "track_yaw_rate"):
+        np.testing.assert_allclose(values[name], [1.0, math.exp(-1), math.exp(-1), math.exp(-4)], rtol=1e-12)
 
 
 def progress(velocity, command):
-    """Progress at forward velocities under one command."""
-    scale, whole = quantities.progress_scale(np.array([[command, 0.0]]))
-    return quantities.progress(np.asarray(velocity) * scale[0, 0], whole[0, 0])
+    """Progress at forward velocities (N,) under one command."""
+    velocity = np.atleast_1d(velocity)
+    return of_velocity(np.stack([velocity, np.zeros_like(velocity)], axis=1), (command, 0.0))["forward_progress"]
 
 
 @pytest.mark.parametrize(
@@ -54,8 +66,9 @@ def test_progress_pays_small_commands_in_proportion():
     assert progress(0.05, 0.05) == pytest.approx(0.5)
     assert progress(0.01, 0.01) == pytest.approx(0.1)
     # A yaw rate is small under 0.2 rad/s.
-    scale, whole = quantities.progress_scale(np.array([[0.0, 0.05]]))
-    np.testing.assert_allclose((scale, whole), ([[0.0, 5.0]], [[0.0, 0.25]]))
+    turning = of_velocity([[0.3, 0.025], [0.3, 0.05], [0.3, 0.1]], (0.0, 0.05))
+    np.testing.assert_allclose(turning["turn_progress"], [0.125, 0.25, 0.0], atol=1e-12)
+    np.testing.assert_array_equal(turning["forward_progress"], 0.0)
 
 
 def test_clock_agreement_is_full_when_the_swinging_feet_are_up():
@@ -69,7 +82,7 @@ def test_clock_agreement_is_full_when_the_swinging_feet_are_up():
 def test_foot_lift_goes_from_the_ground_to_a_full_lift_and_pays_the_first_of_it_most():
     height = np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.021, 1.0]])
     expected = [[-1.205, -1, -0.125, 1], [0.5, 0.875, 1, 1]]
-    np.testing.assert_allclose(quantities.FootLift(0.02)(height), expected, atol=1e-12)
+    np.testing.assert_allclose(quantities.foot_lift(height, 0.02), expected, atol=1e-12)
 
 
 def test_mechanical_power_counts_driving_and_not_braking():

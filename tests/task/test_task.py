@@ -34,14 +34,14 @@ def terms_on(**readings):
 def test_tilted_is_an_angle_between_the_up_axes():
     angles = np.array([0.0, 0.5, 0.999, 1.001, 2.0, math.pi])
     context = terms_on(up_b=np.stack([np.sin(angles), np.zeros(6), np.cos(angles)], axis=1))
-    np.testing.assert_array_equal(terminations.tilted(context, max_tilt=1.0)(context), angles > 1.0)
+    np.testing.assert_array_equal(terminations.tilted(context, max_tilt=1.0), angles > 1.0)
 
 
 def test_trunk_contact_is_more_than_a_force_on_any_part():
     force = np.zeros((4, 5))
     force[1, 0], force[2, 4], force[3] = 1.5, 1.0, 0.5
     context = terms_on(trunk_force=force)
-    ended = terminations.trunk_contact(context, max_trunk_force=1.0)(context)
+    ended = terminations.trunk_contact(context, max_trunk_force=1.0)
     np.testing.assert_array_equal(ended, [False, True, False, False])
 
 

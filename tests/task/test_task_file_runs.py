@@ -14,7 +14,7 @@ from trainings import SMALL, progress
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.cli import train as cli
-from quadruped_env.control import PolicyController
+from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy import CARD_FILE

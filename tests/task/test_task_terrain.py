@@ -36,7 +36,7 @@ def test_heights_of_the_task_are_over_the_ground_below():
     qpos = np.tile([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, *STANCE], (6, 1))
     qpos[:, :2] = np.random.default_rng(0).uniform(-10.0, 10.0, (6, 2))
     qpos[:, 2] = STANCE_HEIGHT + field.at(qpos)
-    simulation.reset(np.arange(6), qpos, np.zeros((6, 14)))
+    task.place(np.arange(6), qpos, np.zeros((6, 14)))
     assert np.ptp(simulation.readings.base_position[:, 2]) > 0.02
     np.testing.assert_allclose(task.context.base_height, STANCE_HEIGHT, atol=1e-9)
     feet = simulation.readings.foot_position

@@ -1,6 +1,7 @@
 """Other algorithms through the same program: their actors as policies, their settings, their runs."""
 
 import csv
+import dataclasses
 import json
 
 import numpy as np
@@ -15,6 +16,7 @@ from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import Policy, load_policy
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS, check_used
@@ -44,11 +46,11 @@ def config_of(name, **changes):
     return TrainConfig(algo=name, **{**TINY, **changes})
 
 
-def model_of(name, **changes):
+def model_of(name, robot=MINI_QUADRUPED, **changes):
     """A model with random parameters, also those of its batch renormalization, and its env."""
     config = config_of(name, **changes)
     torch.manual_seed(0)
-    env = make_sb3_vec_env(4, seed=0, privileged=config.asymmetric_critic)
+    env = make_sb3_vec_env(4, seed=0, privileged=config.asymmetric_critic, robot=robot)
     model = make_model(config, env)
     perturb(model)
     with torch.no_grad():
@@ -91,6 +93,18 @@ def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tm
     difference = np.abs(policy.predict(mirror.observation(seen)) - mirror.action(policy.predict(seen))).max()
     assert (difference < 1e-4) == symmetric
     assert np.abs(policy.predict(50.0 * seen)).max() <= 1.0
+
+
+@pytest.mark.parametrize("name", ["ppo", "sac", "td3"])
+def test_symmetric_actor_of_a_robot_whose_joints_turn_the_other_way_on_the_other_side(name):
+    """Half of the joints."""
+    robot = dataclasses.replace(MINI_QUADRUPED, mirror_signs=(-1, 1) * 4)
+    model, env = model_of(name, robot=robot, activation="tanh")
+    mirror, seen = MirrorMap.of(env.task.control.layout), observations(WIDTH)
+    assert mirror.action_sign.tolist() == [-1.0, 1.0] * 4
+    actions, mirrored = (model.predict(one, deterministic=True)[0] for one in (seen, mirror.observation(seen)))
+    np.testing.assert_allclose(mirrored, mirror.action(actions), atol=1e-4)
+    assert np.abs(actions).min(axis=0).max() > 0.0
 
 
 @pytest.mark.parametrize("name", [name for name, entry in ALGORITHMS.items() if entry.on_policy])

@@ -187,13 +187,10 @@ WRITERS = {
     "mcap": lambda trajectory, path: trajectory.save(path),
     "zstd.mcap": lambda trajectory, path: trajectory.save(path, compress=True),
     "db3": lambda trajectory, path: trajectory.save(path),
-    "bag": write_ros1,
-    "bz2.bag": lambda trajectory, path: write_ros1(path, trajectory, "BZ2"),
-    "lz4.bag": lambda trajectory, path: write_ros1(path, trajectory, "LZ4"),
+    "bag": lambda trajectory, path: write_ros1(path, trajectory),
     "metadata": lambda trajectory, path: trajectory.save(path),
     "db3.zstd": lambda trajectory, path: trajectory.save(path, storage="sqlite3", compress=True),
 }
-WRITERS["bag"] = lambda trajectory, path: write_ros1(path, trajectory)
 
 PARSERS = {
     "csv": parse_csv,
@@ -202,8 +199,6 @@ PARSERS = {
     "echo.csv": parse_echo,
     "db3": parse_sqlite3,
     "bag": parse_ros1,
-    "bz2.bag": parse_ros1,
-    "lz4.bag": parse_ros1,
 }
 """Formats without checksums; in the others, everything that is read must be what was written."""
 

@@ -18,9 +18,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.live.messages.command_messages import read_target
-from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.messages.message_stamps import read_stamp
+from quadruped_env.live.messages.joint_messages import JointReader, read_target
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, JOINT_COMMANDS, JOINT_STATES, ODOMETRY
@@ -28,7 +26,7 @@ from quadruped_env.live.pace import Pace
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
-from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.ros.timestamps import NS_PER_SECOND, read_stamp
 from quadruped_env.utils.files import write_whole
 
 COMMAND_PERIOD: Final = 0.1
@@ -298,8 +296,8 @@ class _Listener:
         lags = []
         for _ in range(_CLOCKS):
             self._node.wait(0.02)
-            received = self._clock.latest()
-            if received is not None:
+            if taken := self._clock.take():
+                received = taken[-1]
                 lags.append((received.sent - read_stamp(self._clock.decode(received).clock)) / 1e6)
         sample = Sample(seconds, _memory(sim), _memory(controller), min(lags, default=float("nan")))
         if np.isfinite(sample.clock_lag):

@@ -12,7 +12,13 @@ from quadruped_env.gait.gait_presets import TUNED_ON
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.quantities import FootLift, clock_agreement, electrical_power, mechanical_power, sliding_squared
+from quadruped_env.task.quantities import (
+    clock_agreement,
+    electrical_power,
+    foot_lift,
+    mechanical_power,
+    sliding_squared,
+)
 from quadruped_env.training.strides import Strides
 
 Floats = NDArray[np.float64]
@@ -161,7 +167,7 @@ def measure(
     qpos[:, 2], qpos[:, 3] = robot.stance_height, 1.0
     qpos[:, 7:] = robot.stance + np.repeat(starts.joint_offset, count, axis=0)
     simulation.reset(np.arange(n), qpos, np.repeat(starts.velocity, count, axis=0))
-    state, foot_lift = simulation.readings, FootLift(config.reward.foot_lift)
+    state = simulation.readings
     heat = robot.motors.joule_coefficients(robot.joint_kinds)
     phases = math.tau * np.array(turns)[list(robot.corners)] + np.repeat(starts.clock, count)[:, None]
     fallen, contact = np.zeros(n, dtype=np.bool_), np.ones((n, robot.num_legs), dtype=np.bool_)
@@ -192,7 +198,7 @@ def measure(
             mechanical_power(state.joint_torque, state.joint_velocity),
             electrical_power(state.joint_torque, state.joint_velocity, heat),
             (sliding * contact).sum(axis=1),
-            clock_agreement(foot_lift(height), sine),
+            clock_agreement(foot_lift(height, config.reward.foot_lift), sine),
             clock_agreement(1.0 - 2.0 * contact, sine),
         ]
     vx, wz, vy, tilt, power, electrical, slip, lift, clock = sums / steps

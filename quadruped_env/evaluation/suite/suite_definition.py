@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST, TERRAINS
-from quadruped_env.simulation.tiles import TILE
+from quadruped_env.simulation.terrain import TILE
 from quadruped_env.task import PRESETS
 from quadruped_env.utils.plain import plain
 from quadruped_env.utils.seeds import EVALUATION_SEEDS

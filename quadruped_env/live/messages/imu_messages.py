@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.messages.joint_messages import MAX_VALUE
-from quadruped_env.live.messages.message_stamps import read_stamp
+from quadruped_env.ros.timestamps import read_stamp
 
 _NORM_ERROR = 0.05
 

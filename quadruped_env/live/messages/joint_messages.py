@@ -1,14 +1,17 @@
 """Joint states and joint commands, validated and in the robot's joint order."""
 
 from collections.abc import Sequence
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS
 from quadruped_env.robot.robot import Robot
-from quadruped_env.ros.joint_state_bytes import Decoder, RawJointState
+from quadruped_env.ros import cdr
+from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_joint_state
 
 MAX_VALUE: Final = 1e3
 """Largest accepted position or velocity, rad or rad/s. Larger values indicate corrupt data and would lead to NaN."""
@@ -40,7 +43,6 @@ class JointReader:
         self._topic = topic
         self._joints = robot.joint_names
         self._needs = tuple(needs)
-        self._decode = Decoder()
         self._names: tuple[str, ...] | None = None
         self._order = np.empty(0, dtype=np.intp)
 
@@ -52,8 +54,8 @@ class JointReader:
                 differ, a position or velocity is not finite or exceeds `MAX_VALUE`, or a needed field is missing.
         """
         try:
-            raw = self._decode(data)
-            if raw.names is not self._names:
+            raw = read_joint_state(data)
+            if raw.names != self._names:
                 self._order = _order(raw.names, self._joints)
                 self._names = raw.names
             joints = Joints(
@@ -70,17 +72,70 @@ class JointReader:
 
     def _values(self, raw: RawJointState, field: str, finite: bool = True) -> NDArray[np.float64] | None:
         given = getattr(raw, field)
-        if not given:
+        if not len(given):
             return None
         if len(given) != len(raw.names):
             raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one per joint")
-        values = np.array(given)[self._order]
+        values: NDArray[np.float64] = given[self._order]
         if finite and not (np.abs(values) <= MAX_VALUE).all():
             wrong = int(np.flatnonzero(~(np.abs(values) <= MAX_VALUE))[0])
             raise QuadrupedError(
                 f"{field} of {self._joints[wrong]} is {values[wrong]}; send finite numbers of at most {MAX_VALUE:g}"
             )
         return values
+
+
+def command_message(robot: Robot, stamp: int, target: Target) -> bytes:
+    """The CDR bytes of a `/joint_commands` message.
+
+    Args:
+        robot: robot that is commanded.
+        stamp: timestamp of the state that the target was computed from, ns.
+        target: joint targets in rad (J,), or `LIMP`.
+    """
+    if target is LIMP:
+        return joint_state(stamp, robot.joint_names, effort=np.zeros(robot.num_joints))
+    return joint_state(stamp, robot.joint_names, target)
+
+
+def read_target(joints: Joints) -> Target:
+    """The target of a `/joint_commands` message.
+
+    Raises:
+        QuadrupedError: if the message holds neither positions nor efforts of zero alone.
+    """
+    if joints.positions is not None:
+        return joints.positions
+    if joints.efforts is not None and not joints.efforts.any() and joints.velocities is None:
+        return LIMP
+    raise QuadrupedError(
+        f"{JOINT_COMMANDS.name}: has no positions; send positions in rad, or only efforts of 0 to let the robot go limp"
+    )
+
+
+def positions_message(target: NDArray[np.float64]) -> Any:
+    """A `/forward_position_controller/commands` message.
+
+    Args:
+        target: joint targets, rad (J,).
+    """
+    return cdr.message(JOINT_POSITIONS.type_name, data=target)
+
+
+def read_positions(message: Any, robot: Robot) -> NDArray[np.float64]:
+    """The joint targets of a `/forward_position_controller/commands` message, rad (J,).
+
+    Raises:
+        QuadrupedError: if it does not hold a finite number for each joint.
+    """
+    positions = np.array(message.data, dtype=np.float64)
+    if positions.shape != (robot.num_joints,) or not np.isfinite(positions).all():
+        found = positions.tolist() if positions.size <= robot.num_joints else f"{positions.size} numbers"
+        raise QuadrupedError(
+            f"{JOINT_POSITIONS.name}: holds {found}; send a finite number of rad for each of "
+            f"{', '.join(robot.joint_names)}"
+        )
+    return positions
 
 
 def _order(names: tuple[str, ...], joints: tuple[str, ...]) -> NDArray[np.intp]:

@@ -5,15 +5,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.live.messages.message_stamps import write_stamp
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
-from quadruped_env.robot.link_transforms import ODOMETRY_FRAME
+from quadruped_env.robot.link_transforms import ODOMETRY_FRAME, Transform
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
-from quadruped_env.ros.joint_state_bytes import Encoder
-from quadruped_env.ros.tf import TfEncoder
+from quadruped_env.ros.robot_messages import joint_state, transform_messages
+from quadruped_env.ros.timestamps import write_stamp
 
 
 class Sensors:
@@ -28,8 +27,7 @@ class Sensors:
         base = robot.base_name
         self._clock, self._imu, self._odometry = node.publish(CLOCK), node.publish(IMU), node.publish(ODOMETRY)
         self._tf, self._joints = node.publish(TF), node.publish(JOINT_STATES)
-        self._encode_joints = Encoder(robot.joint_names)
-        self._encode_tf = TfEncoder([(ODOMETRY_FRAME, base)])
+        self._robot = robot
         self._time = cdr.message("rosgraph_msgs/msg/Clock")
         self._attitude = cdr.message("sensor_msgs/msg/Imu", header=cdr.header(0, base))
         self._odom = cdr.message("nav_msgs/msg/Odometry", header=cdr.header(0, ODOMETRY_FRAME), child_frame_id=base)
@@ -55,14 +53,8 @@ class Sensors:
         self._imu.send(imu)
 
         # After the IMU message, since a controller uses both; before the others, since the controller waits for it.
-        self._joints.send_bytes(
-            self._encode_joints(
-                stamp,
-                state.joint_position[0].tobytes(),
-                state.joint_velocity[0].tobytes(),
-                state.joint_torque[0].tobytes(),
-            )
-        )
+        joints = state.joint_position[0], state.joint_velocity[0], state.joint_torque[0]
+        self._joints.send_bytes(joint_state(stamp, self._robot.joint_names, *joints))
 
         odom = self._odom
         write_stamp(odom.header.stamp, stamp)
@@ -73,7 +65,8 @@ class Sensors:
         _write_vector(odom.twist.twist.angular, rate)
         self._odometry.send(odom)
 
-        self._tf.send_bytes(self._encode_tf(stamp, np.array([[*position, x, y, z, w]])))
+        pose = Transform(ODOMETRY_FRAME, self._robot.base_name, position, state.orientation[0])
+        self._tf.send_bytes(next(transform_messages([stamp], [pose])))
 
 
 def _write_vector(vector: Any, values: NDArray[np.float64]) -> None:

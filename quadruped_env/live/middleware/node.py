@@ -12,20 +12,20 @@ import statistics
 import time
 from collections import deque
 from collections.abc import Callable, Iterator
-from functools import cache
 from typing import Any, Final, Generic, NamedTuple, TypeVar, overload
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.middleware.dds import Network, open_participant
-from quadruped_env.live.middleware.profiles import dds_qos
 from quadruped_env.live.middleware.ros_graph import Graph
 from quadruped_env.live.middleware.topics import Topic
 from quadruped_env.live.middleware.type_information import withhold_type_information
 from quadruped_env.live.middleware.wire import wire_type
-from quadruped_env.ros import Qos, cdr
+from quadruped_env.ros import MessageType, Qos, cdr
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _TAKEN: Final = 256
+_BLOCKING: Final = 100_000_000
+"""Maximum time that a reliable writer blocks on a slow reader, the DDS default, ns."""
 _LATENCIES: Final = 1000
 
 T = TypeVar("T")
@@ -59,14 +59,10 @@ class Publisher:
         self.count = 0
         """Number of messages sent."""
         self._wire = wire_type(topic.type_name)
-        self._writer = DataWriter(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type))
+        self._writer = DataWriter(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type))
 
     def send(self, message: Any) -> None:
-        """Send a message of `quadruped_env.ros.cdr`.
-
-        Raises:
-            QuadrupedError: if it is of another type.
-        """
+        """Send a message of `quadruped_env.ros.cdr`. Raises a QuadrupedError if it is of another type."""
         if message.__msgtype__ != self.topic.type_name:
             raise QuadrupedError(
                 f"{self.topic.name}: holds messages of {self.topic.type_name}; found {message.__msgtype__}"
@@ -116,7 +112,9 @@ class Subscription(Generic[T]):
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
         """Latencies from sending to taking of the last messages, s. Between machines they include the clock offset."""
         self._read = read
-        self._reader = DataReader(participant, _dds_topic(participant, topic), qos=dds_qos(qos, topic.type, ignore_own))
+        self._reader = DataReader(
+            participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own)
+        )
         self.condition = ReadCondition(self._reader, ViewState.Any | InstanceState.Any | SampleState.NotRead)
 
     def take(self) -> list[Received]:
@@ -135,11 +133,6 @@ class Subscription(Generic[T]):
                 break
         self.count += len(taken)
         return taken
-
-    def latest(self) -> Received | None:
-        """The last message received since the last call, or None."""
-        taken = self.take()
-        return taken[-1] if taken else None
 
     def messages(self, refused: Refused) -> Iterator[tuple[Received, T]]:
         """All messages since the last call that can be decoded, in order of arrival.
@@ -217,7 +210,6 @@ class Node:
 
     def publish(self, topic: Topic, qos: Qos | None = None) -> Publisher:
         """Create a publisher of a topic; `qos` replaces the topic's quality of service."""
-        _prepare(topic.type_name, None)
         publisher = Publisher(self._participant, topic, qos or topic.qos)
         self.publishers.append(publisher)
         return publisher
@@ -235,8 +227,6 @@ class Node:
     ) -> Subscription[Any]:
         """Create a subscription to a topic.
 
-        One message of the type is decoded beforehand: the first decoding takes up to a second and would delay messages.
-
         Args:
             topic: the topic to subscribe to.
             qos: requested quality of service; by default the topic's.
@@ -245,8 +235,6 @@ class Node:
         """
         if read is None:
             read = message_reader(topic, lambda message: message)
-        if read is not bytes:
-            _prepare(topic.type_name, read)
         subscription = Subscription(self._participant, topic, qos or topic.qos, read, ignore_own)
         self.subscriptions.append(subscription)
         self._waitset.attach(subscription.condition)
@@ -273,21 +261,18 @@ def message_reader(topic: Topic, convert: Callable[[Any], T]) -> Read[T]:
     return lambda data: convert(cdr.deserialize(data, topic.type_name))
 
 
-@cache
-def _example(type_name: str) -> bytes:
-    """The CDR bytes of a message whose fields are all 0 or empty."""
-    return cdr.serialize(cdr.message(type_name))
+def _dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
+    """The DDS QoS for an endpoint; its user data carries the type hash, as in ROS 2 Iron and later."""
+    from cyclonedds.core import Policy
+    from cyclonedds.core import Qos as DdsQos
 
-
-def _prepare(type_name: str, read: Read[Any] | None) -> None:
-    """Encode and decode one message of a type: rosbags compiles its code on first use."""
-    try:
-        example = _example(type_name)
-        if read is not None:
-            read(example)
-    except (QuadrupedError, MissingExtraError):
-        # This robot's reader refuses joint states without names. A missing rosbags is reported when it is needed.
-        pass
+    return DdsQos(
+        Policy.Reliability.Reliable(_BLOCKING) if qos.reliable else Policy.Reliability.BestEffort,
+        Policy.Durability.TransientLocal if qos.transient_local else Policy.Durability.Volatile,
+        Policy.History.KeepLast(qos.depth),
+        Policy.IgnoreLocal.Participant if ignore_own else Policy.IgnoreLocal.Nothing,
+        Policy.Userdata(f"typehash={kind.type_hash};".encode()),
+    )
 
 
 def _dds_topic(participant: Any, topic: Topic) -> Any:

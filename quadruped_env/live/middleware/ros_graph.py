@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Final
 
-from quadruped_env.live.middleware.profiles import incompatible, read_qos, read_type_hash
 from quadruped_env.live.middleware.topics import ros_name
 from quadruped_env.ros import Qos
 
@@ -102,7 +101,7 @@ class Graph:
                 f"{writer.structure} and {reader.structure}), and Fast DDS 3 (ROS 2 Kilted) and Cyclone DDS cannot "
                 f"compare them; set the property fastdds.type_propagation=disabled for the participant of Fast DDS"
             )
-        reason = incompatible(writer.qos, reader.qos)
+        reason = _incompatible(writer.qos, reader.qos)
         if reason:
             yield f"{where}: no message will arrive; {reason}"
 
@@ -128,12 +127,45 @@ class Graph:
                         ros_name(one.topic_name),
                         _ros_type(one.type_name),
                         writes,
-                        read_qos(one.qos),
-                        read_type_hash(one.qos),
+                        _read_qos(one.qos),
+                        _read_type_hash(one.qos),
                         one.sample_info.instance_handle,
                         str(one.participant_key),
                         _structure(one.type_id),
                     )
+
+
+def _read_qos(qos: Any) -> Qos:
+    """The profile of a discovered endpoint; depth 0 means keep all."""
+    from cyclonedds.core import Policy
+
+    policies = {policy.__scope__: policy for policy in qos}
+    return Qos(
+        depth=getattr(policies.get("History"), "depth", 0),
+        reliable=isinstance(policies.get("Reliability"), Policy.Reliability.Reliable),
+        transient_local=policies.get("Durability") not in (None, Policy.Durability.Volatile),
+    )
+
+
+def _read_type_hash(qos: Any) -> str:
+    """The type hash in the user data of a discovered endpoint; empty if it has none."""
+    for policy in qos:
+        if policy.__scope__ == "Userdata":
+            for entry in policy.data.decode("ascii", "replace").split(";"):
+                key, _, value = entry.strip().partition("=")
+                if key == "typehash":
+                    return str(value)
+    return ""
+
+
+def _incompatible(offered: Qos, requested: Qos) -> str:
+    """The reason why a reader receives nothing from a writer; empty if the profiles are compatible."""
+    reasons = []
+    if requested.reliable and not offered.reliable:
+        reasons.append("the reader requests reliable delivery, the writer offers best effort")
+    if requested.transient_local and not offered.transient_local:
+        reasons.append("the reader requests transient local (latched), the writer offers volatile")
+    return " and ".join(reasons)
 
 
 def _taken(reader: Any) -> Iterator[Any]:

@@ -10,29 +10,16 @@ on it.
 import ctypes
 from typing import Any, Final
 
+_OPERATIONS: Final = (
+    "version arg free zero_samples realloc_samples free_samples equal hash type_id type_map type_info derive_sertype "
+    "get_serialized_size serialize_into"
+)
+
 
 class _Operations(ctypes.Structure):
     """`struct ddsi_sertype_ops` of CycloneDDS: the functions of a type. Its layout depends on `version`."""
 
-    _fields_ = [
-        (name, ctypes.c_void_p)
-        for name in (
-            "version",
-            "arg",
-            "free",
-            "zero_samples",
-            "realloc_samples",
-            "free_samples",
-            "equal",
-            "hash",
-            "type_id",
-            "type_map",
-            "type_info",
-            "derive_sertype",
-            "get_serialized_size",
-            "serialize_into",
-        )
-    ]
+    _fields_ = [(name, ctypes.c_void_p) for name in _OPERATIONS.split()]
 
 
 class _Type(ctypes.Structure):

@@ -24,9 +24,8 @@ from quadruped_env.control.live_controller import JointCommand, LiveController, 
 from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, Terms, load_terms, policy_directory, read_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.command_messages import CommandWriter, positions_message
 from quadruped_env.live.messages.imu_messages import Imu, read_imu
-from quadruped_env.live.messages.joint_messages import JointReader, Joints
+from quadruped_env.live.messages.joint_messages import JointReader, Joints, command_message, positions_message
 from quadruped_env.live.middleware.node import Subscription, message_reader
 from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.live.session import Session, add_realtime_argument
@@ -169,7 +168,7 @@ class _Outbox:
     def __init__(self, session: Session, arrays: bool, robot: Robot) -> None:
         self._arrays = arrays
         self._commands = session.node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
-        self._write = CommandWriter(robot)
+        self._robot = robot
         self._stamp = 0
 
     def send(self, answer: JointCommand | None) -> None:
@@ -178,7 +177,7 @@ class _Outbox:
             return
         self._stamp = answer.stamp
         if not self._arrays:
-            self._commands.send_bytes(self._write(answer.stamp, answer.target))
+            self._commands.send_bytes(command_message(self._robot, answer.stamp, answer.target))
         elif answer.target is not LIMP:
             self._commands.send(positions_message(answer.target))
 

@@ -6,8 +6,8 @@ mini-quadruped live display --preset walk
 import argparse
 
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.node_launch import common, launch
-from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
+from quadruped_env.live.node_launch import launch
+from quadruped_env.live.node_options import COMMON, add_robot_argument, passed_on
 from quadruped_env.viewer import PORT
 
 
@@ -20,13 +20,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def start(arguments: argparse.Namespace) -> int:
     """Run the three nodes until one ends."""
-    shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
-    shared += robot_arguments(arguments)
-    return launch(
-        [
-            ["gait", "--preset", arguments.preset, *shared],
-            ["state", *shared],
-            ["view", "--port", str(arguments.port), *shared],
-        ],
-        status="gait",
-    )
+    shared = passed_on(arguments, "task", *COMMON)
+    gait, view = passed_on(arguments, "preset"), passed_on(arguments, "port")
+    return launch([["gait", *gait, *shared], ["state", *shared], ["view", *view, *shared]], status="gait")

@@ -21,21 +21,21 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.joint_command import limited
+from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.command_messages import CommandWriter
-from quadruped_env.live.messages.gait_messages import AdjustableGait, read_settings, settings_message
-from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.gait import PRESETS, SinusoidalGait
+from quadruped_env.gait.gait_settings import GaitSettings, edited
+from quadruped_env.live.messages.gait_messages import read_settings, settings_message
+from quadruped_env.live.messages.joint_messages import JointReader, command_message
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.node_options import add_robot_argument, robot_of
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
-from quadruped_env.ros.joint_state_bytes import Encoder
+from quadruped_env.ros.robot_messages import joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 RATE: Final = 20.0
@@ -73,6 +73,40 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     return 0
 
 
+class AdjustableGait:
+    """A gait preset with settings that may change at any time; the phase stays continuous when the frequency changes.
+
+    Args:
+        preset: name of the preset.
+        robot: robot that walks.
+    """
+
+    def __init__(self, preset: str, robot: Robot) -> None:
+        self._preset = self._gait = SinusoidalGait.preset(preset, robot)
+        self.settings = GaitSettings.of(self._preset)
+        """The current settings."""
+        self._time_offset = 0.0
+        """Time offset that keeps the phase continuous over frequency changes, s."""
+
+    def change(self, settings: GaitSettings, t: float) -> None:
+        """Apply new settings from time `t` (s) on."""
+        self._time_offset = (t + self._time_offset) * self.settings.frequency / settings.frequency - t
+        self.settings = settings
+        self._gait = edited(self._preset, settings)
+
+    def positions(self, t: float) -> NDArray[np.float64]:
+        """Joint positions at time `t` (s), rad (J,)."""
+        return self._gait.positions(t + self._time_offset)
+
+    def velocities(self, t: float) -> NDArray[np.float64]:
+        """Joint velocities at time `t` (s), rad/s (J,)."""
+        return self._gait.velocities(t + self._time_offset)
+
+    def violations(self) -> list[str]:
+        """Descriptions of the joint limits that the gait exceeds."""
+        return self._gait.violations()
+
+
 class _RemoteGait(AdjustableGait):
     """A gait that takes settings from /gait and publishes the current ones on /gait/settings."""
 
@@ -102,7 +136,7 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
     guard = SinglePublisherGuard(session)
     guard.check()
     states = session.node.publish(JOINT_STATES)
-    encode, efforts = Encoder(gait.robot.joint_names), np.zeros(gait.robot.num_joints).tobytes()
+    names, efforts = gait.robot.joint_names, np.zeros(gait.robot.num_joints)
     start, pace = time.time_ns(), Pace(period)
     while session.running:
         session.wait(pace.remaining)
@@ -111,7 +145,7 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
         gait.take(t)
         if pace.tick():
             stamp = start + round(t * NS_PER_SECOND)
-            states.send_bytes(encode(stamp, gait.positions(t).tobytes(), gait.velocities(t).tobytes(), efforts))
+            states.send_bytes(joint_state(stamp, names, gait.positions(t), gait.velocities(t), efforts))
         gait.report()
 
 
@@ -119,7 +153,6 @@ def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
     commands = session.node.publish(JOINT_COMMANDS)
     reader = JointReader(JOINT_STATES.name, gait.robot, ["positions"])
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
-    write = CommandWriter(gait.robot)
     first: NDArray[np.float64] | None = None
     while session.running and first is None:
         session.wait_for(JOINT_STATES.name)
@@ -141,7 +174,7 @@ def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
         if pace.tick():
             share = min(t / FADE, 1.0)
             last = limited(gait.robot, first + share * (gait.positions(t) - first), last, period)
-            commands.send_bytes(write(start + round(t * NS_PER_SECOND), last))
+            commands.send_bytes(command_message(gait.robot, start + round(t * NS_PER_SECOND), last))
         gait.report()
-    commands.send_bytes(write(time.time_ns(), None))
+    commands.send_bytes(command_message(gait.robot, time.time_ns(), LIMP))
     commands.wait_until_read(0.5)

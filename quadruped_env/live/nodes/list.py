@@ -15,10 +15,7 @@ from quadruped_env.live.session import Session
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the level of detail."""
     parser.add_argument(
-        "-v",
-        "--verbose",
-        action="store_true",
-        help="also list publishers and subscriptions, with QoS and type hash",
+        "-v", "--verbose", action="store_true", help="also list publishers and subscriptions, with QoS and type hash"
     )
 
 

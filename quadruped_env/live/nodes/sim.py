@@ -22,17 +22,15 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import Target
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.messages.command_messages import read_positions, read_target
-from quadruped_env.live.messages.joint_messages import JointReader, Joints
+from quadruped_env.live.messages.joint_messages import JointReader, read_positions, read_target
 from quadruped_env.live.messages.sensor_messages import Sensors
 from quadruped_env.live.middleware.node import Received, message_reader
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, PUSH
+from quadruped_env.live.node_options import add_robot_argument, add_terrain_arguments, chosen_terrain, robot_of
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.robot_option import add_robot_argument, robot_of
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.single_publisher import SinglePublisherGuard
-from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 STEPS_PER_STATE: Final = 2
@@ -110,9 +108,17 @@ class _Commands:
         self._session = session
         self._robot = robot
         node, joints = session.node, JointReader(JOINT_COMMANDS.name, robot.robot)
+
+        def command(data: bytes) -> tuple[int, Target]:
+            state = joints(data)
+            return state.stamp, read_target(state)
+
+        def array(message: Any) -> tuple[int, Target]:
+            return 0, read_positions(message, robot.robot)
+
         self._subscriptions = (
-            node.subscribe(JOINT_COMMANDS, read=lambda data: _command(joints(data))),
-            node.subscribe(JOINT_POSITIONS, read=message_reader(JOINT_POSITIONS, self._array)),
+            node.subscribe(JOINT_COMMANDS, read=command),
+            node.subscribe(JOINT_POSITIONS, read=message_reader(JOINT_POSITIONS, array)),
         )
         self._writer = 0
         self._stamp = 0
@@ -129,10 +135,6 @@ class _Commands:
                 self._writer, self._stamp, self._accepted_at = received.writer, stamp, received.taken
                 self._robot.command(target)
 
-    def _array(self, message: Any) -> tuple[int, Target]:
-        """The timestamp and the target of an array."""
-        return 0, read_positions(message, self._robot.robot)
-
     def _refusal(self, received: Received, stamp: int) -> str:
         """The reason to refuse a command; empty if it is accepted."""
         if received.taken - self._accepted_at <= _SENDER_TIMEOUT:
@@ -142,11 +144,6 @@ class _Commands:
             if 0 < stamp < self._stamp:
                 return "older than the previous command; ignored"
         return ""
-
-
-def _command(joints: Joints) -> tuple[int, Target]:
-    """The timestamp in ns and the target of a command."""
-    return joints.stamp, read_target(joints)
 
 
 def _push(vector: Any) -> NDArray[np.float64]:

@@ -9,11 +9,11 @@ import argparse
 import time
 
 from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.messages.transform_messages import TransformWriter, description_message, fixed_message
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
-from quadruped_env.live.robot_option import add_robot_argument, robot_of
+from quadruped_env.live.node_options import add_robot_argument, robot_of
 from quadruped_env.live.session import Session
-from quadruped_env.ros import SENSOR_DATA_QOS
+from quadruped_env.ros import SENSOR_DATA_QOS, cdr
+from quadruped_env.ros.robot_messages import transform_messages
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -28,13 +28,12 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     transforms = node.publish(TF)
     reader = JointReader(JOINT_STATES.name, robot, ["positions"])
     states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
-    write = TransformWriter(robot)
-    description.send(description_message(robot))
-    fixed.send_bytes(fixed_message(robot, time.time_ns()))
+    description.send(cdr.message(ROBOT_DESCRIPTION.type_name, data=robot.urdf))
+    fixed.send_bytes(next(transform_messages([time.time_ns()], robot.fixed_transforms())))
     for _ in session.turns():
         for _, joints in states.messages(session.refuse):
             assert joints.positions is not None
-            transforms.send_bytes(write(joints.stamp, joints.positions))
+            transforms.send_bytes(next(transform_messages([joints.stamp], robot.joint_transforms(joints.positions))))
         session.wait_for("" if states.count else JOINT_STATES.name)
         session.report()
     return 0

@@ -24,16 +24,7 @@ from quadruped_env.ros import cdr
 PERIOD = 0.1
 """Time between messages, s."""
 STOP, END = " ", "q"
-STEPS = {
-    UP: (1, 0),
-    "w": (1, 0),
-    DOWN: (-1, 0),
-    "s": (-1, 0),
-    LEFT: (0, 1),
-    "a": (0, 1),
-    RIGHT: (0, -1),
-    "d": (0, -1),
-}
+STEPS = {UP: (1, 0), "w": (1, 0), DOWN: (-1, 0), "s": (-1, 0), LEFT: (0, 1), "a": (0, 1), RIGHT: (0, -1), "d": (0, -1)}
 """Key -> steps (forward, left)."""
 
 

@@ -11,9 +11,8 @@ import time
 
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.middleware.topics import JOINT_STATES
-from quadruped_env.live.robot_option import add_robot_argument, robot_of
+from quadruped_env.live.node_options import add_robot_argument, add_terrain_arguments, chosen_terrain, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
 from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
 from quadruped_env.viewer.server import import_viser
 

@@ -10,9 +10,15 @@ import argparse
 import sys
 
 from quadruped_env.control.policy_files import LIVE_POLICY
-from quadruped_env.live.node_launch import common, launch
-from quadruped_env.live.robot_option import add_robot_argument, robot_arguments
-from quadruped_env.live.terrain_arguments import add_terrain_arguments, chosen_terrain
+from quadruped_env.live.node_launch import launch
+from quadruped_env.live.node_options import (
+    COMMON,
+    GROUND,
+    add_robot_argument,
+    add_terrain_arguments,
+    chosen_terrain,
+    passed_on,
+)
 from quadruped_env.viewer import PORT
 
 
@@ -29,15 +35,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def start(arguments: argparse.Namespace) -> int:
     """Run all nodes until one ends."""
     chosen_terrain(arguments)  # an unknown terrain is an error before any node starts
-    keys = sys.stdin.isatty()
-    shared = common(arguments.domain_id, arguments.subnet, arguments.seconds, arguments.quiet)
-    robot = robot_arguments(arguments)
-    level = [] if arguments.level is None else ["--level", str(arguments.level)]
-    ground = ["--seed", str(arguments.seed), "--terrain", arguments.terrain, *level]
+    common, robot = passed_on(arguments, *COMMON), passed_on(arguments, "task", *COMMON)
+    ground, port = passed_on(arguments, *GROUND), passed_on(arguments, "port")
     nodes = [
-        ["sim", *ground, "--pick-up", "3", *robot, *shared],
-        ["controller", arguments.policy, *robot, *shared],
-        ["state", *robot, *shared],
-        ["view", "--port", str(arguments.port), *ground, *robot, *shared],
+        ["sim", *ground, "--pick-up", "3", *robot],
+        ["controller", arguments.policy, *robot],
+        ["state", *robot],
+        ["view", *port, *ground, *robot],
     ]
-    return launch([*nodes, ["teleop", *shared]], "teleop") if keys else launch(nodes, "controller")
+    return launch([*nodes, ["teleop", *common]], "teleop") if sys.stdin.isatty() else launch(nodes, "controller")

@@ -15,9 +15,7 @@ from typing import Any, Final
 
 import numpy as np
 import torch
-from numpy.typing import ArrayLike, DTypeLike, NDArray
-
-from quadruped_env.utils.arrays import NumPyArrays
+from numpy.typing import DTypeLike, NDArray
 
 _DTYPES: Final[Mapping[np.dtype[Any], torch.dtype]] = MappingProxyType(
     {
@@ -375,6 +373,23 @@ _REDUCTIONS: Final[Mapping[tuple[str, str], Callable[..., torch.Tensor]]] = Mapp
 )
 
 
+def _asarray(device: torch.device, values: Any, dtype: DTypeLike | None = None) -> TensorArray:
+    """Array on a device, from an array of either kind, a tensor or numbers; it may share their memory."""
+    tensor = _tensor(values, device)
+    if dtype is None:
+        return TensorArray(tensor, getattr(values, "dtype", None) == _UINT64)
+    return TensorArray(tensor.to(_DTYPES[np.dtype(dtype)]), np.dtype(dtype) == _UINT64)
+
+
+def _zeros(device: torch.device, shape: Any, dtype: DTypeLike = np.float64) -> TensorArray:
+    kind = np.dtype(dtype)
+    return TensorArray(torch.zeros(shape, dtype=_DTYPES[kind], device=device), kind == _UINT64)
+
+
+def _take_along_axis(device: torch.device, x: Any, indices: Any, axis: int) -> TensorArray:
+    return TensorArray(torch.take_along_dim(_tensor(x, device), _tensor(indices, device), axis))
+
+
 def _copyto(device: torch.device, to: TensorArray, source: Any, where: Any = True) -> None:
     values = _tensor(source, device).to(to.tensor.dtype)
     to.tensor.copy_(values if where is True else torch.where(_tensor(where, device), values, to.tensor))
@@ -433,6 +448,11 @@ def _split(device: torch.device, x: TensorArray, sections: int, axis: int = 0) -
 
 _FUNCTIONS: Final[Mapping[Callable[..., Any], Callable[..., Any]]] = MappingProxyType(
     {
+        # The first three with `like=`.
+        np.zeros: _zeros,
+        np.asarray: _asarray,
+        np.arange: lambda device, stop: TensorArray(torch.arange(stop, device=device)),
+        np.take_along_axis: _take_along_axis,
         np.copyto: _copyto,
         np.sum: lambda _, x, axis=None, keepdims=False: x.sum(axis, keepdims),
         np.mean: lambda _, x, axis=None, keepdims=False: x.mean(axis, keepdims),
@@ -464,43 +484,3 @@ _FUNCTIONS: Final[Mapping[Callable[..., Any], Callable[..., Any]]] = MappingProx
     }
 )
 """Torch's counterparts of NumPy's other functions; the device is the first argument."""
-
-
-class TorchArrays(NumPyArrays):
-    """Array functions for a task on torch tensors; see `quadruped_env.utils.arrays.Namespace`.
-
-    Args:
-        device: torch's name of the device, such as `cpu` or `cuda:0`.
-    """
-
-    def __init__(self, device: str) -> None:
-        self.device = torch.device(device)
-
-    def constant(self, values: ArrayLike) -> TensorArray:
-        """Array of constants of type float64."""
-        return self.asarray(values)
-
-    def asarray(self, values: Any, dtype: DTypeLike = np.float64) -> TensorArray:
-        """Array of a type, from an array of either kind, a tensor or numbers; a copy if it has to be."""
-        source = _tensor(values, self.device)
-        return TensorArray(source.to(_DTYPES[np.dtype(dtype)]), np.dtype(dtype) == _UINT64)
-
-    def zeros(self, shape: int | tuple[int, ...], dtype: DTypeLike = np.float64) -> TensorArray:
-        """New array of zeros."""
-        kind = np.dtype(dtype)
-        return TensorArray(torch.zeros(shape, dtype=_DTYPES[kind], device=self.device), kind == _UINT64)
-
-    def arange(self, stop: int) -> TensorArray:
-        """Whole numbers from 0 (stop,)."""
-        return TensorArray(torch.arange(stop, device=self.device))
-
-    def take(self, array: Any, index: Any) -> TensorArray:
-        """Entries of an array, which may be NumPy's, along its first axis."""
-        return TensorArray(_tensor(array, self.device)[_index(index, self.device)])
-
-    def numpy(self, values: Any) -> NDArray[Any]:
-        """Copy of an array in the memory of the host."""
-        return values.numpy() if isinstance(values, TensorArray) else np.array(values)
-
-    def __reduce__(self) -> Any:
-        return type(self), (str(self.device),)

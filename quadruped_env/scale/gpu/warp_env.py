@@ -8,7 +8,6 @@ from rsl_rl.env import VecEnv
 from tensordict import TensorDict
 
 from quadruped_env.envs import MAX_EPISODE_STEPS
-from quadruped_env.scale.gpu.torch_arrays import TensorArray
 from quadruped_env.scale.gpu.warp_simulation import WarpSimulation
 from quadruped_env.task import Task, TaskConfig
 
@@ -46,12 +45,12 @@ class WarpVecEnv(VecEnv):
         self.num_envs = num_envs
         self.num_actions = config.robot.num_joints
         self.max_episode_length = MAX_EPISODE_STEPS
-        self.device = str(simulation.xp.device)
+        self.device = str(simulation.torch_device)
         self.cfg = config.to_dict()
-        task.reset(simulation.xp.arange(num_envs), list(range(seed, seed + num_envs)))
-        self.last_terms: TensorArray = simulation.xp.zeros((num_envs, len(task.term_names)))
+        task.reset(np.arange(num_envs, like=simulation.sensordata), list(range(seed, seed + num_envs)))
+        self.last_terms: Any = np.zeros((num_envs, len(task.term_names)), like=simulation.sensordata)
         """Weighted reward terms of the last step, (N, T)."""
-        self.falls: TensorArray = simulation.xp.zeros(1)
+        self.falls: Any = np.zeros(1, like=simulation.sensordata)
         """Number of falls since the start, (1,)."""
 
     @property

@@ -1,7 +1,8 @@
 """PPO of rsl-rl with this project's networks and the details of Stable-Baselines3's PPO."""
 
+import functools
 import math
-from collections.abc import Callable
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,8 @@ from tensordict import TensorDict
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.scale.gpu.warp_env import FINAL, OBSERVATION, PRIVILEGED, TIME_OUTS, WarpVecEnv
+from quadruped_env.scale.ranks.rank_model import average_before_steps, normalized_over_ranks
+from quadruped_env.training.group import ALONE, Group
 from quadruped_env.training.train_config import TrainConfig, equal_batches
 
 _OUTPUT_GAIN = {"actor": 0.01, "critic": 1.0}
@@ -68,26 +71,53 @@ class Network(MLPModel):
         return self.distribution.sample()
 
 
+class SharedStorage(RolloutStorage):
+    """A rank's rollout; the advantages of a batch are normalized over the shares of all ranks.
+
+    Args:
+        group: this rank.
+        args: of `RolloutStorage`.
+    """
+
+    def __init__(self, group: Group, *args: Any) -> None:
+        super().__init__(*args)
+        self._group = group
+
+    def mini_batch_generator(self, num_mini_batches: int, num_epochs: int = 8) -> Iterator[RolloutStorage.Batch]:
+        """This rank's shares of the batches; each epoch has the same ones, as in `RolloutStorage`."""
+        batches = list(super().mini_batch_generator(num_mini_batches, 1))
+        # Not rsl-rl's advantages, which are normalized over the rank's own rollout.
+        shared = normalized_over_ranks([batch.returns - batch.values for batch in batches], self._group)
+        for batch, advantages in zip(batches, shared, strict=True):
+            batch.advantages = advantages
+        for _ in range(num_epochs):
+            yield from batches
+
+
 class NativePPO(PPO):
     """rsl-rl's PPO with three details of Stable-Baselines3's, for which the settings of a training were chosen.
 
     - Where the time limit ends an episode, the value of its last observation is added to the reward. rsl-rl adds that
       of the observation before.
-    - The gradients of policy and value function are clipped together. While the value function learns the scale of the
-      returns, its large gradient keeps the policy's steps small.
+    - The gradients of policy and value function are clipped together, of several ranks their mean. While the value
+      function learns the scale of the returns, its large gradient keeps the policy's steps small.
     - Adam's `eps` is 1e-5.
+
+    Args:
+        args, kwargs: of `PPO`.
+        max_grad_norm: maximum norm of the gradient.
+        group: this rank.
     """
 
-    def __init__(self, *args: Any, max_grad_norm: float, **kwargs: Any) -> None:
+    def __init__(self, *args: Any, max_grad_norm: float, group: Group, **kwargs: Any) -> None:
         super().__init__(*args, max_grad_norm=math.inf, **kwargs)
-        parameters = [*self.actor.parameters(), *self.critic.parameters()]
-        for group in self.optimizer.param_groups:
-            group["eps"] = _ADAM_EPS
+        for entry in self.optimizer.param_groups:
+            entry["eps"] = _ADAM_EPS
+        average_before_steps(self.optimizer, self.parameters(), group, max_grad_norm)
 
-        def clip(*_: Any) -> None:
-            torch.nn.utils.clip_grad_norm_(parameters, max_grad_norm)
-
-        self.optimizer.register_step_pre_hook(clip)
+    def parameters(self) -> list[torch.nn.Parameter]:
+        """Parameters of both networks."""
+        return [*self.actor.parameters(), *self.critic.parameters()]
 
     def process_env_step(
         self, obs: TensorDict, rewards: torch.Tensor, dones: torch.Tensor, extras: dict[str, Any]
@@ -100,19 +130,13 @@ class NativePPO(PPO):
         super().process_env_step(obs, rewards, dones, {})
 
 
-def make_ppo(
-    config: TrainConfig,
-    env: WarpVecEnv,
-    kind: Callable[..., NativePPO] = NativePPO,
-    storage: Callable[..., RolloutStorage] = RolloutStorage,
-) -> NativePPO:
-    """PPO for a training, with fresh networks on the env's device.
+def make_ppo(config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> NativePPO:
+    """PPO for a rank of a training, with fresh networks on the env's device, the same ones on all ranks.
 
     Args:
         config: settings of the training.
-        env: the envs.
-        kind: class of the PPO.
-        storage: class of its rollout.
+        env: the envs, of several ranks this one's share.
+        group: this rank.
     """
     torch.manual_seed(config.seed)
     observations = env.get_observations()
@@ -126,7 +150,8 @@ def make_ppo(
     own: dict[str, Any] = {"distribution_cfg": gaussian, **common, **_mirror(config, env, False)}
     actor = Network(observations, groups, "actor", env.num_actions, **own)
     critic = Network(observations, groups, "critic", 1, **common, **_mirror(config, env, True))
-    return kind(
+    storage = RolloutStorage if group.ranks == 1 else functools.partial(SharedStorage, group)
+    ppo = NativePPO(
         actor,
         critic,
         storage("rl", env.num_envs, config.n_steps, observations, [env.num_actions], env.device),
@@ -141,9 +166,16 @@ def make_ppo(
         max_grad_norm=config.max_grad_norm,
         use_clipped_value_loss=False,
         schedule="fixed",
-        normalize_advantage_per_mini_batch=True,
+        normalize_advantage_per_mini_batch=group.ranks == 1,
         device=env.device,
+        group=group,
     )
+    if group.ranks > 1:
+        group.broadcast(ppo.parameters())
+    if group.rank:
+        # Ranks explore with random numbers of their own.
+        torch.manual_seed(config.seed + group.rank * env.num_envs)
+    return ppo
 
 
 def _mirror(config: TrainConfig, env: WarpVecEnv, critic: bool) -> dict[str, Any]:

@@ -26,7 +26,7 @@ try:
     warp.config.log_level = warp.LOG_ERROR
     import mujoco_warp
 
-    from quadruped_env.scale.gpu.torch_arrays import TensorArray, TorchArrays
+    from quadruped_env.scale.gpu.torch_arrays import TensorArray
     from quadruped_env.scale.gpu.warp_kernels import restart_diverged
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("physics on a GPU", "gpu") from error
@@ -88,7 +88,7 @@ class WarpSimulation:
             )
         self.model, self.robot, self.num_envs = pinned(model), robot, num_envs
         self._reserved = {"contacts": contacts, "constraints": constraints}
-        self.xp = TorchArrays(warp.device_to_torch(self._device))
+        self.torch_device = torch.device(warp.device_to_torch(self._device))
         with warp.ScopedDevice(self._device):
             self.warp_model = mujoco_warp.put_model(self.model)
             self.warp_model.opt.warn_overflow = 0  # `step` raises an error
@@ -96,7 +96,8 @@ class WarpSimulation:
             self._initial_qpos = warp.array(self.model.qpos0, dtype=float)
             self._failed = warp.zeros(num_envs, dtype=bool)
         data = self.data
-        self.sensordata = self.xp.zeros((num_envs, self.model.nsensordata))
+        shape = num_envs, self.model.nsensordata
+        self.sensordata = TensorArray(torch.zeros(shape, dtype=torch.float64, device=self.torch_device))
         """Copy of the sensor data with the precision of the task."""
         sensordata: Any = self.sensordata
         self.readings = Readings.from_sensordata(self.model, sensordata, robot)
@@ -176,7 +177,7 @@ class WarpSimulation:
             if not self._device.is_cuda:
                 yield
                 return
-            own, others = warp.get_stream(self._device), warp.stream_from_torch(self.xp.device)
+            own, others = warp.get_stream(self._device), warp.stream_from_torch(self.torch_device)
             own.wait_stream(others)
             yield
             others.wait_stream(own)
@@ -238,12 +239,12 @@ class WarpSimulation:
     def push(self, env_ids: TensorArray, velocity: TensorArray) -> None:
         """See `Simulation.push`."""
         index = env_ids.tensor
-        self._qvel[index, :3] += self.xp.asarray(velocity).tensor.float()
+        self._qvel[index, :3] += velocity.tensor.float()
         self._settle()
 
     def set_force(self, env_ids: TensorArray, force: TensorArray) -> None:
         """See `Simulation.set_force`."""
-        self._external[env_ids.tensor, self._base, :3] = self.xp.asarray(force).tensor.float()
+        self._external[env_ids.tensor, self._base, :3] = force.tensor.float()
 
     def model_field(self, name: str) -> TensorArray:
         """See `Simulation.model_field`. The values are float32.
@@ -272,13 +273,17 @@ class WarpSimulation:
             self._fields[name] = TensorArray(_view(getattr(batched, name)))
         self._graphs.clear()  # they refer to the arrays before
 
+    def _array(self, values: Any) -> TensorArray:
+        array: Any = np.asarray(values, like=self.sensordata)
+        return array
+
     def compiled_field(self, name: str) -> np.ndarray:
         """See `Simulation.compiled_field`."""
         return getattr(self.model, name)
 
     def field_values(self, name: str) -> TensorArray:
         """See `Simulation.field_values`."""
-        return self._fields[name] if name in self._fields else self.xp.asarray(getattr(self.model, name)[None])
+        return self._fields[name] if name in self._fields else self._array(getattr(self.model, name)[None])
 
     def restore_model_fields(self, env_ids: TensorArray) -> None:
         """See `Simulation.restore_model_fields`."""
@@ -301,7 +306,7 @@ class WarpSimulation:
 
     def set_state(self, env_id: int, state: SimulationState) -> None:
         """See `Simulation.set_state`; a state of another driver is rounded to float32."""
-        self.set_states(self.xp.asarray([env_id], np.int64), [state])
+        self.set_states(self._array([env_id]), [state])
 
     def set_states(self, env_ids: TensorArray, states: list[SimulationState]) -> None:
         """Restore states (R,) in some envs (R,), as `set_state` does in one."""

@@ -18,8 +18,9 @@ class WarpStatistics(StepStatistics):
         self._clear_device()
 
     def _clear_device(self) -> None:
-        xp: Any = self._task.simulation.xp
-        self._squares, self._terms = xp.zeros(2), xp.zeros(len(self._task.term_names))
+        like = self._task.simulation.sensordata
+        self._squares: Any = np.zeros(2, like=like)
+        self._terms: Any = np.zeros(len(self._task.term_names), like=like)
         self._falls_before = float(self._env.falls[0])
 
     def _on_step(self) -> bool:
@@ -41,5 +42,4 @@ class WarpStatistics(StepStatistics):
         return self._device_sums() if self._group.ranks == 1 else super().sums
 
     def _device_sums(self) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
-        xp: Any = self._task.simulation.xp
-        return xp.numpy(self._squares), xp.numpy(self._terms), float(self._env.falls[0]) - self._falls_before
+        return self._squares.numpy(), self._terms.numpy(), float(self._env.falls[0]) - self._falls_before

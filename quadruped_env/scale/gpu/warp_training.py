@@ -3,7 +3,7 @@
 import io
 from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 # First, because it sets a variable that torch reads when it is loaded.
 from quadruped_env.training.sb3_models import check_finite, resuming
@@ -30,28 +30,9 @@ try:
     import torch
 
     from quadruped_env.scale.gpu.warp_env import WarpVecEnv
-    from quadruped_env.scale.ranks.warp_rank_model import make_rank_ppo
+    from quadruped_env.scale.gpu.warp_ppo import make_ppo
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("--device cuda", "gpu") from error
-
-
-class Watcher(Protocol):
-    """Object that watches a training and may end it, such as a `Recorder`."""
-
-    ended: bool
-    """True if the training is to end after this rollout, without an update"""
-
-    def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:
-        """Called before the first step."""
-        ...
-
-    def on_step(self) -> bool:
-        """Called after each control step of all envs; False ends the training."""
-        ...
-
-    def on_rollout_end(self) -> None:
-        """Called before each update."""
-        ...
 
 
 class WarpModel:
@@ -65,7 +46,7 @@ class WarpModel:
 
     def __init__(self, config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> None:
         self.config, self._env, self._group = config, env, group
-        self.ppo = make_rank_ppo(config, env, group)
+        self.ppo = make_ppo(config, env, group)
         self.num_timesteps = 0
         self.learning_rate = Schedule(config)
         self.logger: Any = None
@@ -78,8 +59,8 @@ class WarpModel:
         """Set the logger of the progress, of Stable-Baselines3."""
         self.logger = logger
 
-    def learn(self, recorder: Watcher) -> None:
-        """Train until the budget is used, or the recorder stops it.
+    def learn(self, recorder: Any) -> None:
+        """Train until the budget is used, or the recorder, such as a `StepStatistics`, stops it.
 
         Raises:
             DifferentWeightsError: if the weights of the ranks differ after an update.
@@ -104,8 +85,7 @@ class WarpModel:
                 return
             ppo.update()
             if self._group.ranks > 1:
-                weights = [*ppo.actor.parameters(), *ppo.critic.parameters()]
-                self._group.check_same(weights, f"after {self.num_timesteps:,} steps")
+                self._group.check_same(ppo.parameters(), f"after {self.num_timesteps:,} steps")
 
     def _follow_schedules(self) -> None:
         """Set the bound of the exploration and the learning rate for the share of the budget that is left."""

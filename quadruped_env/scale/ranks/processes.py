@@ -6,13 +6,13 @@ when it does, in whatever way. Nothing of this listens on a network: ranks meet 
 
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import FrameType
@@ -21,42 +21,14 @@ from typing import Any, Final
 import quadruped_env
 from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.scale.ranks.job import Job, Process, Report, threads_per_rank, write_plain
+from quadruped_env.scale.ranks.job import Job, threads_per_rank
 from quadruped_env.training.run_directory import LATEST, check_latest
 from quadruped_env.utils.interpreter import program_command
 
+_Ranks = Sequence[subprocess.Popen[bytes]]
+
 _POLL: Final = 0.05
 """Interval between looks at the ranks, s."""
-_GRACE: Final = 5.0
-"""Time that the other ranks have to report a cause, after one says that it lost another, s."""
-
-
-@dataclass
-class _Rank:
-    """A rank's process, and where it reports."""
-
-    index: int
-    process: subprocess.Popen[bytes]
-    report_file: Path
-
-    def report(self) -> Report | None:
-        """The report, if it wrote one."""
-        return Report(**json.loads(self.report_file.read_text())) if self.report_file.is_file() else None
-
-    def failed(self) -> bool:
-        """True if it ended, and not with a trained policy."""
-        return self.process.poll() not in (None, 0)
-
-    def cause(self) -> str | None:
-        """Error that this rank is the cause of; None if it only lost another one, or runs."""
-        if not self.failed():
-            return None
-        report, status = self.report(), self.process.returncode
-        if report is None:
-            return f"ranks: rank {self.index} {_death(status)}"
-        if report.fault == "lost":
-            return None
-        return report.text if report.fault == "weights" or self.index == 0 else f"rank {self.index}: {report.text}"
 
 
 def train_in_processes(job: Job) -> tuple[Path, bool]:
@@ -72,68 +44,54 @@ def train_in_processes(job: Job) -> tuple[Path, bool]:
     link = job.runs / LATEST
     before = link.resolve()
     with TemporaryDirectory(prefix="mini-quadruped-ranks-") as folder:
-        ranks: list[_Rank] = []
+        reports = [Path(folder) / f"rank-{rank}" for rank in range(job.config.ranks)]
+        ranks: list[subprocess.Popen[bytes]] = []
         try:
-            for index in range(job.config.ranks):
-                ranks.append(_start(job, index, Path(folder)))
+            for rank, report in enumerate(reports):
+                ranks.append(_start(job, rank, report))
             with _forwarded_signals(ranks[0]) as interrupted:
-                error = _wait(ranks)
+                failed = _wait(ranks)
         finally:
-            _end(ranks)
-        report = ranks[0].report()
-    if interrupted() and (report is None or report.fault):
-        raise KeyboardInterrupt
-    if error is not None:
+            for process in ranks:
+                process.kill()
+            for process in ranks:
+                process.communicate()
+        if failed is None:
+            directory, finished = json.loads(reports[0].read_text())
+            return Path(directory), finished
+        if interrupted():
+            raise KeyboardInterrupt
+        error = reports[failed].read_text() if reports[failed].is_file() else _death(failed, ranks[failed].returncode)
         raise QuadrupedError(f"{error}; {_advice(link, before)}")
-    assert report is not None
-    return Path(report.text), report.finished
 
 
-def _start(job: Job, index: int, folder: Path) -> _Rank:
-    file, report = folder / f"rank-{index}.json", folder / f"report-{index}.json"
-    rank = Process(job, index, threads_per_rank(job.config.ranks), str(folder / "store"), report)
-    write_plain(file, rank.to_dict())
-    command = [sys.executable, "-m", "quadruped_env.scale.ranks.rank", str(file)]
+def _start(job: Job, rank: int, report: Path) -> subprocess.Popen[bytes]:
+    command = [sys.executable, "-m", "quadruped_env.scale.ranks.rank", str(report)]
     # A script of a checkout that is not installed finds the package by itself, and its ranks by this.
     paths = [os.environ.get("PYTHONPATH"), str(Path(quadruped_env.__file__).parents[1])]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
-    # The pipe is never written to: it tells a rank that this process has ended.
     process = subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True, env=environment)  # noqa: S603
-    return _Rank(index, process, report)
+    assert process.stdin is not None
+    # The pipe stays open: its end tells a rank that this process has ended.
+    process.stdin.write(pickle.dumps((job, rank, threads_per_rank(job.config.ranks), str(report.with_name("store")))))
+    process.stdin.flush()
+    return process
 
 
-def _wait(ranks: Sequence[_Rank]) -> str | None:
-    """Wait until all ranks have ended, or one has failed; the error then."""
-    while not any(rank.failed() for rank in ranks):
-        if all(rank.process.poll() is not None for rank in ranks):
-            return None
+def _wait(ranks: _Ranks) -> int | None:
+    """Wait until one of the ranks has failed, and return it, or until all have ended well."""
+    while any(process.poll() is None for process in ranks):
         time.sleep(_POLL)
-    # A rank that lost another may end before that one.
-    deadline = time.monotonic() + _GRACE
-    while True:
-        causes = [cause for rank in ranks if (cause := rank.cause()) is not None]
-        if causes:
-            return causes[0]
-        if time.monotonic() > deadline or all(rank.process.poll() is not None for rank in ranks):
-            reports = [report for rank in ranks if (report := rank.report()) is not None and report.fault]
-            return reports[0].text
-        time.sleep(_POLL)
+        if any(process.poll() for process in ranks):
+            break
+    return next((rank for rank, process in enumerate(ranks) if process.returncode), None)
 
 
-def _end(ranks: Sequence[_Rank]) -> None:
-    for rank in ranks:
-        rank.process.kill()
-    for rank in ranks:
-        rank.process.wait()
-        if rank.process.stdin is not None:
-            rank.process.stdin.close()
-
-
-def _death(status: int) -> str:
+def _death(rank: int, status: int) -> str:
     if status >= 0:
-        return f"ended with status {status}; see its error above"
+        return f"ranks: rank {rank} ended with status {status}; see its error above"
     name = signal.Signals(-status).name
-    return f"was killed by {name}" + (" (by the system if memory ran out)" if name == "SIGKILL" else "")
+    return f"ranks: rank {rank} was killed by {name}{' (by the system if memory ran out)' * (name == 'SIGKILL')}"
 
 
 def _advice(link: Path, before: Path) -> str:
@@ -148,7 +106,7 @@ def _advice(link: Path, before: Path) -> str:
 
 
 @contextmanager
-def _forwarded_signals(rank: _Rank) -> Iterator[Callable[[], bool]]:
+def _forwarded_signals(rank: subprocess.Popen[bytes]) -> Iterator[Callable[[], bool]]:
     """Within it, the first Ctrl-C or SIGTERM asks a rank to stop and save, and the second one ends this process.
 
     Yields:
@@ -160,7 +118,7 @@ def _forwarded_signals(rank: _Rank) -> Iterator[Callable[[], bool]]:
         received.append(number)
         if len(received) > 1:
             raise KeyboardInterrupt
-        rank.process.send_signal(signal.SIGINT)
+        rank.send_signal(signal.SIGINT)
 
     previous: dict[int, Any] = {}
     try:

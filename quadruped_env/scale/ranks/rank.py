@@ -1,9 +1,13 @@
 """One rank of a training, and the process that runs it for `processes`."""
 
+import json
+import pickle
 import sys
+import time
 import warnings
 from pathlib import Path
 from types import ModuleType
+from typing import Final
 
 # First, because it sets a variable that torch reads when it is loaded.
 from quadruped_env.training import train
@@ -12,10 +16,14 @@ from quadruped_env.training import train
 import torch
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
-from quadruped_env.scale.ranks.job import Job, Report, read_process, write_plain
+from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ranks.torch_group import on_this_machine
 from quadruped_env.training.group import DifferentWeightsError, Group, RankLostError
+from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.program import end_with_parent
+
+_GRACE: Final = 5.0
+"""Time that a rank that lost another one leaves that one to report the cause first, s."""
 
 
 def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
@@ -23,7 +31,8 @@ def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
 
     Args:
         job: the training.
-        group: this rank.
+        group: this rank; its connections are closed, but not after an error, when NCCL would wait for the other ranks,
+            which wait for this one.
 
     Returns:
         On rank 0, which alone writes the run directory, the result of `train`; None on the others.
@@ -35,16 +44,17 @@ def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
     """
     # Of updates of a training with Warp; on the CPU, `make_model` sets one.
     torch.set_num_threads(group.threads)
-    trainer = _trainer(job.config.device)
+    result: tuple[Path, bool] | None = None
     if group.rank == 0:
         print(job.description(group.threads), flush=True)
-        result: tuple[Path, bool] = trainer.train(job.config, job.runs, job.command, job.resume, job.task_file, group)
-        return result
-    trainer.follow(job.config, job.resume, job.task_file, group)
-    return None
+        result = trainer(job.config.device).train(job.config, job.runs, job.command, job.resume, job.task_file, group)
+    else:
+        trainer(job.config.device).follow(job.config, job.resume, job.task_file, group)
+    group.close()
+    return result
 
 
-def _trainer(device: str) -> ModuleType:
+def trainer(device: str) -> ModuleType:
     """The module that trains on a device."""
     if device == "cpu":
         return train
@@ -54,26 +64,27 @@ def _trainer(device: str) -> ModuleType:
 
 
 def main() -> int:
-    """Run the rank of the file that the first argument names, as `processes` starts it; the exit status."""
+    """Run the rank that `processes` has started; the exit status.
+
+    Its standard input has the job, the rank, its threads and the file by which the ranks find each other. The result of
+    `run_rank` as JSON, or the text of an error, goes into the file that the first argument names.
+    """
+    job, rank, threads, store = pickle.load(sys.stdin.buffer)  # noqa: S301
+    report = Path(sys.argv[1])
     end_with_parent()
-    process = read_process(Path(sys.argv[1]))
-    if process.rank:
+    if rank:
         # Those of all ranks are the same.
         warnings.simplefilter("ignore", QuadrupedWarning)
     try:
-        group = on_this_machine(process.store, process.rank, process.job.config.ranks, process.threads)
-        result = run_rank(process.job, group)
-        # Not after an error: NCCL would wait for the other ranks, which wait for this one.
-        group.close()
+        result = run_rank(job, on_this_machine(store, rank, job.config.ranks, threads))
     except (QuadrupedError, MissingExtraError) as error:
-        fault = "lost" if isinstance(error, RankLostError) else "own"
-        if isinstance(error, DifferentWeightsError):
-            fault = "weights"
-        write_plain(process.report, Report(fault, str(error)).to_dict())
+        if isinstance(error, RankLostError):
+            time.sleep(_GRACE)
+        of_all = rank == 0 or isinstance(error, DifferentWeightsError)
+        write_whole({report: f"{'' if of_all else f'rank {rank}: '}{error}".encode()})
         return 1
     if result is not None:
-        directory, finished = result
-        write_plain(process.report, Report("", str(directory), finished).to_dict())
+        write_whole({report: json.dumps([str(result[0]), result[1]]).encode()})
     return 0
 
 

@@ -4,7 +4,8 @@ Each rank computes the gradient of its share of a batch, and the mean over ranks
 2020, "PyTorch Distributed", https://arxiv.org/abs/2006.15704. Advantages are normalized over the whole batch, too.
 """
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import torch
@@ -20,79 +21,69 @@ _EPSILON = 1e-8
 """Added to the standard deviation of advantages, as in SB3."""
 
 
-def moments(values: torch.Tensor) -> torch.Tensor:
-    """Number, sum and sum of squares of values; those of several ranks add up."""
-    double = values.double()
-    return torch.stack([double.new_tensor(double.numel()), double.sum(), (double * double).sum()])
-
-
-def normalized(values: torch.Tensor, total: torch.Tensor) -> torch.Tensor:
-    """Values less the mean, over the standard deviation, of all values with these `moments`."""
-    count, first, second = total
+def normalized_over_ranks(batches: Sequence[torch.Tensor], group: Group) -> list[torch.Tensor]:
+    """Advantages of some batches, each over the shares of all ranks: less their mean, over their standard deviation."""
+    double = [batch.double() for batch in batches]
+    sums = torch.stack([torch.stack([torch.ones_like(x).sum(), x.sum(), (x * x).sum()]) for x in double])
+    group.sum(sums)
+    count, first, second = sums.T
     mean = first / count
-    variance = ((second - count * mean * mean) / (count - 1)).clamp(min=0.0)
-    return ((values.double() - mean) / (variance.sqrt() + _EPSILON)).to(values.dtype)
+    deviation = ((second - count * mean * mean) / (count - 1.0)).clamp(min=0.0).sqrt()
+    shared = zip(double, mean, deviation, batches, strict=True)
+    return [((x - center) / (width + _EPSILON)).to(batch.dtype) for x, center, width, batch in shared]
+
+
+def average_before_steps(
+    optimizer: torch.optim.Optimizer, parameters: Sequence[torch.nn.Parameter], group: Group, max_norm: float
+) -> None:
+    """Let gradients become the mean over all ranks, with a limited norm, before each step of an optimizer."""
+
+    def share(*_: Any) -> None:
+        group.average(parameter.grad for parameter in parameters if parameter.grad is not None)
+        torch.nn.utils.clip_grad_norm_(parameters, max_norm)
+
+    optimizer.register_step_pre_hook(share)
 
 
 class SharedBuffer(RolloutBuffer):
-    """A rank's rollout; the advantages of each batch are normalized over the shares of all ranks.
+    """A rank's rollout; the advantages of each batch are normalized over the shares of all ranks."""
 
-    Args:
-        args, kwargs: of `RolloutBuffer`.
-        group: this rank.
-    """
-
-    def __init__(self, *args: Any, group: Group, **kwargs: Any) -> None:
-        super().__init__(*args, **kwargs)
-        self._group = group
+    group: Group
 
     def get(self, batch_size: int | None = None) -> Iterator[RolloutBufferSamples]:
         """See `RolloutBuffer`; of one epoch, whose sums the ranks exchange at once."""
         batches = list(super().get(batch_size))
-        sums = torch.stack([moments(batch.advantages) for batch in batches])
-        self._group.sum(sums)
-        for batch, total in zip(batches, sums, strict=True):
-            yield batch._replace(advantages=normalized(batch.advantages, total))
+        shared = normalized_over_ranks([batch.advantages for batch in batches], self.group)
+        for batch, advantages in zip(batches, shared, strict=True):
+            yield batch._replace(advantages=advantages)
 
 
 class DistributedPPO(PPO):
-    """PPO on one of several ranks.
-
-    Before the optimizer's step, gradients become the mean over all ranks, so each rank takes the same step.
+    """Stable-Baselines3's PPO on one of several ranks, all of which take the same steps with the same weights.
 
     Args:
-        args, kwargs: of SB3's PPO; `batch_size` is the rank's share of a batch.
+        args, kwargs: of `PPO`; `batch_size` is the rank's share of a batch.
         group: this rank, and the connection to the others.
     """
+
+    max_grad_norm: float
 
     def __init__(self, *args: Any, group: Group, **kwargs: Any) -> None:
         self.group = group
         if group.ranks > 1:
             kwargs |= {"normalize_advantage": False, "rollout_buffer_class": SharedBuffer}
-            kwargs["rollout_buffer_kwargs"] = {"group": group}
         super().__init__(*args, **kwargs)
 
     def _setup_model(self) -> None:
         super()._setup_model()
         # Ranks begin with the same network, and explore with random numbers of their own.
-        self.group.broadcast(self.policy.parameters())
+        parameters = list(self.policy.parameters())
+        self.group.broadcast(parameters)
         if self.group.rank:
             set_random_seed((self.seed + self.group.rank * self.n_envs) % 2**32)
         if self.group.ranks > 1:
-            self._average_gradients(list(self.policy.parameters()))
-
-    def _average_gradients(self, parameters: list[torch.nn.Parameter]) -> None:
-        """Make each backward pass end with gradients that are the mean over the ranks."""
-        done: list[torch.nn.Parameter] = []
-
-        def note(parameter: torch.nn.Parameter) -> None:
-            done.append(parameter)
-            if len(done) == len(parameters):
-                done.clear()
-                self.group.average(parameter.grad for parameter in parameters if parameter.grad is not None)
-
-        for parameter in parameters:
-            parameter.register_post_accumulate_grad_hook(note)
+            self.rollout_buffer.group = self.group
+        average_before_steps(self.policy.optimizer, parameters, self.group, self.max_grad_norm)
 
     def set_random_seed(self, seed: int | None = None) -> None:
         """Seed the network as on all ranks, and the envs by their indices among those of all ranks."""
@@ -111,8 +102,11 @@ class DistributedPPO(PPO):
         Raises:
             DifferentWeightsError: if they have not.
         """
+        # The gradient is clipped after the mean, not before.
+        limit, self.max_grad_norm = self.max_grad_norm, math.inf
         super().train()
+        self.max_grad_norm = limit
         self.group.check_same(self.policy.parameters(), f"after {self.num_timesteps:,} steps")
 
     def _excluded_save_params(self) -> list[str]:
-        return [*super()._excluded_save_params(), "group", "rollout_buffer_kwargs"]
+        return [*super()._excluded_save_params(), "group"]

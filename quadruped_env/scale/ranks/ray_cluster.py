@@ -1,22 +1,19 @@
 """Ranks on a Ray cluster: rank 0 is this process, and the others are Ray's tasks.
 
 Ray (https://docs.ray.io) only places the ranks and reports those that die; they exchange gradients by
-`torch.distributed`. On one machine Ray is not needed, and would listen on all its networks: `processes` does the same.
+`torch.distributed`. On one machine Ray is not needed: `processes` does the same.
 """
 
-import logging
 import os
 import socket
-import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any, Final
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.scale.ranks.job import Job
-from quadruped_env.scale.ranks.ray_address import check_answers, refused
+from quadruped_env.scale.ray_connection import check_answers, check_installed, connected
 from quadruped_env.training.run_directory import check_latest
 
 _PLACE_SECONDS: Final = 60.0
@@ -46,31 +43,28 @@ def train_on_ray(job: Job, address: str | None = None) -> tuple[Path, bool]:
             "--launcher: found ray without a cluster; give its --address (or RAY_ADDRESS), which `ray start --head` "
             "prints, or leave --launcher out: on one machine the ranks need no Ray"
         )
-    with _connected(address) as ray, TemporaryDirectory() as folder:
-        nodes = [node for node in ray.nodes() if node["Alive"]]
-        here = ray.util.get_node_ip_address()
-        threads = threads_on([node["Resources"].get("CPU", 0.0) for node in nodes], job.config.ranks)
-        if {node["NodeManagerAddress"] for node in nodes} == {here}:
-            # A file, and connections on loopback alone.
-            meeting = {"store": f"{folder}/store"}
-        else:
-            meeting = {"host": here, "port": str(_free_port(here))}
-        group = _placed(ray, threads, job.config.ranks)
+    check_installed("--launcher ray")
+    check_answers(address)
+    ranks = job.config.ranks
+    resume, task_file = (None if path is None else path.resolve() for path in (job.resume, job.task_file))
+    with connected(address) as ray:
+        from ray.util.scheduling_strategies import PlacementGroupSchedulingStrategy
+
+        threads = threads_on([node["Resources"].get("CPU", 0.0) for node in ray.nodes() if node["Alive"]], ranks)
+        host = ray.util.get_node_ip_address()
+        meeting = host, _free_port(host)
+        group = _placed(ray, threads, ranks)
+        run = ray.remote(num_cpus=threads, max_retries=0)(_run)
+        tasks = []
+        for rank in range(1, ranks):
+            place = PlacementGroupSchedulingStrategy(group, placement_group_bundle_index=rank)
+            own = run.options(scheduling_strategy=place, name=f"rank {rank}")
+            tasks.append(own.remote(replace(job, resume=resume, task_file=task_file), rank, threads, meeting))
         try:
-            remote = ray.remote(num_cpus=threads, max_retries=0)(_run_as_task)
-            strategy = ray.util.scheduling_strategies.PlacementGroupSchedulingStrategy
-            tasks = [
-                remote.options(
-                    scheduling_strategy=strategy(group, placement_group_bundle_index=rank), name=f"rank {rank}"
-                ).remote(job.to_dict(), rank, threads, meeting)
-                for rank in range(1, job.config.ranks)
-            ]
-            try:
-                return _run_first(ray, tasks, job, threads, meeting)
-            finally:
-                for task in tasks:
-                    ray.cancel(task, force=True)
+            return _run_first(ray, tasks, job, threads, meeting)
         finally:
+            for task in tasks:
+                ray.cancel(task, force=True)
             ray.util.remove_placement_group(group)
 
 
@@ -90,79 +84,49 @@ def threads_on(cpus: Sequence[float], ranks: int) -> int:
     )
 
 
-def _run_as_task(values: dict[str, Any], rank: int, threads: int, meeting: dict[str, str]) -> None:
-    """A rank other than 0, in a process of Ray."""
-    _run(Job.from_dict(values), rank, threads, meeting)
-
-
-def _run(job: Job, rank: int, threads: int, meeting: dict[str, str]) -> tuple[Path, bool] | None:
+def _run(job: Job, rank: int, threads: int, meeting: tuple[str, int]) -> tuple[Path, bool] | None:
     from quadruped_env.scale.ranks.rank import run_rank
 
     # isort: split
-    from quadruped_env.scale.ranks import torch_group
+    from quadruped_env.scale.ranks.torch_group import over_network
 
-    ranks = job.config.ranks
-    if "store" in meeting:
-        group = torch_group.on_this_machine(meeting["store"], rank, ranks, threads)
-    else:
-        group = torch_group.over_network(meeting["host"], int(meeting["port"]), rank, ranks, threads)
+    group = over_network(*meeting, rank, job.config.ranks, threads)
     try:
         return run_rank(job, group)
-    finally:
+    except BaseException:
+        # Ray's process lives on, and the other ranks would wait for this one.
         group.close()
+        raise
 
 
-def _run_first(ray: Any, tasks: Sequence[Any], job: Job, threads: int, meeting: dict[str, str]) -> tuple[Path, bool]:
+def _run_first(ray: Any, tasks: Sequence[Any], job: Job, threads: int, meeting: tuple[str, int]) -> tuple[Path, bool]:
     """Rank 0, in this process. An error of another rank comes instead of the loss of that rank."""
     try:
         result = _run(job, 0, threads, meeting)
     except QuadrupedError as error:
         from quadruped_env.training.group import RankLostError
 
-        if not isinstance(error, RankLostError):
+        cause = _cause(ray, tasks) if isinstance(error, RankLostError) else None
+        if cause is None:
             raise
-        cause = _cause(ray, tasks)
-        raise QuadrupedError(f"{cause}; {error}" if cause else str(error)) from error
+        raise QuadrupedError(f"{cause}; {error}") from error
     assert result is not None
     return result
 
 
 def _cause(ray: Any, tasks: Sequence[Any]) -> str | None:
     """The error with which a task failed, if Ray reports one in time."""
-    deadline = time.monotonic() + _GRACE
-    waiting = dict(zip(tasks, range(1, len(tasks) + 1), strict=True))
-    while waiting and time.monotonic() < deadline:
-        ready, _ = ray.wait(list(waiting), num_returns=1, timeout=max(0.0, deadline - time.monotonic()))
-        for task in ready:
-            rank = waiting.pop(task)
-            try:
-                ray.get(task)
-            except ray.exceptions.RayTaskError as error:
-                own = error.cause
-                if type(own).__name__ != "RankLostError":
-                    return f"rank {rank}: {own}"
-            except ray.exceptions.RayError as error:
-                return f"ranks: rank {rank} died ({str(error).strip().splitlines()[0]})"
+    ended, _ = ray.wait(tasks, num_returns=len(tasks), timeout=_GRACE)
+    for task in ended:
+        rank = tasks.index(task) + 1
+        try:
+            ray.get(task)
+        except ray.exceptions.RayTaskError as error:
+            if type(error.cause).__name__ != "RankLostError":
+                return f"rank {rank}: {error.cause}"
+        except ray.exceptions.RayError as error:
+            return f"ranks: rank {rank} died ({str(error).strip().splitlines()[0]})"
     return None
-
-
-@contextmanager
-def _connected(address: str) -> Iterator[Any]:
-    """Ray's module, connected to a cluster."""
-    try:
-        import ray
-        import ray.util.scheduling_strategies
-    except ImportError as error:
-        raise MissingExtraError("--launcher ray", "sweep") from error
-    check_answers(address)
-    try:
-        ray.init(address=address, logging_level=logging.ERROR)
-    except (ConnectionError, RuntimeError, ValueError) as error:
-        raise refused(address, str(error).strip().splitlines()[0]) from error
-    try:
-        yield ray
-    finally:
-        ray.shutdown()
 
 
 def _placed(ray: Any, threads: int, ranks: int) -> Any:

@@ -1,5 +1,6 @@
 """Ranks that `torch.distributed` connects: on this machine over loopback alone, or over a network."""
 
+import contextlib
 import datetime
 import os
 import socket
@@ -72,27 +73,15 @@ class TorchGroup(RankGroup):
 
 
 def on_this_machine(store: str, rank: int, ranks: int, threads: int) -> TorchGroup:
-    """A rank whose others are all on this machine: a file instead of a server, and connections on loopback alone.
-
-    Args:
-        store: file that the ranks share, which must not exist before.
-        rank: index of this rank.
-        ranks: number of ranks.
-        threads: threads of this rank.
-    """
+    """A rank whose others are all on this machine: they meet in a new file, and connect on loopback alone."""
     os.environ.update(ON_LOOPBACK)
     return TorchGroup(rank, ranks, threads, {"store": torch.distributed.FileStore(store, ranks)}, local_rank=rank)
 
 
 def over_network(host: str, port: int, rank: int, ranks: int, threads: int) -> TorchGroup:
-    """A rank of several machines. Gloo uses the interface that leads to rank 0, unless GLOO_SOCKET_IFNAME names one.
+    """A rank of several machines, of which rank 0 listens at an address and a free port.
 
-    Args:
-        host: address of rank 0, which listens there.
-        port: free port of that machine.
-        rank: index of this rank.
-        ranks: number of ranks.
-        threads: threads of this rank.
+    Gloo uses the interface that leads to rank 0, unless GLOO_SOCKET_IFNAME names one.
     """
     if (interface := _interface_to(host, port)) is not None:
         # By itself, gloo takes the address of the host's name, which on many machines is a loopback one.
@@ -106,12 +95,9 @@ def _interface_to(host: str, port: int) -> str | None:
 
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.connect((host, port))  # sends nothing
-        own = probe.getsockname()[0]
+        own = socket.inet_aton(probe.getsockname()[0])
         for _, name in socket.if_nameindex():
-            try:
-                answer = fcntl.ioctl(probe, _SIOCGIFADDR, struct.pack("256s", name.encode()))
-            except OSError:
-                continue  # has no address
-            if socket.inet_ntoa(answer[20:24]) == own:
-                return name
+            with contextlib.suppress(OSError):  # one without an address
+                if fcntl.ioctl(probe, _SIOCGIFADDR, struct.pack("256s", name.encode()))[20:24] == own:
+                    return name
     return None

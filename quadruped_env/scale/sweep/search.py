@@ -2,8 +2,8 @@
 
 import itertools
 import json
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Final, Protocol
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -12,89 +12,56 @@ from quadruped_env.scale.sweep.search_space import Dimension
 from quadruped_env.scale.sweep.sweep_definition import SweepConfig
 from quadruped_env.utils.plain import plain
 
-EXTRA: Final = "sweep"
 
+class Proposals:
+    """Source of a sweep's settings. Those of a grid and random ones depend on their number alone.
 
-class Proposals(Protocol):
-    """Source of settings."""
+    Optuna's are those of its tree-structured Parzen estimator: Bergstra et al. 2011,
+    https://papers.nips.cc/paper/4443-algorithms-for-hyper-parameter-optimization.
+
+    Args:
+        config: the sweep.
+
+    Raises:
+        MissingExtraError: if Optuna is needed and not installed.
+    """
+
+    def __init__(self, config: SweepConfig) -> None:
+        self._search, self._space, self._seed = config.search, config.space, int(config.training.get("seed", 0))
+        if self._search == "optuna":
+            self._optuna = optuna_module()
+            self._study = self._optuna.create_study(direction="maximize")
+            self._asked: dict[int, Any] = {}
 
     def values(self, setting: int) -> dict[str, Any]:
         """Values of the fields that vary, of a setting that has not begun."""
-
-    def tell(self, setting: int, values: Mapping[str, Any], score: float | None) -> None:
-        """Score of a setting that is complete; None if all of its trials failed."""
-
-
-class Drawn:
-    """Settings that depend on their number alone."""
-
-    def __init__(self, values: Callable[[int], dict[str, Any]]) -> None:
-        self.values = values
-
-    def tell(self, setting: int, values: Mapping[str, Any], score: float | None) -> None:
-        """See `Proposals`: no later setting depends on it."""
-
-
-class Optuna:
-    """Settings proposed by Optuna's tree-structured Parzen estimator.
-
-    Bergstra et al. 2011, https://papers.nips.cc/paper/4443-algorithms-for-hyper-parameter-optimization.
-
-    Args:
-        space: the fields that vary.
-        seed: seed of the proposals.
-    """
-
-    def __init__(self, space: Sequence[Dimension], seed: int) -> None:
-        optuna = optuna_module()
-        self._optuna, self._space, self._seed = optuna, space, seed
-        self._distributions = {dimension.field: distribution(dimension) for dimension in space}
-        self._study = optuna.create_study(direction="maximize")
-        self._asked: dict[int, Any] = {}
-
-    def values(self, setting: int) -> dict[str, Any]:
-        """See `Proposals`."""
+        if self._search == "grid":
+            grid = itertools.product(*(dimension.choices for dimension in self._space))
+            choices = next(itertools.islice(grid, setting, None))
+            return {dimension.field: choice for dimension, choice in zip(self._space, choices, strict=True)}
+        if self._search == "random":
+            generator = np.random.default_rng([self._seed, setting])
+            return {dimension.field: dimension.draw(generator) for dimension in self._space}
         # A sampler of its own for each setting: a resumed sweep does not repeat the proposals of the first process.
         self._study.sampler = self._optuna.samplers.TPESampler(seed=self._seed + 1000 * setting, constant_liar=True)
-        trial = self._asked[setting] = self._study.ask(self._distributions)
-        return {dimension.field: chosen(dimension, trial.params[dimension.field]) for dimension in self._space}
+        trial = self._asked[setting] = self._study.ask({d.field: distribution(d) for d in self._space})
+        return {
+            dimension.field: next(v for v in dimension.choices if parameter(dimension, v) == found)
+            if dimension.choices
+            else found
+            for dimension in self._space
+            for found in [trial.params[dimension.field]]
+        }
 
     def tell(self, setting: int, values: Mapping[str, Any], score: float | None) -> None:
-        """See `Proposals`."""
+        """Take note of the score of a setting that is complete; None if all of its trials failed."""
+        if self._search != "optuna":
+            return
         state = self._optuna.trial.TrialState.FAIL if score is None else self._optuna.trial.TrialState.COMPLETE
         if setting in self._asked:
             self._study.tell(self._asked.pop(setting), score, state)
-            return
-        # Proposed by a process that has ended.
-        self._study.add_trial(
-            self._optuna.trial.create_trial(
-                state=state,
-                params={dimension.field: parameter(dimension, values[dimension.field]) for dimension in self._space},
-                distributions=self._distributions,
-                value=score,
-            )
-        )
-
-
-def proposals(config: SweepConfig) -> Proposals:
-    """The source of a sweep's settings.
-
-    Raises:
-        MissingExtraError: if it is Optuna, which is not installed.
-    """
-    seed = int(config.training.get("seed", 0))
-    if config.search == "optuna":
-        return Optuna(config.space, seed)
-    if config.search == "grid":
-        names = [dimension.field for dimension in config.space]
-        grid = list(itertools.product(*(dimension.choices for dimension in config.space)))
-        return Drawn(lambda setting: dict(zip(names, grid[setting], strict=True)))
-
-    def draw(setting: int) -> dict[str, Any]:
-        generator = np.random.default_rng([seed, setting])
-        return {dimension.field: dimension.draw(generator) for dimension in config.space}
-
-    return Drawn(draw)
+        else:  # proposed by a process that has ended
+            add_trial(self._study, self._space, values, score, state)
 
 
 def optuna_module() -> Any:
@@ -106,16 +73,28 @@ def optuna_module() -> Any:
     try:
         import optuna
     except ImportError as error:
-        raise MissingExtraError("--search optuna", EXTRA) from error
+        raise MissingExtraError("--search optuna", "sweep") from error
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     return optuna
+
+
+def add_trial(study: Any, space: tuple[Dimension, ...], values: Mapping[str, Any], score: Any, state: Any) -> None:
+    """Add a setting with its score to a study of Optuna."""
+    study.add_trial(
+        optuna_module().trial.create_trial(
+            state=state,
+            params={dimension.field: parameter(dimension, values[dimension.field]) for dimension in space},
+            distributions={dimension.field: distribution(dimension) for dimension in space},
+            value=score,
+        )
+    )
 
 
 def distribution(dimension: Dimension) -> Any:
     """Optuna's distribution of a field."""
     distributions = optuna_module().distributions
     if dimension.choices:
-        return distributions.CategoricalDistribution([json.dumps(plain(choice)) for choice in dimension.choices])
+        return distributions.CategoricalDistribution([parameter(dimension, choice) for choice in dimension.choices])
     kind = distributions.IntDistribution if dimension.whole else distributions.FloatDistribution
     return kind(dimension.low, dimension.high, log=dimension.log)
 
@@ -123,10 +102,3 @@ def distribution(dimension: Dimension) -> Any:
 def parameter(dimension: Dimension, value: Any) -> Any:
     """A value as Optuna's parameter: choices, which may be lists, as JSON."""
     return json.dumps(plain(value)) if dimension.choices else value
-
-
-def chosen(dimension: Dimension, found: Any) -> Any:
-    """The value that a parameter of Optuna stands for."""
-    if not dimension.choices:
-        return found
-    return next(choice for choice in dimension.choices if json.dumps(plain(choice)) == found)

@@ -4,6 +4,7 @@ A field of the training is named as in `TrainConfig`, a field of the task's conf
 `task.reward.weights.foot_slip`.
 """
 
+import contextlib
 import dataclasses
 import difflib
 import json
@@ -40,15 +41,15 @@ class Dimension:
     """One field of a space: a range of numbers, or choices."""
 
     field: str
-    low: float | int | None = None
-    high: float | int | None = None
+    low: Any = None
+    high: Any = None
     log: bool = False
     """True to draw the logarithm uniformly."""
     choices: tuple[Any, ...] = ()
 
     def __post_init__(self) -> None:
         numbers = is_quantity(self.low) and is_quantity(self.high)
-        if not self.choices and not (numbers and (0 if self.log else -math.inf) < self.low < self.high):  # type: ignore[operator]
+        if not self.choices and not (numbers and (0 if self.log else -math.inf) < self.low < self.high):
             raise QuadrupedError(
                 f"{short(self.field)}: expected choices, or low below high{', above 0' if self.log else ''}; found "
                 f"{short(self.low)} and {short(self.high)}"
@@ -56,9 +57,7 @@ class Dimension:
 
     def holds(self, value: Any) -> bool:
         """True if `draw` could have given a value, which is from JSON."""
-        if self.choices:
-            return self.of_json(value) in self.choices
-        return is_quantity(value, self.low, self.high)  # type: ignore[arg-type]
+        return of_json(value) in self.choices if self.choices else is_quantity(value, self.low, self.high)
 
     @property
     def whole(self) -> bool:
@@ -69,28 +68,22 @@ class Dimension:
         """A random value."""
         if self.choices:
             return self.choices[int(generator.integers(len(self.choices)))]
-        assert self.low is not None
-        assert self.high is not None
         if self.log:
             value = math.exp(generator.uniform(math.log(self.low), math.log(self.high)))
             return min(max(round(value) if self.whole else value, self.low), self.high)
         if self.whole:
-            return int(generator.integers(int(self.low), int(self.high), endpoint=True))
+            return int(generator.integers(self.low, self.high, endpoint=True))
         return float(generator.uniform(self.low, self.high))
 
     def ends(self) -> tuple[Any, ...]:
         """The choices, or both ends of the range."""
         return self.choices or (self.low, self.high)
 
-    def of_json(self, value: Any) -> Any:
-        """A value as `draw` gives it, from JSON."""
-        return _frozen(value)
-
     def to_dict(self) -> dict[str, Any]:
         """Plain values: `choices`, or `low`, `high` and `log`."""
-        return (
-            {"choices": list(self.choices)} if self.choices else {"low": self.low, "high": self.high, "log": self.log}
-        )
+        if self.choices:
+            return {"choices": list(self.choices)}
+        return {"low": self.low, "high": self.high, "log": self.log}
 
     def __str__(self) -> str:
         if self.choices:
@@ -123,11 +116,14 @@ def parse_dimension(text: str, task: Mapping[str, Any]) -> Dimension:
         raise QuadrupedError(
             f"--vary: expected FIELD=LOW..HIGH, FIELD=LOW..HIGH:log or FIELD=CHOICE,CHOICE; found {short(text)}"
         )
-    where = f"--vary {name}"
-    default = default_of(name, task, "--vary")
-    if ".." in values:
-        return _range(where, name, _ends(where, values, default), default)
-    return _choices(where, name, [_typed(where, part, default) for part in _parts(where, values, default)], default)
+    where, default = f"--vary {name}", default_of(name, task, "--vary")
+    if ".." not in values:
+        return _choices(where, name, _listed(where, values, default), default)
+    ends, _, scale = values.strip().partition(":")
+    if scale not in ("", "log"):
+        raise QuadrupedError(f"{where}: expected ':log' or nothing after the range; found {short(scale)}")
+    low, high = (_typed(where, end, default) for end in ends.split("..", 1))
+    return _range(where, name, low, high, scale == "log", default)
 
 
 def read_space(path: Path, task: Mapping[str, Any]) -> list[Dimension]:
@@ -147,16 +143,13 @@ def read_space(path: Path, task: Mapping[str, Any]) -> list[Dimension]:
 
 def of_dict(field: str, values: Mapping[str, Any]) -> Dimension:
     """The dimension with the plain values of `Dimension.to_dict`."""
-    choices = tuple(_frozen(value) for value in values.get("choices", ()))
+    choices = of_json(list(values.get("choices", ())))
     return Dimension(field, values.get("low"), values.get("high"), bool(values.get("log", False)), choices)
 
 
-def check_distinct(space: Sequence[Dimension]) -> None:
-    """Raise a QuadrupedError if a field is given twice."""
-    names = [dimension.field for dimension in space]
-    for name in names:
-        if names.count(name) > 1:
-            raise QuadrupedError(f"--vary {name}: found twice; give each field once, in --vary or in --space")
+def of_json(value: Any) -> Any:
+    """A value from JSON as `Dimension.draw` gives it, with tuples for lists."""
+    return tuple(map(of_json, value)) if isinstance(value, list) else value
 
 
 def default_of(name: str, task: Mapping[str, Any], option: str) -> Any:
@@ -193,31 +186,20 @@ def _unknown(option: str, name: str, found: str, known: Sequence[str], where: st
     )
 
 
-def _ends(where: str, text: str, default: Any) -> dict[str, Any]:
-    text, _, scale = text.strip().partition(":")
-    low, _, high = text.partition("..")
-    if scale not in ("", "log"):
-        raise QuadrupedError(f"{where}: expected ':log' or nothing after the range; found {short(scale)}")
-    return {"low": _typed(where, low, default), "high": _typed(where, high, default), "log": scale == "log"}
-
-
-def _parts(where: str, text: str, default: Any) -> list[str]:
-    """The choices in a text, separated by commas; those within brackets belong to one choice."""
-    parts, depth, begin = [], 0, 0
-    for i, letter in enumerate(text):
-        depth += (letter in "[{") - (letter in "]}")
-        if letter == "," and depth == 0:
-            parts.append(text[begin:i])
-            begin = i + 1
-    parts.append(text[begin:])
-    if any(not part.strip() for part in parts):
+def _listed(where: str, text: str, default: Any) -> Sequence[Any]:
+    """Choices as typed on the command line, separated by commas."""
+    if not isinstance(default, (str, tuple)):
+        with contextlib.suppress(ValueError):
+            listed: Sequence[Any] = of_json(json.loads(f"[{text}]"))
+            return listed
+    parts = [part.strip() for part in text.split(",")]
+    if not all(parts):
         raise QuadrupedError(f"{where}: an empty choice in {short(text)}; separate the choices with one comma each")
-    return [part.strip() for part in parts]
+    return [_typed(where, part, default) for part in parts]
 
 
 def _typed(where: str, text: str, default: Any) -> Any:
     """A value as typed on the command line, as the field's default has it."""
-    text = text.strip()
     if isinstance(default, tuple) and default and all(isinstance(width, int) for width in default):
         try:
             return tuple(int(width) for width in text.split("x"))
@@ -225,14 +207,10 @@ def _typed(where: str, text: str, default: Any) -> Any:
             raise QuadrupedError(f"{where}: expected widths such as 64x64; found {short(text)}") from None
     if isinstance(default, str):
         return text.strip('"')
-    try:
-        return _frozen(json.loads(text))
-    except ValueError:
-        pass
-    try:  # such as 1e-4, which JSON takes, and .5 or +1, which it does not
-        return float(text)
-    except ValueError:
-        return text
+    for parse in (json.loads, float):  # JSON takes 1e-4, but not .5
+        with contextlib.suppress(ValueError):
+            return of_json(parse(text))
+    return text
 
 
 def _of_table(path: Path, name: str, table: Mapping[str, Any], task: Mapping[str, Any]) -> Dimension:
@@ -243,10 +221,10 @@ def _of_table(path: Path, name: str, table: Mapping[str, Any], task: Mapping[str
             raise QuadrupedError(
                 f"{where}: expected choices = [...] alone, or low and high; found {short(dict(table))}"
             )
-        return _choices(where, name, [_frozen(value) for value in table["choices"]], default)
+        return _choices(where, name, of_json(table["choices"]), default)
     if not {"low", "high"} <= set(table) or not isinstance(table.get("log", False), bool):
         raise QuadrupedError(f"{where}: expected low, high and perhaps log = true; found {short(dict(table))}")
-    return _range(where, name, table, default)
+    return _range(where, name, table["low"], table["high"], table.get("log", False), default)
 
 
 def _flat(path: Path, table: Mapping[str, Any], above: str = "") -> Iterable[tuple[str, Mapping[str, Any]]]:
@@ -263,20 +241,14 @@ def _flat(path: Path, table: Mapping[str, Any], above: str = "") -> Iterable[tup
             yield from _flat(path, value, f"{name}.")
 
 
-def _range(where: str, name: str, values: Mapping[str, Any], default: Any) -> Dimension:
-    log = bool(values.get("log", False))
+def _range(where: str, name: str, low: Any, high: Any, log: bool, default: Any) -> Dimension:
     if isinstance(default, bool) or not (default is None or isinstance(default, (int, float))):
         raise QuadrupedError(
             f"{where}: found a range, but the field is not a number (default: {shown(default)}); give choices, "
             f"separated by commas"
         )
-    for end in ("low", "high"):
-        value = values[end]
-        number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
-        if not number or (_is_whole(default) and not float(value).is_integer()):
-            kind = "a whole number" if _is_whole(default) else "a number"
-            raise QuadrupedError(f"{where}: {end}: expected {kind}; found {short(value)}")
-    low, high = (int(values[end]) if _is_whole(default) else float(values[end]) for end in ("low", "high"))
+    kind = 0.0 if default is None else default
+    low, high = (_converted(f"{where}: {end}", value, kind) for end, value in (("low", low), ("high", high)))
     if low >= high:
         fix = f"swap the ends: {high:g}..{low:g}" if low > high else "give two different ends, or leave the field out"
         raise QuadrupedError(
@@ -303,7 +275,7 @@ def _choices(where: str, name: str, values: Sequence[Any], default: Any) -> Dime
 
 
 def _converted(where: str, value: Any, default: Any) -> Any:
-    """A choice as the type of the field's default.
+    """A value as the type of the field's default.
 
     Raises:
         QuadrupedError: if it has another type.
@@ -311,12 +283,10 @@ def _converted(where: str, value: Any, default: Any) -> Any:
     numeric = isinstance(value, (int, float)) and not isinstance(value, bool)
     if isinstance(default, bool):
         kind, valid = "true or false", isinstance(value, bool)
-    elif _is_whole(default):
+    elif isinstance(default, int):
         kind, valid = "a whole number", numeric and float(value).is_integer()
-        value = int(value) if valid else value
     elif isinstance(default, float):
         kind, valid = "a number", numeric
-        value = float(value) if valid else value
     elif isinstance(default, str):
         kind, valid = "a name", isinstance(value, str)
     elif isinstance(default, (list, tuple)):
@@ -325,12 +295,4 @@ def _converted(where: str, value: Any, default: Any) -> Any:
         return value
     if not valid:
         raise QuadrupedError(f"{where}: expected {kind}; found {short(value)}")
-    return value
-
-
-def _is_whole(default: Any) -> bool:
-    return isinstance(default, int) and not isinstance(default, bool)
-
-
-def _frozen(value: Any) -> Any:
-    return tuple(_frozen(entry) for entry in value) if isinstance(value, list) else value
+    return type(default)(value) if isinstance(default, (int, float)) else value

@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any, Final, Literal
 
 from quadruped_env.envs.arguments import changed, task_config
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.scale.sweep.search_space import TASK, Dimension, check_distinct, of_dict
+from quadruped_env.scale.sweep.search_space import TASK, Dimension, of_dict
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.train_config import check_fields
 from quadruped_env.utils.documents import check_regular
@@ -66,13 +67,12 @@ class SweepConfig:
         self._check_fields()
         if len(self) > MAX_TRIALS:
             raise QuadrupedError(f"--trials: {len(self)} trainings are more than {MAX_TRIALS}; lower it, or --seeds")
-        check_distinct(self.space)
+        for name, count in Counter(dimension.field for dimension in self.space).items():
+            if count > 1:
+                raise QuadrupedError(f"--vary {name}: found twice; give each field once, in --vary or in --space")
         first = self.training.get("seed", TrainConfig.seed)
         num_envs = self.training.get("num_envs", TrainConfig.num_envs)
-        if first + self.seeds > 2**32:
-            raise QuadrupedError(
-                f"--seed: {first} and {self.seeds - 1} more go beyond 4294967295; choose a smaller one"
-            )
+        check_fields({"seed": first + self.seeds - 1})
         check_training_seeds("--seeds", first, self.seeds - 1 + num_envs)
         if not self.space and self.settings > 1:
             raise QuadrupedError(
@@ -166,15 +166,15 @@ class SweepConfig:
         for dimension in self.space:
             for value in dimension.ends():
                 # Alone, or with the others at their first values. Values that do not fit together fail in their trial.
-                try:
-                    _check_training(make(self.fields_of({dimension.field: value}, first)), self.task_file)
-                except QuadrupedError as error:
+                errors = []
+                for values in ({dimension.field: value}, {**base, dimension.field: value}):
                     try:
-                        _check_training(make(self.fields_of({**base, dimension.field: value}, first)), self.task_file)
-                    except QuadrupedError:
-                        raise QuadrupedError(
-                            f"--vary {dimension.field}: {short(value)} is not valid: {error}"
-                        ) from error
+                        _check_training(make(self.fields_of(values, first)), self.task_file)
+                        break
+                    except QuadrupedError as error:
+                        errors.append(error)
+                else:
+                    raise QuadrupedError(f"--vary {dimension.field}: {short(value)} is not valid: {errors[0]}")
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for JSON."""
@@ -185,14 +185,14 @@ class SweepConfig:
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any], where: str) -> "SweepConfig":
-        """The sweep with plain values of `to_dict`; `where` names them in errors.
+        """The sweep with plain values of `to_dict`, also of an earlier version; `where` names them in errors.
 
         Raises:
             QuadrupedError: if they are not those of a sweep.
         """
         try:
             space = tuple(of_dict(name, entry) for name, entry in values["space"].items())
-            training = dict(values["training"])
+            training = known(values["training"])
             if "hidden" in training:
                 training["hidden"] = tuple(training["hidden"])
             for dimension in space:
@@ -205,6 +205,11 @@ class SweepConfig:
             raise QuadrupedError(
                 f"{where}: not the definition of a sweep ({short(str(error))}); start a new one"
             ) from error
+
+
+def known(training: Mapping[str, Any]) -> dict[str, Any]:
+    """Those fields of a training that this version has; an earlier one may have written others."""
+    return {name: value for name, value in training.items() if name in TrainConfig.__dataclass_fields__}
 
 
 def sha256_of(path: Path) -> str:

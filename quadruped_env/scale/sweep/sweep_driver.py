@@ -1,18 +1,20 @@
 """The process that runs a sweep: Ray Tune starts, stops and repeats the trials; their files say what has been done."""
 
+import logging
 import os
 import shutil
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
+from datetime import timedelta
 from types import SimpleNamespace
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.scale.sweep.cluster import connected
-from quadruped_env.scale.sweep.search import Proposals, proposals
-from quadruped_env.scale.sweep.search_space import shown
-from quadruped_env.scale.sweep.sweep_definition import MakeConfig, SweepConfig
+from quadruped_env.scale.ray_connection import connected
+from quadruped_env.scale.sweep.search import Proposals
+from quadruped_env.scale.sweep.search_space import of_json, shown
+from quadruped_env.scale.sweep.sweep_definition import MakeConfig, known
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.scale.sweep.sweep_results import score_of_setting
 from quadruped_env.scale.sweep.trial import RUNG, SCORE, run_in_ray
@@ -43,18 +45,20 @@ def run_sweep(folder: SweepFolder, make: MakeConfig, address: str | None, cores:
         QuadrupedError: if Ray does not start, the cluster is too small or ends, or a file is damaged or cannot be
             written.
     """
-    config = folder.config
     with folder.locked():
-        book = TrialBook(folder, make, proposals(config), say)
+        book = TrialBook(folder, make, Proposals(folder.config), say)
         if not book.missing():
             return True
         with connected(address, cores) as ray:
-            _check_size(ray, config, address)
+            from ray import tune
+
+            # Lost trials are reported in a line, without the traceback of Ray Tune.
+            logging.getLogger("ray.tune").setLevel(logging.CRITICAL)
             tune_folder = folder.path / TUNE_FOLDER
             shutil.rmtree(tune_folder, ignore_errors=True)
             try:
-                _fit(folder, book, ray)
-            except (ray.exceptions.RayError, ray.tune.TuneError, ConnectionError) as error:
+                _fit(folder, book, ray, tune, address)
+            except (ray.exceptions.RayError, tune.TuneError, ConnectionError) as error:
                 reason = (str(error).strip().splitlines() or [type(error).__name__])[-1]
                 raise QuadrupedError(
                     f"{folder.path}: Ray ended in mid-sweep ({reason[:200]}); what is finished is kept: go on with "
@@ -65,23 +69,19 @@ def run_sweep(folder: SweepFolder, make: MakeConfig, address: str | None, cores:
         return not book.missing()
 
 
-def _check_size(ray: Any, config: SweepConfig, address: str | None) -> None:
-    """Refuse a sweep whose trials fit on no node: Ray would wait for one without end."""
-    largest = max((node["Resources"].get("CPU", 0.0) for node in ray.nodes() if node["Alive"]), default=0.0)
-    if largest < config.cores_per_trial:
+def _fit(folder: SweepFolder, book: "TrialBook", ray: Any, tune: Any, address: str | None) -> None:
+    config = folder.config
+    stopped: set[str] = set()
+    cores = [node["Resources"].get("CPU", 0.0) for node in ray.nodes() if node["Alive"]]
+    if max(cores, default=0.0) < config.cores_per_trial:
+        # Ray would wait for a larger node without end.
         where = "this machine" if address is None else f"the largest node of the cluster at {address}"
         raise QuadrupedError(
-            f"--cores-per-trial: found {config.cores_per_trial}; {where} has {largest:g}; lower it, or add a node"
+            f"--cores-per-trial: found {config.cores_per_trial}; {where} has {max(cores, default=0.0):g}; lower it, or "
+            f"add a node"
         )
-
-
-def _fit(folder: SweepFolder, book: "TrialBook", ray: Any) -> None:
-    tune = ray.tune
-    stopped: set[str] = set()
-    config = folder.config
-    total = sum(node["Resources"].get("CPU", 0.0) for node in ray.nodes() if node["Alive"])
     book.say(
-        f"Ray {ray.__version__}: {total:g} cores, {config.cores_per_trial} per trial; {len(book.missing())} of "
+        f"Ray {ray.__version__}: {sum(cores):g} cores, {config.cores_per_trial} per trial; {len(book.missing())} of "
         f"{len(config)} trials to run"
     )
     # One proposal ahead, so that Optuna's know the results before them.
@@ -163,13 +163,15 @@ def _watcher(tune: Any, book: "TrialBook", stopped: set[str]) -> Any:
 
     class Watcher(tune.Callback):
         def on_trial_start(self, iteration: int, trials: Any, trial: Any, **info: Any) -> None:
-            book.started(trial.config["number"])
+            book.say(f"{book.name(trial.config['number'])}: training")
 
         def on_trial_result(self, iteration: int, trials: Any, trial: Any, result: Any, **info: Any) -> None:
             book.reported(trial.config["number"], result)
 
         def on_trial_recover(self, iteration: int, trials: Any, trial: Any, **info: Any) -> None:
-            book.lost(trial.config["number"])
+            number = trial.config["number"]
+            if book.folder.trial(number).result() is None:
+                book.say(f"{book.name(number)}: its process or node was lost; it begins again")
 
         def on_trial_complete(self, iteration: int, trials: Any, trial: Any, **info: Any) -> None:
             book.ended(trial.config["number"], stopped=trial.trial_id in stopped)
@@ -191,30 +193,33 @@ class TrialBook:
         say: prints a line.
 
     Raises:
-        QuadrupedError: if a damaged trial cannot be put aside.
+        QuadrupedError: if a file cannot be written, or is damaged later; its methods do so, too.
     """
 
     def __init__(self, folder: SweepFolder, make: MakeConfig, source: Proposals, say: Say) -> None:
         self.folder, self.say = folder, say
-        for number, _, _ in folder.config.trials():
-            try:
-                folder.trial(number).check()
-            except QuadrupedError as error:
-                say(f"trial {number} begins again, and its files are in {folder.put_aside(number)}: {error}")
         self._make, self._source = make, source
         self._numbers = {number: (setting, seed) for number, setting, seed in folder.config.trials()}
-        self._waiting = [number for number in self._numbers if folder.trial(number).result() is None]
-        self._open = set(self._waiting)
+        self._waiting: list[int] = []
         self._values: dict[int, dict[str, Any]] = {}
         self._began = time.monotonic()
         self._done_here = 0
+        ignored = set(folder.ignored)
         for number in self._numbers:
-            settings = folder.trial(number).settings()
+            trial = folder.trial(number)
+            try:
+                trial.check()
+            except QuadrupedError as error:
+                say(f"trial {number} begins again, and its files are in {folder.put_aside(number)}: {error}")
+            settings = trial.settings()
             if settings is not None:
-                by_field = {dimension.field: dimension for dimension in folder.config.space}
-                self._values[settings["setting"]] = {
-                    name: by_field[name].of_json(value) for name, value in settings["values"].items()
-                }
+                self._values[settings["setting"]] = {name: of_json(value) for name, value in settings["values"].items()}
+                ignored |= settings["training"].keys() - known(settings["training"])
+            if trial.result() is None:
+                self._waiting.append(number)
+        if ignored:
+            say(f"note: settings that this version does not have are left out: {', '.join(sorted(ignored))}")
+        self._open = set(self._waiting)
         for setting in range(folder.config.settings):
             self._tell_if_complete(setting)
 
@@ -223,11 +228,7 @@ class TrialBook:
         return set(self._open)
 
     def begin(self) -> int | None:
-        """Write the settings of the next trial; its number, or None if all have begun.
-
-        Raises:
-            QuadrupedError: if a file cannot be written.
-        """
+        """Write the settings of the next trial; its number, or None if all have begun."""
         number = next((number for number in self._waiting if number in self._open), None)
         if number is None:
             return None
@@ -243,30 +244,22 @@ class TrialBook:
         return number
 
     def _training(self, values: Mapping[str, Any], seed: int) -> Any:
-        fields = self.folder.config.fields_of(values, seed)
+        config = self.folder.config
+        fields = config.fields_of(values, seed)
         try:
             return plain(asdict(self._make(fields)))
         except QuadrupedError:
             # Fields that do not fit together: the trial says so itself, and the sweep goes on.
-            return plain({**asdict(self._make(self.folder.config.fields_of({}, seed))), **fields})
-
-    def started(self, number: int) -> None:
-        """Print that a trial begins."""
-        self.say(f"{self._name(number)}: training")
+            return plain({**asdict(self._make(config.fields_of({}, seed))), **fields})
 
     def reported(self, number: int, result: Mapping[str, Any]) -> None:
         """Print the score at a rung."""
         last = self.folder.config.reduction**self.folder.config.rungs
         if result.get(RUNG, last) < last:
             self.say(
-                f"{self._name(number)}: score {result[SCORE]:.3f} after {result['timesteps']:,} steps (rung "
+                f"{self.name(number)}: score {result[SCORE]:.3f} after {result['timesteps']:,} steps (rung "
                 f"{result[RUNG]}/{last})"
             )
-
-    def lost(self, number: int) -> None:
-        """Print that a trial begins again."""
-        if self.folder.trial(number).result() is None:
-            self.say(f"{self._name(number)}: its process or node was lost; it begins again")
 
     def ended(self, number: int, stopped: bool = False, error: str | None = None) -> None:
         """Take note of a trial's end.
@@ -275,9 +268,6 @@ class TrialBook:
             number: of the trial.
             stopped: True if ASHA stopped it.
             error: Ray's error, if it gave the trial up.
-
-        Raises:
-            QuadrupedError: if a file is damaged or cannot be written.
         """
         trial = self.folder.trial(number)
         result = trial.result()
@@ -289,7 +279,7 @@ class TrialBook:
             return
         self._open.discard(number)
         self._done_here += 1
-        self.say(f"{self._name(number)}: {_outcome(result)}; {self._progress()}")
+        self.say(f"{self.name(number)}: {_outcome(result)}; {self._progress()}")
         self._tell_if_complete(self._numbers[number][0])
 
     def _tell_if_complete(self, setting: int) -> None:
@@ -307,15 +297,20 @@ class TrialBook:
                 scores.append(rows[-1]["score"])
         self._source.tell(setting, self._values[setting], score_of_setting(scores))
 
-    def _name(self, number: int) -> str:
+    def name(self, number: int) -> str:
+        """A trial in words."""
         setting, seed = self._numbers[number]
         values = " ".join(f"{name}={shown(value)}" for name, value in self._values[setting].items())
         return f"trial {number}, seed {seed}{f', {values}' if values else ''}"
 
     def _progress(self) -> str:
         elapsed, left = time.monotonic() - self._began, len(self._open)
-        done = f"{len(self._numbers) - left} of {len(self._numbers)} done, {clock(elapsed)} elapsed"
-        return f"{done}, about {clock(elapsed / self._done_here * left)} left" if left else done
+        done = f"{len(self._numbers) - left} of {len(self._numbers)} done, {_clock(elapsed)} elapsed"
+        return f"{done}, about {_clock(elapsed / self._done_here * left)} left" if left else done
+
+
+def _clock(seconds: float) -> str:
+    return str(timedelta(seconds=round(seconds)))
 
 
 def _outcome(result: Mapping[str, Any]) -> str:
@@ -326,9 +321,3 @@ def _outcome(result: Mapping[str, Any]) -> str:
     score = "" if result.get("score") is None else f", score {result['score']['total']:.3f}"
     seconds = sum(result.get(name, 0.0) for name in ("training_seconds", "scoring_seconds"))
     return f"finished after {seconds:.0f} s{score}"
-
-
-def clock(seconds: float) -> str:
-    """A time as h:mm:ss."""
-    whole = round(seconds)
-    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"

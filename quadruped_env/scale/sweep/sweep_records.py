@@ -17,15 +17,15 @@ import json
 import os
 import time
 import uuid
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, cast
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
 from quadruped_env.evaluation.suite.suite import read_results
-from quadruped_env.scale.sweep.sweep_definition import FORMAT_VERSION, SweepConfig
+from quadruped_env.scale.sweep.sweep_definition import FORMAT_VERSION, SweepConfig, known
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.train_config import field_rule
@@ -44,59 +44,30 @@ STATES: Final = ("finished", "stopped", "failed")
 """States of a result: the whole budget was used; ASHA stopped the trial; it ended with an error."""
 SCORE_COLUMNS: Final = ("rung", "timesteps", "seconds", "score")
 _LOCK_FILE: Final = ".lock"
+_AMOUNTS: Final = ("timesteps", "training_seconds", "scoring_seconds", "peak_memory_mb")
+"""Numbers in a result."""
 _AGAIN: Final = "resume the sweep, which puts this trial aside and trains it again"
-
-
-def _is_score(value: Any) -> bool:
-    parts = value.get("components") if isinstance(value, dict) else None
-    return isinstance(parts, dict) and all(map(is_quantity, (value.get("total"), *parts.values())))
-
-
-_Check = tuple[Callable[[Any], bool], str]
-"""Function that is true of valid values of a field, and these in words."""
-_AMOUNT: Final[_Check] = (lambda value: is_quantity(value, 0.0, 1e15), "a number, 0 or more")
-_RESULT: Final[dict[str, _Check]] = {
-    "state": (lambda value: value in STATES, f"one of {', '.join(STATES)}"),
-    "score": (lambda value: value is None or _is_score(value), "null, or numbers: total and components"),
-    "run": (
-        lambda value: isinstance(value, str) and value == Path(value).name and value not in ("", ".."),
-        "the name of a directory",
-    ),
-    **{name: (lambda value: isinstance(value, str), "a text") for name in ("node", "error")},
-    **dict.fromkeys(("timesteps", "training_seconds", "scoring_seconds", "peak_memory_mb"), _AMOUNT),
-}
-"""Field of a result -> check, and valid values in words."""
-_OPTIONAL: Final = _RESULT.keys() - {"state"}
 
 
 @dataclass(frozen=True)
 class SweepFolder:
-    """The directory of a sweep."""
+    """The directory of a sweep. Damaged files, and those that cannot be written, are a `QuadrupedError`."""
 
     path: Path
     identity: str
     """Random name of the sweep, which each of its trials has."""
     config: SweepConfig
+    ignored: tuple[str, ...] = ()
+    """Fields of its trainings that this version of the package does not have."""
 
     @classmethod
     def create(cls, parent: Path, name: str, config: SweepConfig, command: str) -> "SweepFolder":
-        """Make `<parent>/<time>-<name>/` with its definition.
-
-        Raises:
-            QuadrupedError: if it cannot be written.
-        """
-        stamp = time.strftime("%Y%m%d-%H%M%S")
-        for suffix in ("", *(f"-{i}" for i in range(2, 1000))):
-            path = parent / f"{stamp}-{name}{suffix}"
-            try:
-                (path / TRIALS).mkdir(parents=True)
-            except FileExistsError:
-                continue
-            except OSError as error:
-                raise QuadrupedError(
-                    f"--output: cannot create {path} ({error.strerror}); name another place"
-                ) from error
-            break
+        """Make `<parent>/<time>-<name>/` with its definition."""
+        path = free_path(parent / f"{time.strftime('%Y%m%d-%H%M%S')}-{name}")
+        try:
+            (path / TRIALS).mkdir(parents=True)
+        except OSError as error:
+            raise QuadrupedError(f"--output: cannot create {path} ({error.strerror}); name another place") from error
         identity = uuid.uuid4().hex
         document = {
             "format_version": FORMAT_VERSION,
@@ -112,11 +83,7 @@ class SweepFolder:
 
     @classmethod
     def open(cls, path: Path) -> "SweepFolder":
-        """The sweep in a directory.
-
-        Raises:
-            QuadrupedError: if the directory holds none, or its definition is damaged.
-        """
+        """The sweep in a directory."""
         file = path / SWEEP_FILE
         if not os.path.isfile(file):  # Path.is_file raises for a name that is too long
             what = "there is no such directory"
@@ -135,18 +102,16 @@ class SweepFolder:
             )
         names = SweepConfig.__dataclass_fields__
         values = {name: document[name] for name in names if name in document}
-        return cls(path, document["sweep"], SweepConfig.from_dict(values, str(file)))
+        config = SweepConfig.from_dict(values, str(file))
+        training = document["training"]
+        return cls(path, document["sweep"], config, tuple(sorted(training.keys() - known(training))))
 
     def trial(self, number: int) -> "TrialFolder":
         """The folder of a trial."""
         return TrialFolder(self.path / TRIALS / f"{number:04d}", self.identity, number, self.config)
 
     def put_aside(self, number: int) -> Path:
-        """Give the folder of a damaged trial another name, so that the trial begins again; the new path.
-
-        Raises:
-            QuadrupedError: if the system refuses that.
-        """
+        """Give the folder of a damaged trial another name, so that the trial begins again; the new path."""
         path = self.trial(number).path
         aside = free_path(path.with_name(f"{path.name}.damaged"))
         try:
@@ -156,11 +121,7 @@ class SweepFolder:
 
     @contextlib.contextmanager
     def locked(self) -> Iterator[None]:
-        """Within it, no other process runs this sweep; the lock ends with the process.
-
-        Raises:
-            QuadrupedError: if another process runs it.
-        """
+        """Within it, no other process runs this sweep; the lock ends with the process."""
         path = self.path / _LOCK_FILE
         try:
             file = path.open("a")
@@ -178,7 +139,7 @@ class SweepFolder:
 
 @dataclass(frozen=True)
 class TrialFolder:
-    """The directory of a trial; all of its files appear when they are whole."""
+    """The directory of a trial; all of its files appear when they are whole. Errors as of `SweepFolder`."""
 
     path: Path
     sweep: str
@@ -191,53 +152,39 @@ class TrialFolder:
         write_json(self.path / TRIAL_FILE, {"sweep": self.sweep, **settings})
 
     def settings(self) -> dict[str, Any] | None:
-        """Content of trial.json; None if the trial has not begun.
-
-        Raises:
-            QuadrupedError: if it is damaged, or belongs to another sweep or trial.
-        """
+        """Content of trial.json; None if the trial has not begun."""
         seeds, first = self.config.seeds, self.config.training.get("seed", TrainConfig.seed)
+        place = {"number": self.number, "setting": self.number // seeds, "seed": first + self.number % seeds}
         space = {dimension.field: dimension for dimension in self.config.space}
 
-        def only(expected: int) -> _Check:
-            return lambda found: type(found) is int and found == expected, str(expected)
-
-        def table_of(names: Collection[str], valid: Callable[[str, Any], bool]) -> _Check:
+        def sound(found: dict[str, Any]) -> bool:
             return (
-                lambda found: (
-                    isinstance(found, dict) and found.keys() == set(names) and all(map(valid, found, found.values()))
-                ),
-                f"valid values of {', '.join(names) or 'no field'}",
+                {name: found[name] for name in place} == place
+                and found["values"].keys() == space.keys()
+                and all(space[name].holds(value) for name, value in found["values"].items())
+                and all(field_rule(name, value) is None for name, value in known(found["training"]).items())
             )
 
-        return self._read(
-            TRIAL_FILE,
-            {
-                "number": only(self.number),
-                "setting": only(self.number // seeds),
-                "seed": only(first + self.number % seeds),
-                "values": table_of(space, lambda name, value: space[name].holds(value)),
-                "training": table_of(TrainConfig.__dataclass_fields__, lambda *field: field_rule(*field) is None),
-            },
-        )
+        return self._read(TRIAL_FILE, sound)
 
     def result(self) -> dict[str, Any] | None:
-        """Content of result.json; None if the trial has not ended.
+        """Content of result.json; None if the trial has not ended."""
 
-        Raises:
-            QuadrupedError: if it is damaged, or belongs to another sweep.
-        """
-        return self._read(RESULT_FILE, _RESULT)
+        def sound(found: dict[str, Any]) -> bool:
+            score, run = found.get("score"), found.get("run", "run")
+            numbers = [] if score is None else [score["total"], *score["components"].values()]
+            numbers += [found[name] for name in _AMOUNTS if name in found]
+            return (
+                found["state"] in STATES
+                and all(is_quantity(number, 0.0, 1e15) for number in numbers)
+                and (run == Path(run).name and run not in ("", ".."))
+                and all(isinstance(found.get(name, ""), str) for name in ("node", "error"))
+            )
+
+        return self._read(RESULT_FILE, sound)
 
     def check(self) -> None:
-        """Check all that a sweep goes on from, also the results of the suite.
-
-        Raises:
-            QuadrupedError: if a file is damaged or missing, or the folder is a link, through which the training would
-                write elsewhere.
-        """
-        if self.path.is_symlink() or (os.path.lexists(self.path) and not self.path.is_dir()):
-            raise QuadrupedError(f"{self.path}: is {'a link' if self.path.is_symlink() else 'no directory'}; {_AGAIN}")
+        """Check all that a sweep goes on from, also the results of the suite."""
         settings, result = self.settings(), self.result()
         self.scores()
         if result is None:
@@ -247,47 +194,41 @@ class TrialFolder:
         if result.get("score") is not None and result.get("run") is not None:
             read_results(self.path / result["run"] / "evaluation" / SUITE_FILE)
 
-    def _read(self, name: str, fields: Mapping[str, _Check]) -> dict[str, Any] | None:
-        """Content of a file; `fields`: field -> check and valid values of a field that is there."""
+    def _read(self, name: str, sound: Callable[[dict[str, Any]], bool]) -> dict[str, Any] | None:
+        """Content of a file of this trial, for which a function is true."""
         path = self.path / name
         if not os.path.lexists(path):
             return None
         document = read_json(path, _AGAIN)
-        for field in ("sweep", *fields):
-            if not isinstance(document, dict) or (field not in document and field not in _OPTIONAL):
-                raise QuadrupedError(f"{path}: field {field!r} is missing; {_AGAIN}")
-        if document["sweep"] != self.sweep:
-            raise QuadrupedError(
-                f"{path}: this is a trial of another sweep ({short(document['sweep'])} in place of "
-                f"{short(self.sweep)}); {_AGAIN}"
-            )
-        for field, (valid, rule) in fields.items():
-            if field in document and not valid(document[field]):
-                raise QuadrupedError(f"{path}: {field}: expected {rule}; found {short(document[field])}; {_AGAIN}")
-        return dict(document)
+        try:
+            if document["sweep"] != self.sweep:
+                raise QuadrupedError(
+                    f"{path}: this is a trial of another sweep ({short(document['sweep'])} in place of "
+                    f"{short(self.sweep)}); {_AGAIN}"
+                )
+            valid = sound(document)
+        except (KeyError, TypeError, AttributeError):
+            valid = False
+        if not valid:
+            raise QuadrupedError(f"{path}: a field is missing or not valid; {_AGAIN}")
+        return cast(dict[str, Any], document)
 
     def finish(self, result: Mapping[str, Any]) -> dict[str, Any]:
         """Write result.json if there is none; the result that stands.
 
         Two processes may train a trial if a node was cut off from the cluster: the first result counts.
-
-        Raises:
-            QuadrupedError: if it cannot be written.
         """
         path = self.path / RESULT_FILE
         content = json.dumps({"sweep": self.sweep, **result}, indent=2, allow_nan=False) + "\n"
-        part = path.with_name(f".{RESULT_FILE}.{uuid.uuid4().hex}.part")
+        part = path.with_name(f".{RESULT_FILE}.{uuid.uuid4().hex}")
+        write_whole({part: content.encode()})
         try:
-            with part.open("x") as file:
-                file.write(content)
-                file.flush()
-                os.fsync(file.fileno())
             with contextlib.suppress(FileExistsError):
                 os.link(part, path)
         except OSError as error:
             raise unwritable(path, error) from error
         finally:
-            part.unlink(missing_ok=True)
+            part.unlink()
         found = self.result()
         assert found is not None
         return found
@@ -301,11 +242,7 @@ class TrialFolder:
         write_whole({self.path / SCORES_FILE: text.getvalue().encode()})
 
     def scores(self) -> list[dict[str, float]]:
-        """Rows of scores.csv; none if the file does not exist.
-
-        Raises:
-            QuadrupedError: if it is damaged.
-        """
+        """Rows of scores.csv; none if the file does not exist."""
         path = self.path / SCORES_FILE
         if not os.path.lexists(path):
             return []

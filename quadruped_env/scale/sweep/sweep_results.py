@@ -3,6 +3,7 @@
 import csv
 import io
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
@@ -13,8 +14,8 @@ from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.suite.aggregate import aggregate, interquartile_mean
 from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
 from quadruped_env.evaluation.suite.suite import read_results
-from quadruped_env.scale.sweep.search import distribution, optuna_module, parameter
-from quadruped_env.scale.sweep.search_space import of_dict, shown
+from quadruped_env.scale.sweep.search import add_trial, optuna_module
+from quadruped_env.scale.sweep.search_space import shown
 from quadruped_env.scale.sweep.sweep_definition import SweepConfig
 from quadruped_env.scale.sweep.sweep_records import TRIALS, SweepFolder
 from quadruped_env.utils.files import write_json, write_whole
@@ -49,7 +50,7 @@ def collect(folder: SweepFolder, command: str) -> dict[str, Any]:
         "git_commit": git_commit(),
         "versions": versions(),
         "machine": machine(),
-        "states": {state: sum(trial["state"] == state for trial in trials) for state in _states(trials)},
+        "states": dict(sorted(Counter(trial["state"] for trial in trials).items())),
         "trials": trials,
         "settings": settings,
         "importance": importance(folder.config, settings),
@@ -76,10 +77,6 @@ def write(folder: SweepFolder, results: Mapping[str, Any]) -> tuple[Path, Path]:
     write_whole({table: text.getvalue().encode()})
     write_json(numbers, dict(results))
     return numbers, table
-
-
-def _states(trials: Sequence[Mapping[str, Any]]) -> list[str]:
-    return sorted({trial["state"] for trial in trials})
 
 
 def _trial(folder: SweepFolder, number: int) -> dict[str, Any] | None:
@@ -146,18 +143,11 @@ def importance(config: SweepConfig, settings: Sequence[Mapping[str, Any]]) -> di
         optuna = optuna_module()
     except MissingExtraError as error:
         return {"fields": {}, "missing": error.portable}
-    space = [of_dict(dimension.field, dimension.to_dict()) for dimension in config.space]
-    distributions = {dimension.field: distribution(dimension) for dimension in space}
     study = optuna.create_study(direction="maximize", sampler=optuna.samplers.RandomSampler(seed=0))
     for entry in scored:
-        values = {d.field: entry["values"][d.field] for d in space}
-        study.add_trial(
-            optuna.trial.create_trial(
-                params={d.field: parameter(d, values[d.field]) for d in space},
-                distributions=distributions,
-                value=score_of_setting([run["total"] for run in entry["suite"]["runs"]]),
-            )
-        )
+        # Values from JSON stand for the same choices.
+        score = score_of_setting([run["total"] for run in entry["suite"]["runs"]])
+        add_trial(study, config.space, entry["values"], score, optuna.trial.TrialState.COMPLETE)
     # At least two settings count as good ones, also in a small sweep.
     quantile = max(0.1, 2.0 / len(scored))
     evaluator = optuna.importance.PedAnovaImportanceEvaluator(target_quantile=quantile, evaluate_on_local=True)

@@ -1,6 +1,5 @@
 """One trial: the training of `mini-quadruped train`, unchanged, in a process of Ray, and its score."""
 
-import os
 import resource
 import socket
 import sys
@@ -12,7 +11,14 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.scale.sweep.sweep_definition import SweepConfig, sha256_of
+from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.suite import command_map, gait_measures, pushes, transients
+from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.suite import run_suite
+from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.reporting.pages.suite_section import write_results
+from quadruped_env.scale.sweep.sweep_definition import SweepConfig, known, sha256_of
 from quadruped_env.scale.sweep.sweep_records import SWEEP_FILE, SweepFolder, TrialFolder
 from quadruped_env.training import TrainConfig
 
@@ -57,27 +63,24 @@ def run(sweep: Path, identity: str, number: int, report: Report) -> dict[str, An
     result = trial.result()
     if result is None:
         result = trial.finish(_attempt(folder, trial, report))
-    final = folder.config.reduction**folder.config.rungs
-    report({RUNG: final, SCORE: _score_of(result), "state": result["state"], "number": number})
+    final, score = folder.config.reduction**folder.config.rungs, result.get("score")
+    # Without a score, less than any.
+    report({RUNG: final, SCORE: -1.0 if score is None else score["total"], "state": result["state"], "number": number})
     return result
-
-
-def _score_of(result: Mapping[str, Any]) -> float:
-    """The score that Ray Tune compares; without a score, less than any."""
-    score = result.get("score")
-    return -1.0 if score is None else float(score["total"])
 
 
 def _attempt(folder: SweepFolder, trial: TrialFolder, report: Report) -> dict[str, Any]:
     """Train and score; errors of the training are the trial's result."""
     began = time.time()
-    facts = {"node": socket.gethostname(), "began": round(began, 3)}
     try:
         outcome = _train(folder, trial, report)
     except Exception as error:  # every library fails in its own way, and a sweep goes on without the trial
         trial.write_error(traceback.format_exc())
         outcome = {"state": "failed", "error": f"{type(error).__name__}: {error}"[:500]}
-    return {**facts, **outcome, "ended": round(time.time(), 3), "peak_memory_mb": _peak_memory()}
+    facts = {"node": socket.gethostname(), "began": round(began, 3), "ended": round(time.time(), 3)}
+    # The largest resident memory of this process, MB.
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (1e6 if sys.platform == "darwin" else 1e3)
+    return {**facts, **outcome, "peak_memory_mb": round(peak, 1)}
 
 
 def _train(folder: SweepFolder, trial: TrialFolder, report: Report) -> dict[str, Any]:
@@ -87,24 +90,18 @@ def _train(folder: SweepFolder, trial: TrialFolder, report: Report) -> dict[str,
     if settings is None:
         raise QuadrupedError(f"{trial.path}: has no settings; resume the sweep to write them")
     task_file = _task_file(config)
-    fields = {**settings["training"], "hidden": tuple(settings["training"]["hidden"])}
-    observer = RungObserver(trial, config, fields["timesteps"], report) if config.milestones() else None
+    fields = known(settings["training"])
+    if "hidden" in fields:
+        fields["hidden"] = tuple(fields["hidden"])
+    training = TrainConfig(**fields)
+    observer = RungObserver(trial, config, training.timesteps, report) if config.milestones() else None
     command = f"mini-quadruped sweep: trial {settings['number']} of {folder.path.name}"
     began = time.perf_counter()
-    directory, whole = train(
-        TrainConfig(**fields),
-        trial.path,
-        command,
-        task_file=task_file,
-        observer=observer,
-        threads=config.cores_per_trial,
-    )
+    threads = config.cores_per_trial
+    directory, whole = train(training, trial.path, command, task_file=task_file, observer=observer, threads=threads)
     trained = time.perf_counter() - began - (0.0 if observer is None else observer.seconds)
     if not whole:
         raise KeyboardInterrupt  # no result: the trial is trained again when the sweep is resumed
-    from quadruped_env.policies import load_policy
-    from quadruped_env.scale.sweep.scoring import final_score
-
     began = time.perf_counter()
     score = final_score(directory, config.score, command, task_file)
     return {
@@ -151,8 +148,6 @@ class RungObserver:
         """See `quadruped_env.training.train.Observer`."""
         if not self._left or timesteps < self._left[0][1]:
             return
-        from quadruped_env.scale.sweep.scoring import rung_score
-
         began = time.perf_counter()
         # A long rollout may pass several rungs: the policy is scored once, at the last of them.
         while self._left and timesteps >= self._left[0][1]:
@@ -165,12 +160,36 @@ class RungObserver:
         self.seconds += time.perf_counter() - began
 
 
-def _peak_memory() -> float:
-    """Largest resident memory of this process, MB."""
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return round(peak / (1e6 if sys.platform == "darwin" else 1e3), 1)
+def rung_score(policy: Policy) -> float:
+    """Score in [0, 1] of a policy during its training: mean of four parts of the quick suite, on flat ground."""
+    suite, contender = quick_suite(), Contender.of_policy(policy, "trial")
+    scores = (
+        command_map.score(command_map.run(suite.commands, contender)),
+        gait_measures.score(gait_measures.run(suite.gait, contender), suite.gait),
+        transients.score(transients.run(suite.transients, contender)),
+        pushes.score(pushes.run(suite.pushes, contender)),
+    )
+    return sum(scores) / len(scores)
 
 
-def cores() -> int:
-    """Number of cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+def final_score(run: Path, measure: str, command: str, task_file: Path | None = None) -> Mapping[str, Any] | None:
+    """Score of a complete run: `total` and `components`; its whole results are in `<run>/evaluation/suite.json`.
+
+    Args:
+        run: run directory.
+        measure: `quick` or `suite`; `none` gives None.
+        command: command line for the record.
+        task_file: the user's file of terms.
+
+    Raises:
+        QuadrupedError: if the suite cannot run the policy, or the results cannot be written.
+    """
+    if measure == "none":
+        return None
+    subject = find_subject(str(run), None, task_file)
+    result = run_suite(
+        Contender.of_policy(subject.policy, subject.name), quick_suite() if measure == "quick" else full_suite()
+    )
+    write_results(subject, result, command)
+    score: Mapping[str, Any] = result["score"]
+    return score

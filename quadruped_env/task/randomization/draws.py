@@ -6,13 +6,13 @@ hash chains SplitMix64's mixing function (Steele et al. 2014, https://doi.org/10
 
 import hashlib
 from collections.abc import Mapping
-from typing import Any, Final, Self
+from typing import Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.episode_memory import EpisodeMemory
-from quadruped_env.utils.arrays import NUMPY, Namespace, frozen
+from quadruped_env.control.episode_memory import EpisodeMemory, State
+from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 Keys = NDArray[np.uint64]
@@ -57,12 +57,12 @@ class Draws:
 
     Args:
         num_envs: number of envs, N.
-        xp: array functions.
+        like: an array of the kind to compute with; None: NumPy's.
     """
 
-    def __init__(self, num_envs: int, xp: Namespace = NUMPY) -> None:
+    def __init__(self, num_envs: int, like: Floats | None = None) -> None:
         # Not cleared at a reset, because it holds the number of the episode.
-        self._memory = EpisodeMemory(num_envs, xp)
+        self._memory = EpisodeMemory(num_envs, like)
         self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
         self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
         self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
@@ -77,24 +77,7 @@ class Draws:
         self._episode[env_ids] += np.uint64(1)
         self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
 
-    def key(self, env_ids: Any, step: NDArray[np.int64]) -> Keys:
-        """Keys (R,) from which all numbers of some envs at a step of their episodes follow.
-
-        Args:
-            env_ids: indices (R,), or a slice.
-            step: control step of each of these envs (R,).
-        """
-        return _at_step(self._episode_key[env_ids], step)
-
-    def key_at_start(self, env_ids: NDArray[np.intp]) -> Keys:
-        """Keys (R,) from which all numbers at the start of some envs' episodes follow."""
-        return self._episode_key[env_ids] + _GOLDEN
-
-    def key_of_next_start(self) -> Keys:
-        """The same for the episode after the present one in each env, (N,)."""
-        return _mix(self._key + (self._episode + np.uint64(1)) * _GOLDEN) + _GOLDEN
-
-    def uniform(self, purposes: Purposes, env_ids: Any, step: NDArray[np.int64]) -> Floats:
+    def uniform(self, purposes: Purposes, env_ids: NDArray[np.intp] | slice, step: NDArray[np.int64]) -> Floats:
         """Numbers in [0, 1) for some envs at a step of their episodes.
 
         Args:
@@ -105,26 +88,18 @@ class Draws:
         Returns:
             Numbers (R, number of columns).
         """
-        return uniform(purposes, self.key(env_ids, step))
+        key = self._episode_key[env_ids] + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN
+        mixed = _mix(_mix(key)[:, None] ^ purposes.constants)
+        # A double from the top 53 bits, as in NumPy's generators.
+        return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
 
-    def get_state(self, env_id: int) -> dict[str, Any]:
+    def get_state(self, env_id: int) -> State:
         """State from which the future draws of an env follow."""
         return self._memory.get_state(env_id)
 
-    def set_state(self, env_id: int, state: dict[str, Any]) -> None:
+    def set_state(self, env_id: int, state: State) -> None:
         """Restore a state from `get_state`."""
         self._memory.set_state(env_id, state)
-
-
-def uniform(purposes: Purposes, keys: Keys) -> Floats:
-    """Numbers in [0, 1) that follow from keys (R,): (R, number of columns)."""
-    mixed = _mix(_mix(keys)[:, None] ^ purposes.constants)
-    # A double from the top 53 bits, as in NumPy's generators.
-    return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
-
-
-def _at_step(episode_key: Keys, step: NDArray[Any]) -> Keys:
-    return episode_key + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN
 
 
 def _mix(z: Keys) -> Keys:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, Final, Literal, get_args
+from typing import Final, Literal, get_args
 
 import mujoco
 import numpy as np
@@ -13,7 +13,6 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.event import Apply, Event
-from quadruped_env.utils.arrays import NUMPY
 
 Floats = NDArray[np.float64]
 Mode = Literal["set", "scale", "divide", "add"]
@@ -95,7 +94,7 @@ class ModelField:
         except (AttributeError, KeyError) as error:
             raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
 
-    def changed(self, old: Floats, value: Any) -> Floats:
+    def changed(self, old: Floats, value: Floats | float) -> Floats:
         """New values (..., shape of the element) for old ones and a value that broadcasts to them."""
         if self.mode == "set":
             return value + 0.0 * old
@@ -135,7 +134,7 @@ class _BoundField:
     def __call__(self, event: Event, values: Floats) -> None:
         """Write values (R, 1), (R, E) for E elements, or (R, C) for C columns of one element."""
         field, simulation = self.model_field, self.simulation
-        rows: tuple[Any, ...] = (event.env_ids[:, None], self.ids[None, :])
+        rows: tuple[NDArray[np.intp] | int, ...] = (event.env_ids[:, None], self.ids[None, :])
         target = simulation.model_field(field.field)
         where = rows if field.column is None else (*rows, field.column)
         old = target[where] if event.at_start else field.part(simulation.compiled_field(field.field)[self.ids])[None]
@@ -182,13 +181,13 @@ class _BoundPayload:
         old, added = masses[where], values[:, 0]
         masses[where] = new = added + old
         inertias[where] = (new / old)[:, None] * inertias[where]
-        offsets, xp = event.payload_position, self.simulation.xp
+        offsets = event.payload_position
         off_centre = np.flatnonzero(np.any(offsets != 0.0, axis=-1) & (added > 0.0))
         if len(off_centre):
             at = event.env_ids[off_centre], self.base
             parts = (old[off_centre], added[off_centre], offsets[off_centre], inertias[at], axes[at])
-            shift, inertias[at], axes[at] = _joined(*(xp.numpy(part).astype(np.float64) for part in parts))
-            centres[at] += xp.asarray(shift)
+            shift, inertias[at], axes[at] = _joined(*(np.array(part.tolist()) for part in parts))
+            centres[at] += shift
 
 
 def _joined(
@@ -214,7 +213,7 @@ def _joined(
         mujoco.mju_quat2Mat(matrix, quaternion)
     # Neither `@` nor `np.linalg`: their results depend on the processor, by rounding.
     tensor = np.einsum("rij,rj,rkj->rik", turn, inertia, turn)
-    squared = NUMPY.dot(offset, offset)[:, None, None] * np.eye(3)
+    squared = (offset**2).sum(axis=-1)[:, None, None] * np.eye(3)
     tensor += (mass * added / total)[:, None, None] * (squared - offset[:, :, None] * offset[:, None, :])
     principal = np.empty(9)
     for moment, quaternion, matrix in zip(moments, turned, tensor.reshape(-1, 9), strict=True):
@@ -240,7 +239,10 @@ def check_physical(
         entry = part.mass(simulation) if isinstance(part, Payload) else part
         compiled = simulation.compiled_field(entry.field)
         low, high = bounds.setdefault(entry.field, (compiled.copy(), compiled.copy()))
-        rows: Any = (entry.ids(simulation), *(() if entry.column is None else (entry.column,)))
+        rows: tuple[NDArray[np.intp] | int, ...] = (
+            entry.ids(simulation),
+            *(() if entry.column is None else (entry.column,)),
+        )
         candidates = [entry.changed(values[rows], end) for values in (low, high) for end in ends]
         low[rows], high[rows] = np.minimum.reduce(candidates), np.maximum.reduce(candidates)
         # A body without mass, as the world is, stays so.

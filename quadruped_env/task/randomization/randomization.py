@@ -83,9 +83,6 @@ class Randomization:
     """For a randomization that repeats within an episode: the config's field for the interval in s, and its default."""
     duration: tuple[str, Range] | None = None
     """For one that lasts: the config's field for the duration in s, and its default. At its end, zeros are applied."""
-    pure: bool = False
-    """True if `apply` is a function that changes nothing but the event's `qpos`, `qvel` and `tilt`, and depends on
-    nothing but them and the values. The starts of several envs are then drawn ahead."""
     description: str = ""
     """Meaning of the values, for the docs."""
     source: str = ""
@@ -107,12 +104,6 @@ class Randomization:
         if self.duration is not None and self.interval is None:
             raise QuadrupedError(
                 f"randomization {self.name}: a duration needs an interval, after which the next one begins; found none"
-            )
-        is_function = not isinstance(self.apply, tuple) and not hasattr(self.apply, "bind")
-        if self.pure and (self.interval is not None or not is_function):
-            raise QuadrupedError(
-                f"randomization {self.name}: pure needs a function that applies at the start; found "
-                f"{'an interval' if is_function else short(self.apply)}"
             )
         setting = self.default
         if setting is None:

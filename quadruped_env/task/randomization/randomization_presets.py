@@ -1,12 +1,13 @@
 """Presets of the config's section `randomization`."""
 
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Final
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
+from quadruped_env.utils.plain import Plain
 
 PRESET: Final = "preset"
 """Field of the section that names a preset, next to the fields that change it."""
@@ -14,7 +15,7 @@ PRESET: Final = "preset"
 _EVERY_DIGIT: Final = 6
 """Significant digits of a range that is scaled to another robot."""
 
-PRESETS: Final[Mapping[str, Mapping[str, Any]]] = {
+PRESETS: Final[Mapping[str, Mapping[str, Plain]]] = {
     "none": {},
     "moderate": {
         "friction": (0.5, 1.1),
@@ -65,7 +66,7 @@ PRESETS: Final[Mapping[str, Mapping[str, Any]]] = {
 episode is random; with `none`, nothing else is."""
 
 
-def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Any]:
+def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plain]:
     """Values of a preset as plain values; masses, forces and lengths follow the robot's mass and height.
 
     Raises:
@@ -79,7 +80,7 @@ def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Any]
     return scaled_to(PRESETS[name], robot)
 
 
-def scaled_to(values: Mapping[str, Any], robot: Robot) -> dict[str, Any]:
+def scaled_to(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
     """Values of the section for the built-in robot as plain values for another one, whose mass and height they follow.
 
     Masses and forces are in proportion to the robot's mass, lengths to the height of its stance.
@@ -90,7 +91,7 @@ def scaled_to(values: Mapping[str, Any], robot: Robot) -> dict[str, Any]:
     return {field: _scaled(value, factors.get(units.get(field, ""), 1.0)) for field, value in values.items()}
 
 
-def with_preset(values: Any, robot: Robot) -> Any:
+def with_preset(values: Plain, robot: Robot) -> Plain:
     """Values of the section with the preset in place that they name, by itself or in the field `preset`.
 
     Raises:
@@ -104,7 +105,7 @@ def with_preset(values: Any, robot: Robot) -> Any:
     return values
 
 
-def _scaled(value: Any, factor: float) -> Any:
+def _scaled(value: Plain, factor: float) -> Plain:
     if isinstance(value, tuple):
         return [_scaled(end, factor) for end in value]
     return value if factor == 1.0 else float(f"{value * factor:.{_EVERY_DIGIT}g}")

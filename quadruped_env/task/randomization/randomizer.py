@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.simulation import Simulation
-from quadruped_env.task.ahead import Ahead, Values
 from quadruped_env.task.command_sampling import CommandSampler
-from quadruped_env.task.randomization.draws import Draws, Keys, Purposes, uniform
+from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.model_fields import ModelField, Payload, check_physical
 from quadruped_env.task.randomization.randomization import (
@@ -46,18 +45,16 @@ class Randomizer:
 
     def __init__(self, simulation: Simulation, control: ControlInterface, draws: Draws, config: TaskConfig) -> None:
         self._simulation, self._control, self._draws = simulation, control, draws
-        self._xp = simulation.xp
         self._config = config
         active = [r for r in config.definition.randomizations if is_active(config.randomization[r.name])]
         starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
         self.sensors = _sensors(simulation, config, active)
         """Errors of the sensors; None if they have none."""
         self._check(starting)
-        self.memory = EpisodeMemory(control.num_envs, simulation.xp)
+        self.memory = EpisodeMemory(control.num_envs, control.phase)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
         """Control step of the episode at which the next command is drawn, (N,)."""
         self._commands = CommandSampler(config.definition.commands, config.command)
-        self._next_commands = Ahead(self._drawn_commands, control.num_envs, self._xp)
         self._recurring = []
         for r in recurring:
             assert r.interval is not None
@@ -84,7 +81,7 @@ class Randomizer:
         # A draw is a hash of its column, so that leaving some out does not change the others.
         self._noise = Purposes({"observation_noise": layout.width})
         self._noise.constants = frozen(self._noise.constants[self._noisy])
-        self._noise_values = self._xp.zeros((control.num_envs, layout.width))
+        self._noise_values = np.zeros((control.num_envs, layout.width), like=control.phase)
 
     def _bound(self, randomization: Randomization) -> Active:
         return Active.of(randomization, self._config.randomization[randomization.name], self._simulation)
@@ -108,11 +105,9 @@ class Randomizer:
     @straight_only.setter
     def straight_only(self, straight_only: bool) -> None:
         self._commands.straight_only = straight_only
-        self._next_commands.forget()
-        self._starts.forget()
 
-    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> Floats:
-        """Set some envs (R,) to random initial states, and return their commands (R, C).
+    def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> None:
+        """Set some envs (R,) to random initial states.
 
         Args:
             env_ids: indices of the envs.
@@ -133,26 +128,14 @@ class Randomizer:
         for i, entry in enumerate(self._recurring):
             entry.due[env_ids] = start.waits[:, i]
         self.command_due[env_ids] = start.waits[:, -1]
-        if command is None:
-            command = start.command
-        self._control.reset(env_ids, start.phase, command)
-        return command
+        self._control.reset(env_ids, start.phase, start.command if command is None else command)
 
     def next_command(self, env_ids: EnvIds) -> Floats:
         """New commands (R, C) for some envs (R,) in the middle of their episodes."""
         steps = self._control.steps[env_ids]
-        keys = self._draws.key(env_ids, steps)
-        command, wait = self._next_commands.of(env_ids, keys, self._keys_of_next_commands)
-        self.command_due[env_ids] = steps + wait
+        command, seconds = self._commands.sample(self._draws.uniform(self._commands.purposes, env_ids, steps))
+        self.command_due[env_ids] = steps + in_steps(seconds, self._config.control_timestep)
         return command
-
-    def _keys_of_next_commands(self) -> Keys:
-        return self._draws.key(slice(None), self.command_due)
-
-    def _drawn_commands(self, env_ids: EnvIds, keys: Keys) -> Values:
-        """Commands (R, C), and steps until the next ones (R,)."""
-        command, seconds = self._commands.sample(uniform(self._commands.purposes, keys))
-        return command, in_steps(seconds, self._config.control_timestep)
 
     def within_episodes(self, running: EnvIds | None) -> None:
         """Apply the randomizations that are due at this control step, in all envs or some (R,)."""

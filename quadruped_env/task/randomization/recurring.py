@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_config import Range
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.simulation import Simulation
-from quadruped_env.task.ahead import Ahead, Values
-from quadruped_env.task.randomization.draws import Draws, Keys, Purposes, uniform
+from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.randomization import Active, between, in_steps
 
@@ -42,7 +41,7 @@ class Recurring:
     ) -> None:
         self.name, self.interval = active.name, interval
         self._active, self._duration, self._timestep, self._draws = active, duration, timestep, draws
-        self._xp, robot = simulation.xp, simulation.robot
+        robot = simulation.robot
         self._columns = active.randomization.columns(robot)
         lasting = {} if duration is None else {f"{self.name}/duration": 1}
         self._purposes = Purposes({self.name: active.randomization.draws(robot), f"{self.name}/interval": 1, **lasting})
@@ -50,7 +49,6 @@ class Recurring:
         """Control step at which it applies next, (N,)."""
         self._until: Steps = memory.zeros(f"{self.name}_until", dtype=np.int64)
         """Control step at which what was applied ends; 0 if nothing lasts, (N,)."""
-        self._ahead = Ahead(self._drawn, simulation.num_envs, self._xp)
 
     def apply(self, steps: Steps, running: EnvIds | None, event: Callable[[EnvIds], Event]) -> None:
         """Apply what is due, and end what has lasted.
@@ -64,28 +62,17 @@ class Recurring:
             env_ids = _among(np.flatnonzero((self._until > 0) & (steps >= self._until)), running)
             if len(env_ids):
                 self._until[env_ids] = 0
-                self._active.apply(event(env_ids), self._xp.zeros((len(env_ids), self._columns)))
+                self._active.apply(event(env_ids), np.zeros((len(env_ids), self._columns), like=env_ids))
         env_ids = _among(np.flatnonzero(steps >= self.due), running)
         if len(env_ids):
-            keys = self._draws.key(env_ids, steps[env_ids])
-            values, wait, duration = self._ahead.of(env_ids, keys, self._expected)
-            self.due[env_ids] += wait
+            now, columns = steps[env_ids], self._purposes.slices
+            draws = self._draws.uniform(self._purposes, env_ids, now)
+            wait = between(self.interval, draws[:, columns[f"{self.name}/interval"].start])
+            self.due[env_ids] += in_steps(wait, self._timestep)
             if self._duration is not None:
-                self._until[env_ids] = steps[env_ids] + duration
-            self._active.apply(event(env_ids), values)
-
-    def _expected(self) -> Keys:
-        return self._draws.key(slice(None), self.due)
-
-    def _drawn(self, env_ids: EnvIds, keys: Keys) -> Values:
-        """Values (R, width), steps until the next ones (R,), and steps after which these end (R,)."""
-        draws, columns = uniform(self._purposes, keys), self._purposes.slices
-        wait = between(self.interval, draws[:, columns[f"{self.name}/interval"].start])
-        lasting = wait
-        if self._duration is not None:
-            lasting = between(self._duration, draws[:, columns[f"{self.name}/duration"].start])
-        values = self._active.values(draws[:, columns[self.name]])
-        return values, in_steps(wait, self._timestep), in_steps(lasting, self._timestep)
+                lasting = between(self._duration, draws[:, columns[f"{self.name}/duration"].start])
+                self._until[env_ids] = now + in_steps(lasting, self._timestep)
+            self._active.apply(event(env_ids), self._active.values(draws[:, columns[self.name]]))
 
 
 def _among(env_ids: EnvIds, running: EnvIds | None) -> EnvIds:

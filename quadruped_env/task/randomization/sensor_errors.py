@@ -7,7 +7,7 @@ terminations, `info` and recordings use the true readings.
 import dataclasses
 import math
 from collections.abc import Mapping
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,7 +57,7 @@ class Sensors:
         n = simulation.num_envs
         self._simulation, self._timestep = simulation, timestep
         self._randomized = frozenset(largest)
-        self.memory = EpisodeMemory(n, simulation.xp)
+        self.memory = EpisodeMemory(n, simulation.sensordata)
         self.encoder_offset: Floats = self.memory.zeros("encoder_offset", simulation.robot.num_joints)
         """Reading of each joint's encoder minus the joint's position, (N, J), rad."""
         self.imu_mounting: Floats = self.memory.zeros("imu_mounting", 3)
@@ -75,8 +75,8 @@ class Sensors:
         ends = np.cumsum([simulation.sensordata[:, simulation.sensor_columns[name]].shape[1] for name in MEASURED])
         self._columns = [slice(start, end) for start, end in zip([0, *ends[:-1]], ends, strict=True)]
         self._ring: Floats = self.memory.zeros("readings", self._depth, int(ends[-1]))
-        self._rows = simulation.xp.arange(n) * self._depth
-        self._measured, self._older = simulation.xp.zeros((2, n, int(ends[-1])))
+        self._rows = np.arange(n, like=simulation.sensordata) * self._depth
+        self._measured, self._older = np.zeros((2, n, int(ends[-1])), like=simulation.sensordata)
         self._bind()
 
     def _bind(self) -> None:
@@ -84,11 +84,11 @@ class Sensors:
         self._true = [getattr(self._simulation.readings, name) for name in MEASURED]
         self._readings = dataclasses.replace(self._simulation.readings, **own)
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         # The readings are views, and unpickling would turn them into copies.
         return {name: value for name, value in self.__dict__.items() if name not in ("_readings", "_true")}
 
-    def __setstate__(self, state: dict[str, Any]) -> None:
+    def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
         self._bind()
 
@@ -138,7 +138,7 @@ class Sensors:
             np.add(newer, older, newer)
             for name in _UNIT_VECTORS:
                 vector = getattr(self._readings, name)
-                unit = vector / np.sqrt(self._simulation.xp.dot(vector, vector))[:, None]
+                unit = vector / np.sqrt((vector**2).sum(axis=-1))[:, None]
                 np.copyto(vector, unit, where=self._share > 0.0)
         readings = self._readings
         if "encoder_offset" in self._randomized:

@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import Range
 from quadruped_env.simulation import Simulation, highest_ground
-from quadruped_env.task.ahead import Ahead
 from quadruped_env.task.command_sampling import CommandSampler
-from quadruped_env.task.randomization.draws import Draws, Keys, Purposes, uniform
+from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.randomization import Active, between, in_steps
 from quadruped_env.task.randomization.sensor_errors import Sensors
@@ -41,7 +40,7 @@ class Start(NamedTuple):
 
 
 class Starts:
-    """Draws the starts of N envs' episodes; ahead, if all their randomizations are pure.
+    """Draws the starts of N envs' episodes.
 
     Args:
         simulation: simulation of N robots.
@@ -77,12 +76,6 @@ class Starts:
         self._command_columns = slice(columns["command/kind"].start, columns["command/interval"].stop)
         moved = {"start_joint_position", "start_tilt"}
         self._height = robot.stance_height + (_CLEARANCE if any(r.name in moved for r in randomizations) else 0.0)
-        self._pure = all(r.randomization.pure for r in randomizations)
-        self._ahead = Ahead(self._drawn, simulation.num_envs, simulation.xp)
-
-    def forget(self) -> None:
-        """Draw again what has been drawn ahead."""
-        self._ahead.forget()
 
     def of(self, env_ids: EnvIds, place: Floats | None = None) -> Start:
         """Starts of the present episodes of some envs (R,).
@@ -91,22 +84,15 @@ class Starts:
             env_ids: indices of the envs.
             place: position (R, 2) of each start, m; None: the origin.
         """
-        keys = self._draws.key_at_start(env_ids)
-        if place is not None or not self._pure:
-            return self._drawn(env_ids, keys, place)
-        return Start(*self._ahead.of(env_ids, keys, self._draws.key_of_next_start))
-
-    def _drawn(self, env_ids: EnvIds, keys: Keys, place: Floats | None = None) -> Start:
-        """Starts of some envs (R,) that follow from keys (R,)."""
-        xp, robot, rows = self._simulation.xp, self._simulation.robot, len(env_ids)
-        draws = uniform(self._purposes, keys)
+        robot, rows = self._simulation.robot, len(env_ids)
+        draws = self._draws.uniform(self._purposes, env_ids, np.zeros_like(env_ids))
         event = Event(
             self._simulation,
             robot,
             env_ids,
-            qpos=xp.zeros((rows, robot.num_positions)),
-            qvel=xp.zeros((rows, robot.num_velocities)),
-            tilt=xp.zeros((rows, 3)),
+            qpos=np.zeros((rows, robot.num_positions), like=draws),
+            qvel=np.zeros((rows, robot.num_velocities), like=draws),
+            tilt=np.zeros((rows, 3), like=draws),
             sensors=self._sensors,
         )
         event.qpos[:, 2] = self._height
@@ -118,7 +104,7 @@ class Starts:
         event.qpos[:, 2] += highest_ground(self._simulation, event.qpos[:, :2])
         event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
         command, until_next = self._commands.sample(draws[:, self._command_columns])
-        waits = xp.zeros((rows, len(self._intervals) + 1))
+        waits = np.zeros((rows, len(self._intervals) + 1), like=draws)
         for i, (interval, column) in enumerate(zip(self._intervals, self._interval_columns, strict=True)):
             waits[:, i] = between(interval, draws[:, column])
         waits[:, -1] = until_next

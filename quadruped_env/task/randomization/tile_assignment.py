@@ -4,14 +4,14 @@ The curriculum follows Rudin et al. 2021, "Learning to Walk in Minutes Using Mas
 Learning", https://arxiv.org/abs/2109.11978, section 2.3. It depends only on an env's own seed and history.
 """
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.simulation.tiles import TILE, Tiles
+from quadruped_env.simulation.terrain import TILE, Tiles
 from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.draws import Draws, Purposes
@@ -120,7 +120,7 @@ class TileAssignment:
         running: EnvIds | None,
     ) -> None:
         """Account for a control step, in all envs or some (R,), before their commands change."""
-        env_ids: Any = slice(None) if running is None else running
+        env_ids = slice(None) if running is None else running
         valid = ~diverged[env_ids]
         command = context.command[env_ids, 0]
         # A simulation that diverged was reset, or holds NaN.
@@ -158,6 +158,6 @@ class TileAssignment:
         demoted = ~promoted & counts & (walked < self._section.demote_share * commanded)
         return promoted.astype(np.int64) - demoted.astype(np.int64)
 
-    def _centre_of(self, env_ids: Any) -> Floats:
+    def _centre_of(self, env_ids: EnvIds | slice) -> Floats:
         # Before the first episode the level is 0.
         return self._centres[self.kind[env_ids], np.maximum(self.level[env_ids] - 1, 0)]

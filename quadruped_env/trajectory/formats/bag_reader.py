@@ -11,13 +11,14 @@ from pathlib import Path, PurePath
 from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.joint_state_bytes import Decoder, RawJointState, decode_ros1
+from quadruped_env.ros.robot_messages import RawJointState, read_joint_state, read_ros1_joint_state
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import salvage
 from quadruped_env.trajectory.formats.echo_text import yaml_module
 from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.formats.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
+from quadruped_env.trajectory.formats.salvage.sqlite3_scanner import unapplied
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import MAX_DEPTH
 
@@ -36,22 +37,22 @@ def read_rosbag2(reading: Reading) -> Iterator[Rows]:
         QuadrupedError: if the bag is damaged.
         MissingExtraError: if rosbags is not installed.
     """
-    return _rows(reading, DIRECTORY, Decoder())
+    return _rows(reading, DIRECTORY, read_joint_state)
 
 
 def read_mcap(reading: Reading) -> Iterator[Rows]:
     """The joint states of a bare MCAP file; see `read_rosbag2`."""
-    return _rows(reading, MCAP, Decoder())
+    return _rows(reading, MCAP, read_joint_state)
 
 
 def read_sqlite3(reading: Reading) -> Iterator[Rows]:
     """The joint states of a bare sqlite3 file; see `read_rosbag2`."""
-    return _rows(reading, SQLITE3, Decoder())
+    return _rows(reading, SQLITE3, read_joint_state)
 
 
 def read_ros1(reading: Reading) -> Iterator[Rows]:
     """The joint states of a ROS 1 bag; see `read_rosbag2`."""
-    return _rows(reading, ROS1, decode_ros1)
+    return _rows(reading, ROS1, read_ros1_joint_state)
 
 
 def _rows(reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]) -> Iterator[Rows]:
@@ -64,7 +65,7 @@ def _messages(
     """Number in the bag, and message."""
     reading.row_name = "message"
     number = 0
-    payloads = salvage.messages if reading.options.salvage else _indexed
+    payloads = salvage.messages if reading.options.salvage and storage != ROS1 else _indexed
     for found in payloads(reading, storage):
         try:
             state = decode(_plain(found.data))
@@ -96,7 +97,7 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
             connections = [connection for connection in reader.connections if connection.topic == topic]
             for connection in connections:
                 _check_connection(connection, reading)
-            total = reading.expected_rows = sum(connection.msgcount for connection in connections)
+            total = sum(connection.msgcount for connection in connections)
             found = 0
             for _, time, data in reader.messages(connections):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):
@@ -112,12 +113,14 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
     # On damaged bytes rosbags raises errors of many types, which are not documented.
     except Exception as error:
         reason = " ".join(str(error).split()).rstrip(".") or type(error).__name__
-        place = "" if found is not None else salvage.first_damage(reading, storage)
-        reason = f"{reason} ({place})" if place else reason
+        if storage == ROS1:
+            fix = f"repair it with ROS 1 (rosbag reindex {reading.name}), and read it again"
+        else:
+            fix = "keep what can be read (--salvage)"
+            place = "" if found is not None else salvage.first_damage(reading, storage)
+            reason = f"{reason} ({place})" if place else reason
         raise reading.error(
-            found,
-            f"the bag is damaged, cut off, or was not closed: {reason}; keep what can be read (--salvage), or record "
-            f"again",
+            found, f"the bag is damaged, cut off, or was not closed: {reason}; {fix}, or record again"
         ) from error
 
 
@@ -131,6 +134,9 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
     # By the content of the file; rosbags goes by its name.
     if storage == DIRECTORY:
         _check_metadata(path / METADATA_FILE)
+    for file in salvage.storage_files(path) if storage == DIRECTORY else [path]:
+        if rest := unapplied(file):
+            raise ValueError(f"{rest.name} holds changes that are not in {file.name} yet")
     reader = Reader1(path) if storage == ROS1 else Reader2.STORAGE_PLUGINS[storage](path)
     reader.open()
     stack.callback(reader.close)

@@ -13,7 +13,7 @@ import shutil
 import sqlite3
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from heapq import merge
 from pathlib import Path
 from typing import Any, Final
 from zlib import crc32
@@ -24,8 +24,8 @@ from numpy.typing import NDArray
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.robot import Robot
 from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, Qos, cdr
-from quadruped_env.ros.joint_state_bytes import Encoder
-from quadruped_env.ros.tf import TfEncoder, tf_encoder, tf_numbers
+from quadruped_env.ros.message_types import typestore
+from quadruped_env.ros.robot_messages import joint_state, transform_messages
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats.salvage.records import zstd
 from quadruped_env.trajectory.interpolation import interpolate
@@ -43,31 +43,18 @@ _CHUNK_CRC_AT: Final = 9 + 24
 """Offset of the checksum in a chunk of MCAP, in bytes."""
 
 
-@dataclass(frozen=True)
-class BagOptions:
-    """Options for writing a bag."""
-
-    storage: str = "mcap"
-    tf_rate: float = TF_RATE
-    """Rate of /tf in Hz, at multiples of its period; 0 writes no /tf"""
-    compress: bool = False
-    """Compress with zstd; readers of sqlite3 then need rosbag2_compression_zstd"""
-
-    def __post_init__(self) -> None:
-        if self.storage not in STORAGES:
-            raise QuadrupedError(f"storage: expected one of {', '.join(STORAGES)}; found {self.storage!r}")
-        if not 0.0 <= self.tf_rate <= 1e6:
-            raise QuadrupedError(f"tf_rate: expected 0 to 1e6 Hz; found {self.tf_rate!r}")
-
-
-def write(pieces: Iterable[Rows], path: Path, robot: Robot, options: BagOptions, overwrite: bool) -> None:
+def write(
+    pieces: Iterable[Rows], path: Path, robot: Robot, storage: str, tf_rate: float, compress: bool, overwrite: bool
+) -> None:
     """Write a bag, in full or not at all: a directory, or one bare storage file if the path ends in its suffix.
 
     Args:
         pieces: rows to write.
         path: path of the bag.
         robot: robot that the bag describes, if the rows have its joints.
-        options: options for writing.
+        storage: one of `STORAGES`.
+        tf_rate: rate of /tf in Hz, at multiples of its period; 0 writes no /tf.
+        compress: compress with zstd; readers of sqlite3 then need rosbag2_compression_zstd.
         overwrite: True to replace an existing bag.
 
     Raises:
@@ -75,12 +62,12 @@ def write(pieces: Iterable[Rows], path: Path, robot: Robot, options: BagOptions,
         MissingExtraError: if rosbags is not installed.
     """
     check_target(path, overwrite)
-    bare = path.suffix == STORAGES[options.storage]
+    bare = path.suffix == STORAGES[storage]
     with whole(path) as part:
         bag = part.with_suffix("") if bare else part
         try:
-            with open_bag(bag, options) as writer:
-                _write_messages(pieces, writer, robot, options)
+            with open_bag(bag, storage, compress) as writer:
+                _write_messages(pieces, writer, robot, tf_rate)
         except sqlite3.Error as error:
             raise unwritable(path, error) from error
         if bare:
@@ -99,7 +86,7 @@ def check_target(path: Path, overwrite: bool) -> None:
 
 
 @contextmanager
-def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
+def open_bag(bag: Path, storage: str, compress: bool = False) -> Iterator[Any]:
     """A writer of rosbags for a new bag; `connect` adds topics.
 
     Chunks of MCAP and compressed files get checksums: without them, damage would be read as numbers.
@@ -131,9 +118,9 @@ def open_bag(bag: Path, options: BagOptions) -> Iterator[Any]:
                 for file in self.path.glob("*.zstd"):
                     _compress_with_checksum(file)
 
-    plugin = StoragePlugin[options.storage.upper()]
+    plugin = StoragePlugin[storage.upper()]
     writer = ChecksummedWriter(bag, version=METADATA_VERSION, storage_plugin=plugin)
-    if options.compress:
+    if compress:
         mode = CompressionMode.STORAGE if plugin is StoragePlugin.MCAP else CompressionMode.FILE
         writer.set_compression(mode, CompressionFormat.ZSTD)
     with writer:
@@ -156,52 +143,40 @@ def _compress_with_checksum(file: Path) -> None:
     part.replace(file)
 
 
-def _write_messages(pieces: Iterable[Rows], writer: Any, robot: Robot, options: BagOptions) -> None:
-    encode: Encoder | None = None
+def _write_messages(pieces: Iterable[Rows], writer: Any, robot: Robot, tf_rate: float) -> None:
     joints, tf = None, None
     for piece in pieces:
-        if encode is None:
-            encode = Encoder(piece.names)
+        if joints is None:
             joints = connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
             if set(robot.joint_names) <= set(piece.names):
-                tf = _TfWriter(writer, robot, options.tf_rate, int(piece.stamps[0]))
-        until = 0
-        transforms = iter(()) if tf is None else tf.messages(piece)
-        following = next(transforms, None)
-        width = 8 * len(piece.names)
-        arrays = [
-            piece.values[kind].astype("<f8", copy=False).tobytes() if kind in piece.values else b"" for kind in KINDS
-        ]
-        for row, stamp in enumerate(piece.stamps.tolist()):
-            while tf is not None and following is not None and following[0] < stamp:
-                tf.write(*following)
-                following = next(transforms, None)
-            until = (row + 1) * width
-            writer.write(joints, stamp, encode(stamp, *(data[until - width : until] for data in arrays)))
-        while tf is not None and following is not None:
-            tf.write(*following)
-            following = next(transforms, None)
+                tf = _TfWriter(writer, robot, tf_rate, int(piece.stamps[0]))
+        arrays = [piece.values.get(kind, np.empty((len(piece), 0))) for kind in KINDS]
+        states = (
+            (stamp, 1, joints, joint_state(stamp, piece.names, *(array[row] for array in arrays)))
+            for row, stamp in enumerate(piece.stamps.tolist())
+        )
+        # Of equal timestamps, the joint state comes first.
+        transforms = iter(()) if tf is None else ((stamp, 2, tf.topic, data) for stamp, data in tf.messages(piece))
+        for stamp, _, topic, data in merge(states, transforms, key=lambda message: message[:2]):
+            writer.write(topic, stamp, data)
 
 
 class _TfWriter:
     """Writes the robot's description and transforms next to its joint states."""
 
     def __init__(self, writer: Any, robot: Robot, rate: float, start: int) -> None:
-        self._writer = writer
         self._robot = robot
         self._period = round(NS_PER_SECOND / rate) if rate else 0
         self._last: tuple[int, NDArray[np.float64]] | None = None
-        self._encode: TfEncoder | None = None
         description = connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
         writer.write(description, start, cdr.serialize(cdr.message("std_msgs/msg/String", data=robot.urdf)))
-        fixed = robot.fixed_transforms()
-        message = tf_encoder(fixed)(start, tf_numbers(fixed, 1)[0])
+        message = next(transform_messages([start], robot.fixed_transforms()))
         writer.write(connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), start, message)
-        self._topic = connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
+        self.topic = connect(writer, "/tf", "tf2_msgs/msg/TFMessage", TF_QOS) if rate else None
 
     def messages(self, piece: Rows) -> Iterator[tuple[int, bytes]]:
         """Timestamp and bytes of the messages due up to the end of a piece."""
-        if self._topic is None:
+        if self.topic is None:
             return
         base = piece.base_pose
         columns = [piece.names.index(name) for name in self._robot.joint_names]
@@ -225,13 +200,7 @@ class _TfWriter:
         if poses is not None:
             poses[:, 3:] /= np.linalg.norm(poses[:, 3:], axis=1, keepdims=True)
         transforms = self._robot.joint_transforms(joints, poses)
-        self._encode = self._encode or tf_encoder(transforms)
-        for stamp, numbers in zip(due.tolist(), tf_numbers(transforms, len(due)), strict=True):
-            yield stamp, self._encode(stamp, numbers)
-
-    def write(self, stamp: int, data: bytes) -> None:
-        """Write one message of `/tf`."""
-        self._writer.write(self._topic, stamp, data)
+        yield from zip(due.tolist(), transform_messages(due.tolist(), transforms), strict=True)
 
 
 def _continuous(rows: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -260,4 +229,4 @@ def connect(writer: Any, topic: str, message_type: str, qos: Qos) -> Any:
         unlimited,
         False,
     )
-    return writer.add_connection(topic, message_type, typestore=cdr.typestore(), offered_qos_profiles=[profile])
+    return writer.add_connection(topic, message_type, typestore=typestore(), offered_qos_profiles=[profile])

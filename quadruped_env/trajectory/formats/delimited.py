@@ -43,9 +43,6 @@ class Layout:
     blanks: tuple[str, ...] = ()
     """Texts that mark a missing value"""
 
-    def __post_init__(self) -> None:
-        assert all(len(columns) == len(self.names) for columns in self.columns.values())
-
 
 @contextmanager
 def opened(reading: Reading) -> Iterator[TextIO]:
@@ -77,9 +74,6 @@ def lines(file: TextIO, reading: Reading, first: int) -> Iterator[str]:
                 f"off; delete the line, or end it if it is complete"
             )
         done += len(line)
-        if number == first:
-            # An upper estimate: lines differ in length, and memory that is never used costs nothing.
-            reading.expected_rows = 2 * size // len(line)
         if number % 1000 == 0:
             reading.report_progress(done / size)
         yield line
@@ -170,6 +164,15 @@ def parse_number(text: str) -> float:
     if "_" in text or not text.isascii():
         raise ValueError(text)
     return float(text)
+
+
+def is_number(text: str) -> bool:
+    """True if `parse_number` reads a text."""
+    try:
+        parse_number(text)
+    except ValueError:
+        return False
+    return True
 
 
 def parse_whole(text: str) -> int:

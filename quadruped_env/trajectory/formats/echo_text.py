@@ -10,16 +10,17 @@ and an empty array is one empty field. Both shorten arrays of over 128 numbers t
 """
 
 import re
-from array import array
 from collections.abc import Iterator
 from itertools import takewhile
 from typing import Any, Final
 
+import numpy as np
+
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.joint_state_bytes import RawJointState
+from quadruped_env.ros.robot_messages import RawJointState
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats.delimited import lines, opened, parse_number
+from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.rows import KINDS, Rows
 
@@ -53,11 +54,7 @@ def read_yaml(reading: Reading) -> Iterator[Rows]:
 
 
 def read_csv(reading: Reading) -> Iterator[Rows]:
-    """The messages of `--csv` text, not validated.
-
-    Raises:
-        QuadrupedError: if the file is missing or damaged.
-    """
+    """The messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
     return assembled(_csv_messages(reading), reading, is_text=True)
 
 
@@ -177,7 +174,9 @@ def _state(node: Node | None) -> RawJointState:
     header = _mapping(fields["header"], ("stamp", "frame_id"), "header")
     stamp = _mapping(header["stamp"], ("sec", "nanosec"), "header.stamp")
     names = tuple(_scalar(item, "name") for item in _sequence(fields["name"], "name"))
-    numbers = [array("d", [_number(item, kind) for item in _sequence(fields[kind], kind)]) for kind in KINDS]
+    numbers = [
+        np.array([_number(item, kind) for item in _sequence(fields[kind], kind)], dtype=np.float64) for kind in KINDS
+    ]
     return RawJointState(_stamp(_scalar(stamp["sec"], "sec"), _scalar(stamp["nanosec"], "nanosec")), names, *numbers)
 
 
@@ -228,7 +227,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
     if len(cells) < 7:
         raise ValueError(f"{len(cells)} fields are too few; {_FORM} --csv")
     stamp = _stamp(cells[0], cells[1])
-    names = list(takewhile(lambda cell: cell and not _is_number(cell), cells[3:]))
+    names = list(takewhile(lambda cell: cell and not is_number(cell), cells[3:]))
     rest = cells[3 + max(len(names), 1) :]
     count = len(names) or len(given or ())
     if not names and cells[3]:
@@ -242,7 +241,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
             group, rest = rest[:count], rest[count:]
             if len(group) < count:
                 raise ValueError(f"{count} joints and {len(group)} numbers for {kind}")
-        numbers.append(array("d", [_cell_number(cell, kind) for cell in group]))
+        numbers.append(np.array([_cell_number(cell, kind) for cell in group], dtype=np.float64))
     if rest:
         raise ValueError(f"there are {len(rest)} fields more than {count} joints need")
     return RawJointState(stamp, tuple(names), *numbers)
@@ -262,11 +261,3 @@ def _cell_number(text: str, what: str) -> float:
         return parse_number(text)
     except ValueError:
         raise ValueError(f"{what}: {short(text)} is not a number") from None
-
-
-def _is_number(text: str) -> bool:
-    try:
-        parse_number(text)
-    except ValueError:
-        return False
-    return True

@@ -14,9 +14,9 @@ from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import (
     Layout,
     StampParser,
+    is_number,
     lines,
     opened,
-    parse_number,
     salvaged_text,
     table_rows,
 )
@@ -92,9 +92,7 @@ def _layout(titles: list[str], columns: ColumnMap, reading: Reading) -> Layout:
             problem = f"{'no column' if column not in titles else 'two columns'} {short(column)}, which {columns.name}"
             found = ", ".join(map(_shown, titles[:_MAX_SHOWN])) + (", ..." if len(titles) > _MAX_SHOWN else "")
             fix = "; if it is a row already, name the columns in the map (header = [...])"
-            raise reading.error(
-                1, f"{problem} {key} names; found {found}{fix if all(map(_looks_like_a_number, titles)) else ''}"
-            )
+            raise reading.error(1, f"{problem} {key} names; found {found}{fix if all(map(is_number, titles)) else ''}")
         return titles.index(column)
 
     return Layout(
@@ -126,14 +124,6 @@ def _stamp_parser(power: int) -> StampParser:
         return round(time)
 
     return parse
-
-
-def _looks_like_a_number(text: str) -> bool:
-    try:
-        parse_number(text)
-    except ValueError:
-        return False
-    return True
 
 
 def _shown(title: str) -> str:

@@ -1,14 +1,14 @@
 """From single messages to rows: the same joints in the same order, and arrays of the right length."""
 
-import math
 from array import array
 from collections.abc import Iterator
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.errors import short
-from quadruped_env.ros.joint_state_bytes import RawJointState
+from quadruped_env.ros.robot_messages import RawJointState
 from quadruped_env.trajectory.file_reading import Reading, salvaged
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows
 
@@ -63,7 +63,7 @@ class _Builder:
     def add(self, number: int, state: RawJointState) -> str | None:
         """Add a message. Returns None, or the problem for which it was not added."""
         names = state.names
-        if not state.position and state.effort:
+        if not len(state.position) and len(state.effort):
             return TORQUE_ONLY
         if names not in self._orders:
             problem = self._add_names(names, len(state.position))
@@ -75,11 +75,11 @@ class _Builder:
             return f"{count} names and {len(state.position)} positions"
         values = {"position": state.position, "velocity": _known(state.velocity), "effort": state.effort}
         for kind in self._reading.options.ignore:
-            values[kind] = array("d")
+            values[kind] = np.empty(0)
         for kind, found in values.items():
             if len(found) not in {0, count}:
                 return f"{count} names and {len(found)} {'velocities' if kind == 'velocity' else 'efforts'}"
-        kinds = tuple(kind for kind, found in values.items() if found)
+        kinds = tuple(kind for kind, found in values.items() if len(found))
         if not self._kinds:
             self._kinds = kinds
             self._clear()
@@ -89,7 +89,7 @@ class _Builder:
             return f"it {there} the {odd} that the messages before it {before}"
         for kind in kinds:
             found = values[kind]
-            self._values[kind].extend(found if order is None else array("d", [found[i] for i in order]))
+            self._values[kind].frombytes((found if order is None else found[order]).tobytes())
         self._numbers.append(number)
         self._stamps.append(state.stamp)
         return None
@@ -123,8 +123,6 @@ class _Builder:
         return rows
 
 
-def _known(values: "array[float]") -> "array[float]":
+def _known(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """The numbers, or an empty array if all are NaN, which some publishers send for velocities they do not measure."""
-    if values and math.isnan(values[0]) and all(map(math.isnan, values)):
-        return array("d")
-    return values
+    return np.empty(0) if len(values) and np.isnan(values).all() else values

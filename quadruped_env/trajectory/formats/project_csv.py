@@ -21,7 +21,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import Layout, lines, opened, parse_whole, salvaged_text, table_rows
 from quadruped_env.trajectory.rows import KINDS, TORQUE_ONLY, Rows
-from quadruped_env.utils.files import whole
+from quadruped_env.utils.files import check_free, whole
 from quadruped_env.utils.progress import Progress
 
 STAMP_COLUMN: Final = "stamp_ns"
@@ -33,11 +33,7 @@ _ROWS_PER_WRITE: Final = 1000
 
 
 def read(reading: Reading) -> Iterator[Rows]:
-    """The rows of a file, not validated.
-
-    Raises:
-        QuadrupedError: if the file is missing or damaged.
-    """
+    """The rows of a file, not validated. Raises a QuadrupedError if the file is missing or damaged."""
     return salvaged_text(_rows(reading), reading)
 
 
@@ -101,19 +97,10 @@ def write_table(
     _write_tables(path, titles, tables(), overwrite)
 
 
-def check_target(path: Path, overwrite: bool) -> None:
-    """Raise a QuadrupedError if something exists at the path that must not be replaced."""
-    if path.is_dir() or (path.exists() and not overwrite):
-        raise QuadrupedError(f"{path}: exists already; name another file, or ask to overwrite it (--overwrite)")
-
-
 def _write_tables(
-    path: Path,
-    titles: Sequence[str],
-    tables: Iterable[tuple[NDArray[np.int64], NDArray[np.float64]]],
-    overwrite: bool,
+    path: Path, titles: Sequence[str], tables: Iterable[tuple[NDArray[np.int64], NDArray[np.float64]]], overwrite: bool
 ) -> None:
-    check_target(path, overwrite)
+    check_free([path], overwrite)
     with whole(path) as part, part.open("w", encoding="utf-8", newline="\n") as file:
         file.write(",".join([STAMP_COLUMN, *titles]) + "\n")
         # In pieces: as Python objects, a long recording would not fit into memory.

@@ -14,13 +14,13 @@ from torch_driver import TorchDriver  # noqa: E402
 from quadruped_env import QuadrupedError  # noqa: E402
 from quadruped_env.robot import MINI_QUADRUPED  # noqa: E402
 from quadruped_env.scale.gpu import torch_arrays  # noqa: E402
-from quadruped_env.scale.gpu.torch_arrays import TensorArray, TorchArrays, UnsupportedError  # noqa: E402
+from quadruped_env.scale.gpu.torch_arrays import TensorArray, UnsupportedError  # noqa: E402
 from quadruped_env.simulation import BatchSimulation  # noqa: E402
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, load_task_file, preset_values  # noqa: E402
 from quadruped_env.task.randomization.draws import Draws, Purposes  # noqa: E402
-from quadruped_env.utils.arrays import NUMPY, frozen  # noqa: E402
+from quadruped_env.utils.arrays import frozen  # noqa: E402
 
-XP = TorchArrays("cpu")
+LIKE = TensorArray(torch.zeros(1))
 RNG = np.random.default_rng(0)
 X, Y = RNG.uniform(0.1, 2.0, (2, 5, 3)) * RNG.choice([-1.0, 1.0], (2, 5, 3))
 MASK = X > 0.0
@@ -30,7 +30,7 @@ INDEX = np.array([4, 0, 2])
 
 
 def on(array):
-    return XP.asarray(array, array.dtype) if isinstance(array, np.ndarray) else array
+    return np.asarray(array, like=LIKE) if isinstance(array, np.ndarray) else array
 
 
 def assert_same(function, *arrays, exact=False):
@@ -102,6 +102,10 @@ def test_ufunc_of_positive_array_as_numpy(name):
         lambda x: np.full_like(x[:, 0], 2.6),
         lambda x: np.interp(x[:, 0], (-1.0, 0.0, 0.5), (3.0, 1.0, 2.0)),
         lambda x: np.cross(x, np.array([0.0, 0.0, 1.0])),
+        lambda x: np.take_along_axis(np.arange(12.0).reshape(4, 3), (x[:, :1] > 0.0).astype(np.int64) + 1, axis=0),
+        lambda x: np.arange(4, like=x),
+        lambda x: np.zeros((2, 3), np.bool_, like=x),
+        lambda x: np.asarray([[1, 2]], np.float64, like=x),
         lambda x: np.einsum("ij,kj->ik", x, np.eye(3)),
         lambda x: np.broadcast_to(x[None], (2, 5, 3)),
         lambda x: np.flatnonzero(x > 0.0),
@@ -166,7 +170,7 @@ def test_out_and_where_write_in_place():
 
 
 def test_take_clips_indices():
-    found, expected = XP.zeros((4, 3)), np.zeros((4, 3))
+    found, expected = np.zeros((4, 3), like=LIKE), np.zeros((4, 3))
     indices = np.array([0, 2, 9, 4])
     on(X).take(on(indices), 0, found, "clip")
     X.take(indices, 0, expected, "clip")
@@ -203,14 +207,14 @@ def test_read_only_array_is_copied_to_the_device_once():
 def test_draws_are_bit_identical():
     purposes = Purposes({"one": 2, "other": 3})
     both = []
-    for xp in (NUMPY, XP):
-        draws = Draws(6, xp)
+    for like in (X, LIKE):
+        draws = Draws(6, like)
         for env_id in range(6):
             draws.set_key(env_id, np.random.default_rng(env_id))
         for env_ids in (np.arange(6), np.array([1, 4])):
-            draws.begin_episode(xp.asarray(env_ids, np.int64))
-        steps = xp.asarray([0, 5, 999], np.int64)
-        both.append(xp.numpy(draws.uniform(purposes, xp.asarray([1, 2, 5], np.int64), steps)))
+            draws.begin_episode(np.asarray(env_ids, like=like))
+        env_ids, steps = (np.asarray(values, np.int64, like=like) for values in ([1, 2, 5], [0, 5, 999]))
+        both.append(np.array(draws.uniform(purposes, env_ids, steps).tolist()))
     np.testing.assert_array_equal(*both)
     assert np.unique(both[0]).size == both[0].size
 
@@ -256,7 +260,7 @@ def test_task_on_tensors_equals_task_on_arrays(name, tmp_path):
     arrays = Task(BatchSimulation(model, n, 1), config, 60)
     tensors = Task(TorchDriver(model, n, MINI_QUADRUPED), config, 60)
     for task in (arrays, tensors):
-        task.reset(task.simulation.xp.arange(n), list(range(n)))
+        task.reset(np.arange(n, like=task.simulation.sensordata), list(range(n)))
     privileged = [task.privileged_readings() for task in (arrays, tensors)]
     rng, ends = np.random.default_rng(1), 0
     for _ in range(steps):
@@ -282,7 +286,7 @@ def test_task_on_tensors_equals_task_on_arrays(name, tmp_path):
 def test_task_on_tensors_refuses_actions_that_are_not_finite():
     config = TaskConfig()
     task = Task(TorchDriver(config.compiled_model(), 2, MINI_QUADRUPED), config)
-    task.reset(task.simulation.xp.arange(2))
+    task.reset(np.arange(2, like=task.simulation.sensordata))
     action = torch.zeros(2, 8)
     action[1, 3] = math.nan
     with pytest.raises(QuadrupedError, match=r"action: value nan for .* in env 1 is not finite"):

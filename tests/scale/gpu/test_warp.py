@@ -26,14 +26,6 @@ HARD = TaskConfig.from_dict(
 )
 LARGEST = {"qpos": 1e-5, "qvel": 1e-3, "observation": 1e-4, "reward": 1e-4}
 """Largest difference after one control step from the same state, in m, rad, m/s, rad/s and 1."""
-TOUCH = 1e-6
-"""Distance of two geoms, m, at which the rounding of float32 decides whether they are in contact."""
-FORCE = 0.02
-"""Distance of a foot's force from the threshold of contact, N, at which that rounding decides whether it counts."""
-BREAK, SMALL = 1e-4, 50.0
-"""Depth of a contact, m, that ends in the next substep, where the solver may stop an iteration sooner or later; and the
-largest difference that this explains, in multiples of `LARGEST`."""
-SUBSTEPS = HARD.decimation
 
 
 def assert_same(found, expected):
@@ -45,7 +37,7 @@ def assert_same(found, expected):
 
 
 def everywhere(simulation):
-    return simulation.xp.arange(simulation.num_envs)
+    return np.arange(simulation.num_envs, like=simulation.sensordata)
 
 
 def pair(config, n, **options):
@@ -70,53 +62,13 @@ def standing(n, model=None, **options):
 
 
 def reset(simulation, env_ids, qpos, qvel=None):
-    xp = simulation.xp
     velocity = np.zeros((len(qpos), simulation.model.nv)) if qvel is None else qvel
-    simulation.reset(xp.asarray(env_ids, np.int64), xp.asarray(qpos), xp.asarray(velocity))
+    simulation.reset(*(np.asarray(values, like=simulation.sensordata) for values in (env_ids, qpos, velocity)))
 
 
 def state(simulation):
     data = simulation.data
     return np.concatenate([data.qpos.numpy(), data.qvel.numpy(), simulation.sensordata.numpy()], axis=1)
-
-
-def contacts(here, there, env_id):
-    """Pairs of geoms in contact in both simulations -> distance, m."""
-    data, warp = here.batch.get_data(env_id), there.data
-    own = {tuple(sorted(contact.geom)): contact.dist for contact in data.contact}
-    count = int(warp.nacon.numpy()[0])
-    of_env = np.flatnonzero(warp.contact.worldid.numpy()[:count] == env_id)
-    geoms, distances = warp.contact.geom.numpy()[of_env], warp.contact.dist.numpy()[of_env]
-    return own, {tuple(sorted(pair)): distance for pair, distance in zip(geoms.tolist(), distances, strict=True)}
-
-
-def touches_by_rounding(here, there, before, ctrl, env_id, small):
-    """True if a contact exists in only one simulation during a control step, and only by a hair's breadth.
-
-    Or if a shallow contact ends, which explains only a small difference.
-    """
-    here.set_state(env_id, before)
-    there.set_state(env_id, before)
-    last = {}
-    for _ in range(SUBSTEPS):
-        here.step(ctrl, 1)
-        there.step(there.xp.asarray(ctrl), 1)
-        own, other = contacts(here, there, env_id)
-        if set(own) != set(other):
-            return all(abs((own | other)[geoms]) < TOUCH for geoms in set(own) ^ set(other))
-        if small and any(abs(last[geoms]) < BREAK for geoms in set(last) - set(own)):
-            return True
-        last = own
-    return False
-
-
-def presses_by_rounding(here, there):
-    """True for envs (N,) with a foot on the ground in only one task, and only by a hair's breadth."""
-    threshold = float(here.context.contact_threshold)
-    own, other = here.simulation.readings.foot_force, there.simulation.readings.foot_force.numpy()
-    differ = (own > threshold) != (other > threshold)
-    near = np.abs(own - threshold) < FORCE
-    return differ.any(axis=1) & (near | ~differ).all(axis=1)
 
 
 def test_reward_of_a_single_env_is_the_sum_of_its_terms():
@@ -148,48 +100,27 @@ def test_steps_from_the_same_state_agree_with_mujoco():
             "observation": found.observation.numpy() - expected.observation,
             "reward": (found.reward.numpy() - expected.reward)[:, None],
         }
-        beyond = np.zeros(n, dtype=bool)
-        small = np.ones(n, dtype=bool)
+        beyond = found.terminated.numpy() != expected.terminated
         for name, difference in differences.items():
-            size = np.abs(difference).max(axis=1)
-            beyond |= size > LARGEST[name]
-            small &= size < SMALL * LARGEST[name]
+            beyond |= np.abs(difference).max(axis=1) > LARGEST[name]
         for name, difference in differences.items():
             largest[name] = max(largest[name], np.abs(difference[~beyond]).max())
-        ends = found.terminated.numpy() != expected.terminated
-        if (beyond | ends).any():
-            ctrl = own.bind("ctrl").copy()
-            after, pressing = (
-                [here.simulation.get_state(env_id) for env_id in range(n)],
-                presses_by_rounding(here, there),
-            )
-            for env_id in np.flatnonzero(beyond | ends):
-                by_rounding += 1
-                simulations = here.simulation, there.simulation
-                touching = touches_by_rounding(*simulations, before[env_id], ctrl, env_id, small[env_id])
-                assert pressing[env_id] or touching, (
-                    env_id,
-                    {name: np.abs(difference[env_id]).max() for name, difference in differences.items()},
-                )
-            for env_id in range(n):
-                here.simulation.set_state(env_id, after[env_id])
-            # Both went on from there, and the readings of the others would enter their delayed observations.
-            there.simulation.set_states(everywhere(there.simulation), after)
-            for env_id in np.flatnonzero(beyond | ends):
-                # Otherwise what the task remembers of this step would differ in the next ones, too.
-                there.set_state(env_id, here.get_state(env_id))
+        for env_id in np.flatnonzero(beyond):
+            # Otherwise what the task remembers of this step would differ in the next ones, too.
+            by_rounding += 1
+            there.set_state(env_id, here.get_state(env_id))
         np.testing.assert_array_equal(found.truncated.numpy(), expected.truncated)
         terminated += expected.terminated.sum()
         done = np.flatnonzero(here.finished)
         if len(done):
             here.reset(done)
-            there.reset(there.simulation.xp.asarray(done, np.int64))
+            there.reset(np.asarray(done, np.int64, like=there.simulation.sensordata))
             np.testing.assert_allclose(there.observe().numpy()[done], here.observe()[done], atol=LARGEST["observation"])
         observation = here.observe()
-    print(f"largest differences: {largest}; {by_rounding} env steps with another contact, {terminated} falls")
-    assert terminated >= 5
-    # Of 9600 steps with some ten thousand touchdowns.
-    assert by_rounding <= 10
+    print(f"largest differences: {largest}; {by_rounding} env steps beyond them, {terminated} falls")
+    assert terminated >= 20
+    # Where two geoms are within a micrometre of each other, the rounding of float32 decides whether they touch.
+    assert by_rounding <= 4
 
 
 def test_reset_of_some_worlds_leaves_others_bit_identical():
@@ -201,7 +132,7 @@ def test_reset_of_some_worlds_leaves_others_bit_identical():
     fields = ("geom_friction", "body_mass", "body_invweight0", "dof_invweight0", "body_subtreemass")
     before = state(simulation)
     model_before = [getattr(simulation.warp_model, name).numpy().copy() for name in fields]
-    task.reset(simulation.xp.asarray([1, 4], np.int64))
+    task.reset(np.asarray([1, 4], np.int64, like=simulation.sensordata))
     after = state(simulation)
     np.testing.assert_array_equal(after[kept], before[kept])
     assert (after[[1, 4]] != before[[1, 4]]).any(axis=1).all()
@@ -220,7 +151,7 @@ def test_reset_of_some_worlds_does_not_change_the_steps_of_others():
         for step, action in enumerate(actions):
             task.step(action)
             if resets and step == 15:
-                task.reset(task.simulation.xp.asarray([1, 4], np.int64))
+                task.reset(np.asarray([1, 4], np.int64, like=task.simulation.sensordata))
         results.append(state(task.simulation)[[0, 2, 3, 5]])
     assert_same(*results)
 
@@ -251,9 +182,9 @@ def test_friction_and_mass_of_each_world_equal_separately_compiled_models():
             np.testing.assert_allclose(own, getattr(simulation.model, name), rtol=1e-4, atol=1e-9, err_msg=name)
     for _ in range(25):
         target = np.tile(MINI_QUADRUPED.stance, (3, 1))
-        together.step(together.xp.asarray(target), 4)
+        together.step(np.asarray(target, like=together.sensordata), 4)
         for simulation in apart:
-            simulation.step(simulation.xp.asarray(target[:1]), 4)
+            simulation.step(np.asarray(target[:1], like=simulation.sensordata), 4)
     np.testing.assert_allclose(state(together), np.concatenate([state(s) for s in apart]), rtol=2e-3, atol=2e-3)
     moved = together.data.qpos.numpy()[:, 0]
     assert moved[0] > moved[1] > moved[2]  # less friction, longer way
@@ -262,7 +193,7 @@ def test_friction_and_mass_of_each_world_equal_separately_compiled_models():
 def test_world_that_diverges_is_marked_and_restarts():
     simulation = standing(3)
     qpos, qvel = simulation.data.qpos.numpy()[1:2], np.full((1, simulation.model.nv), 1e9)
-    target = simulation.xp.asarray(np.tile(MINI_QUADRUPED.stance, (3, 1)))
+    target = np.asarray(np.tile(MINI_QUADRUPED.stance, (3, 1)), like=simulation.sensordata)
     alone = standing(3)
     reset(simulation, [1], qpos, qvel)
     for s in (simulation, alone):
@@ -281,7 +212,7 @@ def test_world_that_diverges_is_marked_and_restarts():
 )
 def test_overflow_is_an_error_that_names_the_fix(reserved, message):
     simulation = standing(2, **reserved)
-    target = simulation.xp.asarray(np.tile(MINI_QUADRUPED.stance, (2, 1)))
+    target = np.asarray(np.tile(MINI_QUADRUPED.stance, (2, 1)), like=simulation.sensordata)
     with pytest.raises(QuadrupedError, match=message):
         simulation.step(target, 40)
 
@@ -312,14 +243,14 @@ def test_state_can_be_restored_here_and_in_the_other_driver():
     for _ in range(2):
         there.simulation.set_states(everywhere(there.simulation), saved)
         for _ in range(3):
-            there.simulation.step(there.simulation.xp.asarray(target), 4)
+            there.simulation.step(np.asarray(target, like=there.simulation.sensordata), 4)
         ends.append(state(there.simulation))
     assert_same(*ends)
     for env_id in range(3):
         here.simulation.set_state(env_id, saved[env_id])
     here.simulation.step(target, 4)
     there.simulation.set_states(everywhere(there.simulation), saved)
-    there.simulation.step(there.simulation.xp.asarray(target), 4)
+    there.simulation.step(np.asarray(target, like=there.simulation.sensordata), 4)
     np.testing.assert_allclose(there.simulation.data.qpos.numpy(), here.simulation.batch.bind("qpos"), atol=1e-4)
 
 
@@ -332,21 +263,15 @@ def test_pinned_model_keeps_the_cone():
     assert model.opt.iterations == 10  # the caller's model is unchanged
 
 
-def test_uneven_ground_is_refused():
+def test_what_warp_does_not_simulate_is_refused():
     config = TaskConfig.from_dict({"terrain": {"name": "rough"}})
     with pytest.raises(QuadrupedError, match=r"terrain: .*a height field, .*train on level ground, or with"):
         WarpSimulation(config.compiled_model(), 1, MINI_QUADRUPED, DEVICE)
-
-
-def test_field_that_is_the_same_in_all_worlds_is_refused():
-    with pytest.raises(QuadrupedError, match=r"'geom_condim' is the same in all envs .* --device cpu"):
-        standing(1).model_field("geom_condim")
-
-
-def test_step_of_some_worlds_is_refused():
     simulation = standing(2)
+    with pytest.raises(QuadrupedError, match=r"'geom_condim' is the same in all envs .* --device cpu"):
+        simulation.model_field("geom_condim")
     with pytest.raises(QuadrupedError, match="all envs advance together"):
-        simulation.step(simulation.xp.zeros((2, 8)), 4, simulation.xp.asarray([1], np.int64))
+        simulation.step(np.zeros((2, 8), like=simulation.sensordata), 4, everywhere(simulation)[:1])
 
 
 @pytest.mark.parametrize(

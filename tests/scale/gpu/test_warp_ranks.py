@@ -2,8 +2,6 @@
 
 import dataclasses
 import re
-import signal
-import subprocess
 import threading
 from types import SimpleNamespace
 
@@ -14,27 +12,26 @@ pytest.importorskip("mujoco_warp", reason="MuJoCo Warp is not installed: pip ins
 pytest.importorskip("rsl_rl", reason="rsl-rl is not installed: pip install -e '.[gpu]'")
 
 import numpy as np  # noqa: E402
-from rank_processes import check_death_of_a_rank, check_signal, torchrun  # noqa: E402
+from rank_processes import check_death_of_a_rank  # noqa: E402
 from rank_threads import on_ranks  # noqa: E402
 from tensordict import TensorDict  # noqa: E402
 from trainings import SMALL, STEPS, TINY, WARP_FILES, assert_complete, learn, needs_warp, progress, train  # noqa: E402
-from waiting import DEADLINE  # noqa: E402
 
 from quadruped_env.cli.main import main  # noqa: E402
 from quadruped_env.control.symmetry import MirrorMap  # noqa: E402
 from quadruped_env.policies import load_policy  # noqa: E402
 from quadruped_env.scale.gpu import warp_training  # noqa: E402
 from quadruped_env.scale.gpu.warp_env import FINAL, OBSERVATION, TIME_OUTS  # noqa: E402
+from quadruped_env.scale.gpu.warp_ppo import make_ppo  # noqa: E402
 from quadruped_env.scale.gpu.warp_statistics import WarpStatistics  # noqa: E402
 from quadruped_env.scale.ranks.job import Job  # noqa: E402
-from quadruped_env.scale.ranks.warp_rank_model import make_rank_ppo  # noqa: E402
 from quadruped_env.simulation import BatchSimulation  # noqa: E402
 from quadruped_env.task import Task, TaskConfig  # noqa: E402
 from quadruped_env.training import TrainConfig  # noqa: E402
 from quadruped_env.training.group import DifferentWeightsError, Group, checksum, flat, unflatten  # noqa: E402
 from quadruped_env.training.resume import Parent  # noqa: E402
 
-CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 1})
+CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 2})
 ON_WARP = ("--device", "warp-cpu")
 ROLLOUT = ("observations", "actions", "rewards", "dones", "values", "actions_log_prob")
 
@@ -74,7 +71,7 @@ def envs_without_physics(task, num_envs):
 
 def collected(task, config):
     """Plain PPO after a rollout, and its last observations. Rewards differ in mean and spread from env to env."""
-    ppo = make_rank_ppo(config, envs_without_physics(task, config.num_envs), Group())
+    ppo = make_ppo(config, envs_without_physics(task, config.num_envs), Group())
     own = torch.arange(1.0, 1.0 + config.num_envs)
     with torch.no_grad():
         for parameter in [*ppo.actor.parameters(), *ppo.critic.parameters()]:
@@ -92,7 +89,7 @@ def collected(task, config):
 def share_of(ppo, seen, task, config, group):
     """A rank's PPO with the weights of a plain one, and its share of that one's rollout and last observations."""
     share = config.num_envs // group.ranks
-    own = make_rank_ppo(config, envs_without_physics(task, share), group)
+    own = make_ppo(config, envs_without_physics(task, share), group)
     unflatten(weights(ppo), [*own.actor.parameters(), *own.critic.parameters()])
     envs = slice(group.rank * share, (group.rank + 1) * share)
     for name in ROLLOUT:
@@ -130,34 +127,16 @@ def test_shares_of_a_batch_give_the_gradient_and_the_step_of_the_whole_batch(tas
     assert len({checksum([own_weights]) for _, own_weights in results}) == 1
 
 
-def test_each_batch_of_each_epoch_is_normalized_over_all_ranks(task):
-    whole, seen = collected(task, CONFIG)
-    shared = dataclasses.replace(CONFIG, ranks=2, batch_size=STEPS // 2)
-
-    def batches(group):
-        ppo = share_of(whole, seen, task, shared, group)
-        return [batch.advantages for batch in ppo.storage.mini_batch_generator(2, 3)]
-
-    shares = on_ranks(2, batches)
-    assert [len(share) for share in shares] == [6, 6]
-    for one, other in zip(*shares, strict=True):
-        both = torch.cat([one, other])
-        torch.testing.assert_close(torch.stack([both.mean(), both.std()]), torch.tensor([0.0, 1.0]), atol=1e-5, rtol=0)
-    assert max(float(one.mean().abs()) for one in shares[0]) > 1e-2, "a share alone has another mean"
-
-
 def test_ranks_begin_with_the_same_weights_and_explore_with_noise_of_their_own(task):
     def begin(group):
         # As GPUs of two types do, whose arithmetic rounds differently.
-        return weights(
-            make_rank_ppo(dataclasses.replace(CONFIG, seed=group.rank), envs_without_physics(task, 2), group)
-        )
+        return weights(make_ppo(dataclasses.replace(CONFIG, seed=group.rank), envs_without_physics(task, 2), group))
 
     one, other = on_ranks(2, begin)
     assert torch.equal(one, other)
     noise = []
     for group in (Group(), *(Group(rank, 3) for rank in range(3))):
-        make_rank_ppo(CONFIG, envs_without_physics(task, 2), group)
+        make_ppo(CONFIG, envs_without_physics(task, 2), group)
         noise.append(torch.randn(4).tolist())
     assert noise[0] == noise[1], "rank 0 has that of plain training"
     assert len({*map(tuple, noise)}) == 3
@@ -166,46 +145,37 @@ def test_ranks_begin_with_the_same_weights_and_explore_with_noise_of_their_own(t
 # --- GPUs ---
 
 
+OF_TORCHRUN = {
+    "RANK": 5, "WORLD_SIZE": 8, "LOCAL_RANK": 1, "LOCAL_WORLD_SIZE": 4, "MASTER_ADDR": "node", "MASTER_PORT": 29500
+}  # fmt: skip
+
+
 @pytest.mark.parametrize(
-    ("found", "message"),
+    ("arguments", "variables", "gpus", "message"),
     [
-        (1, "--ranks: found 2 ranks on this machine with --device cuda, .*torch finds 1 GPU; choose --ranks 1, or"),
-        (0, "--ranks: found 2 ranks .*torch finds 0 GPUs; check that nvidia-smi shows them"),
+        ("--ranks 2", {}, 1, "--ranks: found 2 ranks on this machine .*, and torch finds 1 GPU; choose --ranks 1, or"),
+        ("--ranks 2", {}, 0, "--ranks: found 2 ranks .*torch finds 0 GPUs; check that nvidia-smi shows them"),
+        ("", OF_TORCHRUN, 2, "--ranks: found 4 ranks on this machine"),
+        ("--ranks 2 --launcher ray --address 127.0.0.1:1", {}, 2, "--launcher: found ray with --device cuda; "),
     ],
 )
-def test_fewer_gpus_than_ranks_is_an_error_with_a_fix(found, message, monkeypatch, tmp_path, capsys):
-    monkeypatch.setattr(torch.cuda, "device_count", lambda: found)
-    arguments = ["train", "--device", "cuda", "--ranks", "2", "--output", str(tmp_path / "runs")]
-    assert main(arguments) == 2
-    errors = [line for line in capsys.readouterr().err.splitlines() if "error" in line]
-    assert len(errors) == 1
-    assert re.search(message, errors[0])
-    assert not (tmp_path / "runs").exists()
-
-
-def test_ranks_of_torchrun_need_as_many_gpus_as_run_on_their_machine(monkeypatch, tmp_path, capsys):
-    variables = {"RANK": 5, "WORLD_SIZE": 8, "LOCAL_RANK": 1, "LOCAL_WORLD_SIZE": 4}
-    for name, value in {**variables, "MASTER_ADDR": "node", "MASTER_PORT": 29500}.items():
+def test_ranks_that_cannot_have_a_gpu_each_are_an_error(
+    arguments, variables, gpus, message, monkeypatch, tmp_path, capsys
+):
+    for name, value in variables.items():
         monkeypatch.setenv(name, str(value))
-    monkeypatch.setattr(torch.cuda, "device_count", lambda: 2)
-    assert main(["train", "--device", "cuda", "--output", str(tmp_path)]) == 2
-    assert "--ranks: found 4 ranks on this machine" in capsys.readouterr().err
-
-
-def test_ranks_of_ray_do_not_use_gpus(tmp_path, capsys):
-    arguments = ["train", "--device", "cuda", "--ranks", "2", "--launcher", "ray", "--address", "127.0.0.1:1"]
-    assert main([*arguments, "--output", str(tmp_path)]) == 2
-    assert "--launcher: found ray with --device cuda; " in capsys.readouterr().err
+    monkeypatch.setattr(torch.cuda, "device_count", lambda: gpus)
+    assert main(["train", "--device", "cuda", *arguments.split(), "--output", str(tmp_path / "runs")]) == 2
+    (error,) = (line for line in capsys.readouterr().err.splitlines() if "error" in line)
+    assert re.search(message, error)
+    assert not (tmp_path / "runs").exists()
 
 
 def test_each_rank_has_the_gpu_of_its_place_on_its_machine():
     rank = Group(5, 8, local_rank=1)
     assert [warp_training.device_of(device, rank) for device in ("cuda", "warp-cpu")] == ["cuda:1", "cpu"]
-    assert [warp_training.device_of(device, Group()) for device in ("cuda", "cuda:1", "warp-cpu")] == [
-        "cuda",
-        "cuda:1",
-        "cpu",
-    ]
+    for device, name in {"cuda": "cuda", "cuda:1": "cuda:1", "warp-cpu": "cpu"}.items():
+        assert warp_training.device_of(device, Group()) == name
 
 
 def test_first_line_names_the_batch_after_rounding(tmp_path):
@@ -217,14 +187,6 @@ def test_first_line_names_the_batch_after_rounding(tmp_path):
 
 
 # --- the task on Warp ---
-
-
-@needs_warp
-def test_one_rank_gives_the_bits_of_plain_training(tmp_path):
-    config = dataclasses.replace(CONFIG, timesteps=2 * STEPS)
-    plain = learn(tmp_path / "plain", config)
-    forced = warp_training.train(config, tmp_path / "forced", "test", group=Group())[0]
-    assert (plain / "policy.safetensors").read_bytes() == (forced / "policy.safetensors").read_bytes()
 
 
 @needs_warp
@@ -260,10 +222,9 @@ def watch_steps(env, lock):
     def watched(actions):
         with lock:
             found = step(actions)
-        xp = env.task.simulation.xp
         falls = (found[2] & ~found[3][TIME_OUTS]).sum()
-        squares = xp.numpy(env.task.tracking_error) ** 2
-        steps.append(np.concatenate([squares.mean(0), xp.numpy(env.last_terms).mean(0), [float(falls)]]))
+        squares = env.task.tracking_error.numpy() ** 2
+        steps.append(np.concatenate([squares.mean(0), env.last_terms.numpy().mean(0), [float(falls)]]))
         return found
 
     env.step = watched
@@ -289,9 +250,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
 
     (one, own, model), (other, others, _) = on_ranks(2, run)
     assert len(one.shared) == len(other.shared) == 3
-    assert one.stopped
-    assert one.ended
-    assert other.ended
+    assert [one.stopped, one.ended, other.ended] == [True] * 3
     assert model.num_timesteps == 3 * 160
     assert model.learning_rate.left == 1.0 - 3 / 50
     assert own[:, -1].sum() > 0, "some fall"
@@ -342,17 +301,6 @@ def test_run_of_two_ranks_is_that_of_one_and_counts_the_steps_of_all(run):
 
 
 @needs_warp
-def test_torchrun_trains_like_ranks(run, tmp_path):
-    command = torchrun(tmp_path, *TINY, *ON_WARP)
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=DEADLINE)
-    assert done.returncode == 0, done.stderr
-    assert done.stdout.count("trained ->") == 1
-    directory = (tmp_path / "latest").resolve()
-    assert_complete(directory, WARP_FILES)
-    assert (directory / "policy.safetensors").read_bytes() == (run / "policy.safetensors").read_bytes()
-
-
-@needs_warp
 def test_run_of_two_ranks_resumes_on_one_and_that_on_two(run, tmp_path):
     one = learn(tmp_path, Parent.load(run).resumed({"ranks": 1, "timesteps": 256}), run)
     assert load_policy(one).card["timesteps"] == int(TINY[1]) + 256
@@ -363,14 +311,3 @@ def test_run_of_two_ranks_resumes_on_one_and_that_on_two(run, tmp_path):
 @needs_warp
 def test_rank_that_dies_ends_the_run_with_one_error_and_a_whole_checkpoint(tmp_path):
     check_death_of_a_rank(1, tmp_path, *ON_WARP)
-
-
-@needs_warp
-def test_signal_stops_all_ranks_after_a_rollout_and_saves(tmp_path):
-    check_signal(signal.SIGINT, tmp_path, *ON_WARP, files=WARP_FILES)
-
-
-@needs_warp
-def test_budget_in_seconds_ends_all_ranks(tmp_path):
-    directory = train(tmp_path, "--seconds", "2", *TINY[2:], *ON_WARP, "--ranks", "2")
-    assert assert_complete(directory, WARP_FILES).card["seconds"] >= 2

@@ -2,28 +2,25 @@
 
 import argparse
 import dataclasses
-import json
 
 import numpy as np
 import pytest
 import torch
 from rank_threads import on_ranks
 from stable_baselines3.common.logger import configure
-from trainings import SMALL, STEPS, learn
+from trainings import SMALL, STEPS
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.scale.ranks import torchrun
 from quadruped_env.scale.ranks.job import Job
-from quadruped_env.scale.ranks.rank_model import moments, normalized
+from quadruped_env.scale.ranks.rank_model import normalized_over_ranks
 from quadruped_env.scale.ranks.torch_group import RankGroup
-from quadruped_env.scale.ranks.training_launch import launch
+from quadruped_env.scale.ranks.training_launch import Place, launch, torchrun_place
 from quadruped_env.training import TrainConfig
 from quadruped_env.training import train as training
 from quadruped_env.training.group import DifferentWeightsError, checksum, flat, unflatten
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.sb3_models import make_model
 from quadruped_env.training.step_statistics import StepStatistics
 
@@ -61,7 +58,7 @@ def share_of(model, config, group):
 @pytest.mark.parametrize("ranks", [2, 4])
 def test_shares_of_a_batch_give_the_gradient_and_the_step_of_the_whole_batch(ranks, max_grad_norm):
     # One batch, so the order of the samples does not matter.
-    config = TrainConfig(**SMALL | {"batch_size": STEPS, "n_epochs": 1, "max_grad_norm": max_grad_norm})
+    config = TrainConfig(**SMALL | {"batch_size": STEPS, "n_epochs": 2, "max_grad_norm": max_grad_norm})
     whole = collected(config)
     # Shares that differ in their mean and spread.
     whole.rollout_buffer.advantages *= np.arange(1.0, 1.0 + config.num_envs, dtype=np.float32)
@@ -81,15 +78,14 @@ def test_shares_of_a_batch_give_the_gradient_and_the_step_of_the_whole_batch(ran
     assert (weights(whole) - before).abs().max() > 1e-4, "a step that can be compared"
     for own_gradient, own_weights in results:
         torch.testing.assert_close(own_gradient, gradient, rtol=1e-4, atol=1e-6 * float(gradient.norm()))
-        torch.testing.assert_close(own_weights, weights(whole), rtol=0.0, atol=2e-6)
+        torch.testing.assert_close(own_weights, weights(whole), rtol=0.0, atol=4e-6)
     assert len({checksum([own_weights]) for _, own_weights in results}) == 1
 
 
 def test_advantages_are_normalized_over_the_shares_of_all_ranks():
     values = torch.randn(30, generator=torch.Generator().manual_seed(0)) * 3.0 + 7.0
-    total = sum(moments(share) for share in values.split([10, 10, 10]))
-    found = torch.cat([normalized(share, total) for share in values.split([10, 10, 10])])
-    torch.testing.assert_close(found, (values - values.mean()) / values.std())
+    found = on_ranks(3, lambda group: normalized_over_ranks([values.split(10)[group.rank]], group)[0])
+    torch.testing.assert_close(torch.cat(found), (values - values.mean()) / values.std())
 
 
 def test_one_rank_gives_the_bits_of_plain_training(run, tmp_path):
@@ -195,9 +191,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
 
     one, other = on_ranks(2, run)
     assert len(one.own) == len(other.own) == 3
-    assert one.ended
-    assert other.ended
-    assert one.stopped
+    assert [one.ended, other.ended, one.stopped] == [True] * 3
     assert one.steps == other.steps == 3 * config.num_envs * config.n_steps
     assert one.budget_left == other.budget_left == 1.0 - one.steps / config.timesteps
     for index in range(3):
@@ -236,14 +230,8 @@ def test_rank_0_alone_learns_the_reflex(tmp_path, monkeypatch):
     [
         ({"ranks": 0}, r"--ranks: expected 1 or more, .*; found 0"),
         ({"ranks": 300}, r"--ranks: found 300, more than the 256 envs .*; lower it, or give more --num-envs"),
-        (
-            {"ranks": 3},
-            r"--ranks: found 3, .* --num-envs 256 into equal shares; choose --num-envs 255 or --num-envs 258",
-        ),
-        (
-            {"ranks": 4, "batch_size": 1022},
-            r"--ranks: found 4, .* --batch-size 1022 .*; choose --batch-size 1020 or --batch-size 1024",
-        ),
+        ({"ranks": 3}, r"--ranks: found 3, .* --num-envs 256 .*; choose --num-envs 255 or --num-envs 258"),
+        ({"ranks": 4, "batch_size": 1022}, r"--ranks: found 4, .*; choose --batch-size 1020 or --batch-size 1024"),
         ({"ranks": 4, "batch_size": 4}, r"2 or more samples per rank.*--batch-size 8"),
         ({"ranks": 2, "algo": "sac"}, r"--ranks: found 2 with --algo sac; .*choose --algo ppo"),
     ],
@@ -253,50 +241,26 @@ def test_ranks_that_cannot_share_a_training_are_errors_with_a_fix(changes, error
         TrainConfig(**changes)
 
 
-def test_run_without_the_field_resumes_on_one_rank(run, tmp_path):
-    copy = tmp_path / "old"
-    copy.mkdir()
-    for file in run.iterdir():
-        if file.is_file():
-            (copy / file.name).write_bytes(file.read_bytes())
-    document = json.loads((copy / CONFIG_FILE).read_text())
-    del document["training"]["ranks"]
-    (copy / CONFIG_FILE).write_text(json.dumps(document))
-    parent = Parent.load(copy)
-    assert parent.config.ranks == 1
-    directory = learn(tmp_path / "runs", parent.resumed({"timesteps": STEPS}), parent.directory)
-    assert Parent.load(directory).timesteps == 9 * STEPS
-
-
-def test_job_survives_its_way_through_a_file(tmp_path):
-    config = TrainConfig(ranks=2, hidden=(8, 4), max_grad_norm=1e6, task={"command": {"yaw_rate": [-0.1, 0.1]}})
-    job = Job(config, tmp_path, "a command", tmp_path / "run", None)
-    assert Job.from_dict(json.loads(json.dumps(job.to_dict()))) == job
-
-
 # --- torchrun ---
 
 TORCHRUN = {"RANK": "3", "WORLD_SIZE": "8", "LOCAL_WORLD_SIZE": "4", "MASTER_ADDR": "node-0", "MASTER_PORT": "29500"}
 
 
-def test_place_of_a_process_of_torchrun():
-    here = torchrun.place(TORCHRUN)
-    assert (here.rank, here.ranks, here.local_ranks, here.on_one_machine) == (3, 8, 4, False)
-    assert torchrun.place(TORCHRUN | {"WORLD_SIZE": "4"}).on_one_machine
-
-
-@pytest.mark.parametrize("environment", [{}, {"RANK": "0"}, {"RANK": "0", "WORLD_SIZE": "1"}])
-def test_process_without_other_ranks_has_no_place(environment):
-    assert torchrun.place(environment) is None
+@pytest.mark.parametrize(
+    ("environment", "found"),
+    [
+        (TORCHRUN, Place(3, 8, 4, 0)),
+        *((environment, None) for environment in ({}, {"RANK": "0"}, {"RANK": "0", "WORLD_SIZE": "1"})),
+    ],
+)
+def test_place_of_a_process_is_that_of_torchrun_if_there_are_other_ranks(environment, found):
+    assert torchrun_place(environment) == found
 
 
 @pytest.mark.parametrize(
     ("changes", "error"),
     [
-        (
-            {"RANK": None},
-            r"RANK: WORLD_SIZE is 8, and this environment variable is missing; start the ranks with torchrun",
-        ),
+        ({"RANK": None}, r"RANK: WORLD_SIZE is 8, and this environment variable is missing; start the ranks with"),
         ({"MASTER_ADDR": None}, r"MASTER_ADDR: .*is missing"),
         ({"RANK": "8"}, r"RANK: expected 0 to 7, since WORLD_SIZE is 8; found 8"),
         ({"WORLD_SIZE": "many"}, r"WORLD_SIZE: expected a whole number of 1 or more .*; found 'many'"),
@@ -306,7 +270,7 @@ def test_process_without_other_ranks_has_no_place(environment):
 def test_variables_of_torchrun_that_cannot_be_are_errors(changes, error):
     environment = {name: value for name, value in (TORCHRUN | changes).items() if value is not None}
     with pytest.raises(QuadrupedError, match=error):
-        torchrun.place(environment)
+        torchrun_place(environment)
 
 
 def test_ranks_that_are_not_those_of_torchrun_are_an_error(monkeypatch):

@@ -1,13 +1,12 @@
 """A training on several ranks as processes: its files, what listens where, and ranks that die."""
 
 import signal
-import subprocess
 
 import psutil
 import pytest
 from rank_processes import assert_gone, check_death_of_a_rank, check_signal, ranks_of, torchrun
-from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
-from waiting import DEADLINE, output_of
+from trainings import ENDLESS, TINY, assert_complete, command, completed, progress, running, scalars, train
+from waiting import output_of
 
 from quadruped_env.policies import load_policy
 from quadruped_env.training.resume import Parent
@@ -83,7 +82,7 @@ from quadruped_env.task import reward
 
 @reward(weight=1.0, unit="1")
 def broken(context):
-    if sys.argv[-1].endswith("rank-1.json"):
+    if sys.argv[-1].endswith("rank-1"):
         raise QuadrupedError("broken: cannot be computed")
     return 0.0 * context.velocity[:, 0]
 """
@@ -93,14 +92,7 @@ def broken(context):
 def test_error_of_a_rank_is_the_error_of_the_program(tmp_path):
     task = tmp_path / "task.py"
     task.write_text(TASK)
-    done = subprocess.run(
-        command(tmp_path / "runs", *TINY, *RANKS, "--task", task),
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=DEADLINE,
-    )
-    assert done.returncode == 2
+    done = completed(command(tmp_path / "runs", *TINY, *RANKS, "--task", task), status=2)
     lines = [line for line in done.stderr.splitlines() if " error: " in line]
     assert len(lines) == 1, done.stderr
     assert "rank 1: reward broken: QuadrupedError: broken: cannot be computed" in lines[0]
@@ -128,14 +120,7 @@ def test_rank_of_torchrun_that_dies_ends_the_run_with_one_error(tmp_path):
 
 
 def test_torchrun_trains_like_ranks(run, tmp_path):
-    done = subprocess.run(
-        torchrun(tmp_path, *TINY, "--recipe", "rough"),
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=DEADLINE,
-    )
-    assert done.returncode == 0, done.stderr
+    done = completed(torchrun(tmp_path, *TINY, "--recipe", "rough"))
     assert done.stdout.count("trained ->") == 1
     directory = (tmp_path / "latest").resolve()
     assert_complete(directory)

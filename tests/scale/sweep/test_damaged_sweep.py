@@ -48,23 +48,6 @@ def test_damaged_trial_is_put_aside_and_begins_again(tmp_path, what):
     assert not any("begins again" in line for line in resume(folder.path))
 
 
-@pytest.mark.parametrize("what", ["a link", "no directory"])
-def test_trial_whose_folder_is_no_directory_is_put_aside(tmp_path, what):
-    folder = write_sweep(tmp_path / "sweeps")
-    path, elsewhere = folder.trial(1).path, tmp_path / "elsewhere"
-    path.rename(elsewhere)
-    if what == "a link":
-        path.symlink_to(elsewhere)
-        (elsewhere / "result.json").unlink()  # so that the trial would be trained again
-    else:
-        path.write_text("")
-    kept = sorted(elsewhere.rglob("*"))
-    assert f"{path}: is {what}; " in resume(folder.path)[0]
-    assert not path.is_symlink()
-    assert path.is_dir()
-    assert sorted(elsewhere.rglob("*")) == kept
-
-
 def test_trial_that_is_damaged_again_keeps_the_files_of_both_times(tmp_path):
     folder = write_sweep(tmp_path)
     for _ in range(2):
@@ -80,3 +63,17 @@ def test_sound_sweep_is_read_as_it_is(tmp_path):
     read_sweep(folder.path)
     assert SweepFolder.open(folder.path) == folder
     assert len(list((folder.path / "trials").iterdir())) == 4
+
+
+def test_sweep_of_a_version_with_other_settings_keeps_its_trials_and_says_so_once(tmp_path):
+    folder = write_sweep(tmp_path)
+    for file in (folder.path / "sweep.json", *folder.path.glob("trials/*/trial.json")):
+        document = json.loads(file.read_text())
+        document["training"]["polish_of_old"] = 3  # a setting that went
+        document["training"].pop("device", None)  # a setting that came
+        file.write_text(json.dumps(document))
+    said = resume(folder.path)
+    assert said[0] == "note: settings that this version does not have are left out: polish_of_old"
+    assert sum("polish_of_old" in line for line in said) == 1
+    assert json.loads((folder.path / "results.json").read_text())["states"] == {"begun": 1, "finished": 3}
+    assert "polish_of_old" not in SweepFolder.open(folder.path).config.training

@@ -1,7 +1,7 @@
 """Definition of a sweep: its trials, their settings, its checks and its files."""
 
 import json
-import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -9,7 +9,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.train import with_recipe
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig
-from quadruped_env.scale.sweep.search import proposals
+from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
 
@@ -73,19 +73,15 @@ def test_end_of_a_range_that_no_training_accepts_is_an_error_before_the_first_tr
     SweepConfig(space=(RATE, HIDDEN, SLIP), settings=2).check(make)
 
 
-def test_random_settings_depend_on_their_number_alone():
+def test_random_settings_depend_on_their_number_alone_and_a_grid_has_each_combination_once():
     config = SweepConfig(space=(RATE, HIDDEN), settings=8)
-    forward = [proposals(config).values(setting) for setting in range(8)]
-    source = proposals(config)
+    forward = [Proposals(config).values(setting) for setting in range(8)]
+    source = Proposals(config)
     assert [source.values(setting) for setting in reversed(range(8))] == forward[::-1]
     assert len({values["learning_rate"] for values in forward}) == 8
-
-
-def test_grid_has_each_combination_once():
-    other = Dimension("activation", choices=("elu", "tanh"))
-    config = SweepConfig(space=(HIDDEN, other), settings=4, search="grid")
-    found = [tuple(proposals(config).values(setting).values()) for setting in range(4)]
-    assert sorted(found) == sorted([((8,), "elu"), ((8,), "tanh"), ((16, 16), "elu"), ((16, 16), "tanh")])
+    config = SweepConfig(space=(HIDDEN, Dimension("activation", choices=("elu", "tanh"))), settings=4, search="grid")
+    found = [tuple(Proposals(config).values(setting).values()) for setting in range(4)]
+    assert sorted(found) == [((8,), "elu"), ((8,), "tanh"), ((16, 16), "elu"), ((16, 16), "tanh")]
 
 
 def test_optuna_proposes_better_settings_with_the_results_of_an_earlier_process():
@@ -95,12 +91,12 @@ def test_optuna_proposes_better_settings_with_the_results_of_an_earlier_process(
     def score(values):
         return 1.0 - abs(values["gamma"] - 0.7) + (0.1 if values["hidden"] == (8,) else 0.0)
 
-    first = proposals(config)
+    first = Proposals(config)
     done = {}
     for setting in range(30):
         done[setting] = first.values(setting)
         first.tell(setting, done[setting], score(done[setting]) if setting != 3 else None)
-    later = proposals(config)
+    later = Proposals(config)
     for setting, values in done.items():
         later.tell(setting, values, score(values))
     found = []
@@ -136,13 +132,15 @@ def test_damaged_definition_is_an_error_that_names_its_file(tmp_path, change, me
 
 
 def test_directory_without_a_sweep_is_an_error_that_says_what_it_is(tmp_path):
-    with pytest.raises(QuadrupedError, match=r"--resume: .*there is no such directory"):
-        SweepFolder.open(tmp_path / "nowhere")
-    with pytest.raises(QuadrupedError, match=r"it has no sweep\.json"):
-        SweepFolder.open(tmp_path)
-    (tmp_path / "config.json").write_text("{}")
-    with pytest.raises(QuadrupedError, match=r"run directory of one training: continue it with 'train --resume'"):
-        SweepFolder.open(tmp_path)
+    (run := tmp_path / "run").mkdir()
+    (run / "config.json").write_text("{}")
+    for path, message in {
+        tmp_path / "nowhere": r"--resume: .*there is no such directory",
+        tmp_path: r"it has no sweep\.json",
+        run: r"run directory of one training: continue it with 'train --resume'",
+    }.items():
+        with pytest.raises(QuadrupedError, match=message):
+            SweepFolder.open(path)
 
 
 def test_trial_of_another_sweep_is_refused(tmp_path):
@@ -159,17 +157,8 @@ def test_trial_of_another_sweep_is_refused(tmp_path):
 def test_first_result_of_a_trial_stands(tmp_path):
     trial = SweepFolder.create(tmp_path, "ppo", SweepConfig(), "sweep").trial(0)
     trial.path.mkdir()
-    found = []
-
-    def end(number):
-        found.append(trial.finish({"state": "finished", "by": number})["by"])
-
-    threads = [threading.Thread(target=end, args=[number]) for number in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert len(found) == 8
+    with ThreadPoolExecutor(8) as pool:
+        found = list(pool.map(lambda number: trial.finish({"state": "finished", "by": number})["by"], range(8)))
     assert len(set(found)) == 1
     assert [path.name for path in trial.path.iterdir()] == ["result.json"]
 

@@ -3,18 +3,14 @@
 import json
 import os
 import signal
-import subprocess
-import sys
 
 import psutil
 import pytest
 import sweeps
-from paths import TESTS, importing
 from sweeps import (
     LONG,
     ONE_MACHINE,
     TINY,
-    Family,
     alive,
     assert_each_finished_once,
     only,
@@ -87,39 +83,6 @@ def test_sweep_that_is_interrupted_ends_ray_and_says_how_to_go_on(tmp_path):
     assert f"--resume {folder}" in log.read_text()
 
 
-@pytest.fixture
-def nodes():
-    """A cluster of two nodes: its address, and a function that kills the second one."""
-    process = subprocess.Popen(
-        [sys.executable, str(TESTS / "helpers" / "ray_nodes.py")],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-        env={**importing(), **ONE_MACHINE},
-    )
-    family = Family(process.pid)
-
-    def kill_one():
-        process.stdin.write("kill\n")
-        process.stdin.flush()
-        assert process.stdout.readline() == "killed\n"
-
-    try:
-        address = process.stdout.readline().strip()
-        assert address.startswith("127.0.0.1:"), address
-        family.update()
-        yield address, kill_one
-    finally:
-        family.update()
-        process.stdin.close()
-        try:
-            status_of(process)
-        finally:
-            process.stdout.close()
-            family.kill()
-
-
 def test_trials_of_a_node_that_is_killed_are_finished_once(nodes, tmp_path):
     address, kill_one = nodes
     arguments = ("--seeds", 3, "--address", address, "--score", "none", *LONG, "-o", tmp_path / "sweeps")
@@ -148,18 +111,9 @@ def test_trials_of_a_node_that_is_killed_are_finished_once(nodes, tmp_path):
 
 def test_search_with_asha_scores_stops_and_reports(tmp_path):
     pytest.importorskip("optuna")
-    arguments = (
-        "--vary",
-        "learning_rate=1e-9..1e-2:log",
-        "--vary",
-        "hidden=8,16x16",
-        "--search",
-        "optuna",
-        "--trials",
-        4,
-    )
-    asha = ("--scheduler", "asha", "--rungs", 1)
-    said = sweeps.run(*arguments, *asha, *TINY, "-o", tmp_path)
+    space = ("--vary", "learning_rate=1e-9..1e-2:log", "--vary", "hidden=8,16x16")
+    search = ("--search", "optuna", "--trials", 4, "--scheduler", "asha", "--rungs", 1)
+    said = sweeps.run(*space, *search, *TINY, "-o", tmp_path)
     folder = only(tmp_path)
     table = rows(folder)
     assert len(table) == 4

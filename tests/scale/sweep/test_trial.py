@@ -10,8 +10,8 @@ from quadruped_env.cli.train import with_recipe
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig, sweep_results, trial
-from quadruped_env.scale.sweep.search import proposals
-from quadruped_env.scale.sweep.sweep_driver import TrialBook, clock
+from quadruped_env.scale.sweep.search import Proposals
+from quadruped_env.scale.sweep.sweep_driver import TrialBook
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
 
@@ -29,7 +29,7 @@ def sweep(tmp_path):
     def create(training=BUDGET, **definition):
         folder = SweepFolder.create(tmp_path / "sweeps", "ppo", SweepConfig(dict(training), **definition), "sweep")
         said = []
-        book = TrialBook(folder, make, proposals(folder.config), said.append)
+        book = TrialBook(folder, make, Proposals(folder.config), said.append)
         while book.begin() is not None:
             pass
         return folder, book, said
@@ -47,6 +47,11 @@ def policy_of(directory):
 
 def test_trial_leaves_a_run_and_its_result_which_stands(sweep, tmp_path):
     folder, _, _ = sweep(score="none", seeds=2)
+    # As an earlier version of the package wrote them.
+    settings = folder.trial(1).settings()
+    del settings["training"]["device"]
+    settings["training"]["went"] = 1
+    folder.trial(1).write_settings(settings)
     reports = []
     found = run(folder, 1, reports.append)
     assert (found["state"], found["timesteps"], found["score"]) == ("finished", 320, None)
@@ -66,8 +71,8 @@ def test_scores_at_the_rungs_do_not_change_the_policy(sweep, tmp_path, monkeypat
         seen.append(policy.card["timesteps"])
         return 0.1 * len(seen)
 
-    monkeypatch.setattr("quadruped_env.scale.sweep.scoring.rung_score", score)
-    monkeypatch.setattr("quadruped_env.scale.sweep.scoring.final_score", lambda *arguments: None)
+    monkeypatch.setattr("quadruped_env.scale.sweep.trial.rung_score", score)
+    monkeypatch.setattr("quadruped_env.scale.sweep.trial.final_score", lambda *arguments: None)
     folder, _, _ = sweep(seeds=2, scheduler="asha")
     reports = []
     found = run(folder, 0, reports.append)
@@ -173,7 +178,7 @@ def test_importance_is_that_of_the_field_that_the_score_depends_on():
     pytest.importorskip("optuna")
     space = (Dimension("gamma", 0.5, 1.0), Dimension("learning_rate", 1e-4, 1e-2, log=True))
     config = SweepConfig(space=space, settings=40)
-    source = proposals(config)
+    source = Proposals(config)
     settings = []
     for setting in range(40):
         values = source.values(setting)
@@ -183,7 +188,3 @@ def test_importance_is_that_of_the_field_that_the_score_depends_on():
     assert found["gamma"] > 0.8
     assert sum(found.values()) == pytest.approx(1.0, abs=1e-5)
     assert sweep_results.importance(config, settings[:3])["missing"] == "3 settings have a score; 4 are needed"
-
-
-def test_clock_shows_hours_minutes_and_seconds():
-    assert clock(3725.4) == "1:02:05"

@@ -1,9 +1,10 @@
-"""Bags without their index: the readable messages of a bag that was cut off, damaged or never closed.
+"""Bags without their index: the readable messages of a rosbag2 bag that was cut off, damaged or never closed.
 
-Messages come in the order of the file.
+Messages come in the order of the file. ROS itself repairs ROS 1 bags (`rosbag reindex`).
 """
 
 import re
+import sqlite3
 import struct
 import tempfile
 from collections.abc import Iterator, Mapping
@@ -14,7 +15,7 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats.salvage import mcap_scanner, ros1_scanner, sqlite3_scanner
+from quadruped_env.trajectory.formats.salvage import mcap_scanner, sqlite3_scanner
 from quadruped_env.trajectory.formats.salvage.records import Message, Topic, zstd, zstd_has_checksum
 
 DIRECTORY: Final = "dir"
@@ -25,10 +26,9 @@ ROS1: Final = ".bag"
 JOINT_STATE: Final = "sensor_msgs/JointState"
 DEFAULT_TOPIC: Final = "/joint_states"
 
-_SCANNERS: Final = {MCAP: mcap_scanner.scan, SQLITE3: sqlite3_scanner.scan, ROS1: ros1_scanner.scan}
+_SCANNERS: Final = {MCAP: mcap_scanner.scan, SQLITE3: sqlite3_scanner.scan}
 _STEP: Final = 1 << 16
-_PAGE: Final = 4096
-"""Bytes that SQLite writes at once."""
+_SMALL_STEP: Final = 4096
 
 
 def messages(reading: Reading, storage: str) -> Iterator[Message]:
@@ -107,7 +107,7 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
             part = source.read(_STEP) if decompressor.needs_input else None
             try:
                 # In small steps: a call that fails returns nothing.
-                target.write(decompressor.decompress(part or b"", _PAGE))
+                target.write(decompressor.decompress(part or b"", _SMALL_STEP))
                 problem = "it ends too early" if part == b"" else None
             except zstd().ZstdError as error:
                 problem = str(error)
@@ -144,6 +144,8 @@ def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | M
             yield replace(found, checked=True) if checked and isinstance(found, Message) else found
     except OSError as error:
         raise reading.error(None, f"{path.name} cannot be read ({error.strerror})") from error
+    except sqlite3.Error as error:
+        reading.note(f"{path.name}: SQLite cannot read it: {error}")
     except (struct.error, LookupError, ValueError, OverflowError, MemoryError) as error:
         reading.note(f"{path.name}: the rest is damaged: {error!r}")
 

@@ -1,6 +1,5 @@
-"""Topics and messages as the scanners of all formats find them, and the compressions that the formats share."""
+"""Topics and messages as the scanners find them, and the compressions of MCAP and of whole files."""
 
-import bz2
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -70,8 +69,6 @@ def decompress(data: bytes, compression: str, size: int) -> tuple[bytes, bool]:
     decompressor: Any
     if compression == "zstd":
         decompressor, has_checksum = zstd().ZstdDecompressor(), zstd_has_checksum(data)
-    elif compression == "bz2":
-        decompressor, has_checksum = bz2.BZ2Decompressor(), True
     elif compression == "lz4":
         from lz4.frame import LZ4FrameDecompressor
 

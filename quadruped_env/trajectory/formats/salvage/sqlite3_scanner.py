@@ -1,141 +1,129 @@
-"""sqlite3 bags without their B-tree: the pages of rows one by one, https://www.sqlite.org/fileformat2.html.
+"""sqlite3 bags that were cut off, damaged or never closed: the rows that SQLite itself can read.
 
-SQLite itself finds no row in a file whose upper pages are damaged, even if the rows are intact. The tables are those of
-https://github.com/ros2/rosbag2: topics (id, name, type, ...) and messages (id, topic_id, timestamp, data).
+A bag in WAL mode (rosbag2's storage preset `resilient`) that was never closed has its last messages in a file next to
+it, `<name>-wal`; a transaction that was cut short has its journal there. SQLite applies both, on a copy. The tables are
+those of https://github.com/ros2/rosbag2: topics (id, name, type, ...) and messages (id, topic_id, timestamp, data).
 """
 
+import os
+import shutil
+import sqlite3
 import struct
-from collections.abc import Callable, Iterator
+import tempfile
+from collections.abc import Iterator
+from contextlib import ExitStack, closing, suppress
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats.salvage.records import MAX_SIZE, Message, Topic
+from quadruped_env.trajectory.formats.salvage.records import Message, Topic
 
-_HEADER: Final = 100
-"""Bytes of the header, at the beginning of the first page."""
-_LEAF: Final = 0x0D
-"""Type of a page with rows."""
+_SIDECARS: Final = ("-wal", "-journal")
+_LEAF: Final = b"\x0d"
+"""First byte of a page with rows of a table, https://www.sqlite.org/fileformat2.html."""
 
-Value = int | float | bytes | str | None
-PageReader = Callable[[int], bytes]
+_Row = tuple[Any, ...]
 
 
 def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
     """Topics and messages in the order of the file."""
     with path.open("rb") as file:
-        header = file.read(_HEADER)
-        size = path.stat().st_size
-        if len(header) < _HEADER:
-            reading.note(f"{path.name}: cut off at byte {size}, within the header")
-            return
-        page_size, unused = struct.unpack_from(">H", header, 16)[0], header[20]
-        page_size = 65536 if page_size == 1 else page_size
-        if page_size < 512 or page_size & (page_size - 1):
-            reading.note(f"{path.name}: byte 16: {page_size} is not a valid page size")
-            return
-        pages = struct.unpack_from(">I", header, 28)[0]
-        if size < pages * page_size:
-            reading.note(f"{path.name}: cut off at byte {size} of {pages * page_size}")
+        header = file.read(32)
+    size = path.stat().st_size
+    if len(header) < 32:
+        reading.note(f"{path.name}: cut off at byte {size}, within the header")
+        return
+    (page_size,), (pages,) = struct.unpack_from(">H", header, 16), struct.unpack_from(">I", header, 28)
+    page_size = 65536 if page_size == 1 else page_size  # which does not fit the field
+    if page_size < 512:
+        reading.note(f"{path.name}: byte 16: {page_size} is not a valid page size")
+        return
+    if size < pages * page_size and unapplied(path) is None:
+        reading.note(f"{path.name}: cut off at byte {size} of {pages * page_size}")
+    for key, name, message_type in _rows(path, "topics", {"name": str, "type": str}, page_size, reading):
+        if name.startswith("/"):
+            yield Topic(key, name, message_type)
+    columns = {"topic_id": int, "timestamp": int, "data": bytes}
+    for _, topic, time, data in _rows(path, "messages", columns, page_size, reading):
+        yield Message(topic, time, data)
 
-        def page(number: int) -> bytes:
+
+def unapplied(path: Path) -> Path | None:
+    """File next to a database with changes that are not in it yet, since it was never closed; None without one."""
+    files = (path.with_name(path.name + suffix) for suffix in _SIDECARS)
+    return next((file for file in files if file.is_file() and file.stat().st_size), None)
+
+
+def _rows(path: Path, table: str, types: dict[str, type], page_size: int, reading: Reading) -> Iterator[_Row]:
+    """Id and columns of each row of a table that can be read, where the columns have these types."""
+    query = f"SELECT rowid, {', '.join(types)} FROM {table} NOT INDEXED"  # noqa: S608
+    last, problem = 0, ""
+
+    def is_whole(row: _Row) -> bool:
+        return row[0] > last and all(map(isinstance, row[1:], types.values()))
+
+    with ExitStack() as stack:
+        cut_page = path.stat().st_size % page_size > 0
+        on_copy = cut_page or unapplied(path) is not None
+        database = _opened(_copy(path, page_size, stack), stack, "") if on_copy else _opened(path, stack)
+        try:
+            for row in database.execute(query):
+                # A damaged tree may lead to a page twice, or to one of another table.
+                if not is_whole(row):
+                    problem = "rows of other types, or in another order"
+                    break
+                last = row[0]
+                yield row
+        except sqlite3.Error as error:
+            problem = str(error)
+        if not problem:
+            return
+        reading.note(f"{path.name}: {table} are damaged behind row {last}: {problem}")
+        found = {row[0]: row for row in _page_by_page(path, table, query, page_size, stack) if is_whole(row)}
+        yield from found.values()
+        if found and (missing := max(found) - last - len(found)):
+            reading.note(f"{path.name}: left out {missing} rows of {table} that cannot be read")
+
+
+def _page_by_page(path: Path, table: str, query: str, page_size: int, stack: ExitStack) -> Iterator[_Row]:
+    """Rows of all tables, in the order of the file.
+
+    Pages that lead to a page of rows may be damaged or missing. So each page of rows takes the place of the table's
+    root, in the schema of a copy, and SQLite reads it as if it were the whole table; 0.1 ms per page.
+    """
+    copy = _copy(path, page_size, stack)
+    database = _opened(copy, stack, "")
+    database.execute("PRAGMA wal_checkpoint")
+    database.execute("PRAGMA synchronous = OFF")
+    with copy.open("rb") as file:
+        for number in range(2, copy.stat().st_size // page_size + 1):
             file.seek((number - 1) * page_size)
-            return file.read(page_size)
-
-        for number in range(1, size // page_size + 1):
-            data = page(number)
-            reading.report_progress(number * page_size / size)
-            start = _HEADER if number == 1 else 0
-            if data[start] != _LEAF:
+            if file.read(1) != _LEAF:
                 continue
-            (count,) = struct.unpack_from(">H", data, start + 3)
-            for i in range(count):
-                try:
-                    (at,) = struct.unpack_from(">H", data, start + 8 + 2 * i)
-                    found = _found(*_row(data, at, page, page_size - unused))
-                except (struct.error, IndexError, ValueError, OverflowError):
-                    reading.note(f"{path.name}: page {number}: damaged rows were left out")
-                    continue
-                if found is not None:
-                    yield found
+            database.execute("PRAGMA writable_schema = ON")
+            database.execute("UPDATE sqlite_schema SET rootpage = ? WHERE name = ?", (number, table))
+            database.execute("PRAGMA writable_schema = RESET")
+            with suppress(sqlite3.Error):
+                yield from database.execute(query)
 
 
-def _found(key: int, row: list[Value]) -> Topic | Message | None:
-    """The topic or message in a row, recognised by the types of its columns; the first, the key, is not stored."""
-    match row:
-        case [None, int(topic), int(time), bytes(data)]:
-            return Message(topic, time, data)
-        case [None, str(name), str(message_type), str(), *_] if name.startswith("/"):
-            return Topic(key, name, message_type)
-    return None
+def _copy(path: Path, page_size: int, stack: ExitStack) -> Path:
+    """A copy of a database and of the changes next to it, which is removed when the stack closes."""
+    copy = Path(stack.enter_context(tempfile.TemporaryDirectory())) / "copy"
+    for suffix in ("", *_SIDECARS):
+        source = path.with_name(path.name + suffix)
+        if source.is_file():
+            shutil.copyfile(source, copy.with_name(copy.name + suffix))
+    # What a file lacks of a page would be zeros for SQLite.
+    os.truncate(copy, path.stat().st_size // page_size * page_size)
+    return copy
 
 
-def _row(page: bytes, at: int, read_page: PageReader, usable: int) -> tuple[int, list[Value]]:
-    """Key and columns of the row at an offset of a page."""
-    size, at = _varint(page, at)
-    key, at = _varint(page, at)
-    if size > MAX_SIZE:
-        raise ValueError(f"a row claims {size} bytes")
-    payload = _payload(page, at, size, read_page, usable)
-    head, at = _varint(payload, 0)
-    kinds = []
-    while at < head:
-        kind, at = _varint(payload, at)
-        kinds.append(kind)
-    values = []
-    for kind in kinds:
-        value, at = _value(payload, at, kind)
-        values.append(value)
-    return key, values
-
-
-def _payload(page: bytes, at: int, size: int, read_page: PageReader, usable: int) -> bytes:
-    """The bytes of a row, which continue on other pages if they do not fit."""
-    most, least = usable - 35, (usable - 12) * 32 // 255 - 23
-    if size <= most:
-        local = size
-    else:
-        local = least + (size - least) % (usable - 4)
-        local = local if local <= most else least
-    parts = [page[at : at + local]]
-    missing = size - local
-    (following,) = struct.unpack_from(">I", page, at + local) if missing else (0,)
-    while missing > 0 and following:
-        overflow = read_page(following)
-        (following,) = struct.unpack_from(">I", overflow)
-        parts.append(overflow[4 : 4 + min(missing, usable - 4)])
-        missing -= usable - 4
-    data = b"".join(parts)
-    if len(data) != size:
-        raise ValueError("a row is cut off")
-    return data
-
-
-def _value(data: bytes, at: int, kind: int) -> tuple[Value, int]:
-    """A column, decoded by its serial type, and the offset of its end."""
-    lengths = (0, 1, 2, 3, 4, 6, 8, 8, 0, 0, 0, 0)
-    length = lengths[kind] if kind < 12 else (kind - 12) // 2
-    part = data[at : at + length]
-    if len(part) < length:
-        raise ValueError("a column is cut off")
-    value: Value
-    if kind >= 12:
-        value = part if kind % 2 == 0 else part.decode()
-    elif kind == 7:
-        (value,) = struct.unpack(">d", part)
-    elif kind in {0, 10, 11}:
-        value = None
-    else:
-        value = kind - 8 if kind in {8, 9} else int.from_bytes(part, "big", signed=True)
-    return value, at + length
-
-
-def _varint(data: bytes, at: int) -> tuple[int, int]:
-    """A number of one to nine bytes, and the offset of its end."""
-    value = 0
-    for i in range(8):
-        byte = data[at + i]
-        value = value << 7 | byte & 0x7F
-        if byte < 0x80:
-            return value, at + i + 1
-    return value << 8 | data[at + 8], at + 9
+def _opened(path: Path, stack: ExitStack, options: str = "?immutable=1") -> sqlite3.Connection:
+    """A connection, closed with the stack; by default one that changes nothing."""
+    database = sqlite3.connect(f"{path.absolute().as_uri()}{options}", uri=True, isolation_level=None)
+    stack.enter_context(closing(database))
+    database.text_factory = lambda text: text.decode(errors="replace")
+    # Otherwise SQLite reads nothing of a file that is shorter than its header says.
+    database.execute("PRAGMA writable_schema = ON")
+    return database

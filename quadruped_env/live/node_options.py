@@ -1,0 +1,75 @@
+"""Options of nodes that need to know the robot or the ground, and options that a launch passes on to its nodes."""
+
+import argparse
+from typing import TYPE_CHECKING, Final
+
+from quadruped_env.control.task_file import load_robot
+from quadruped_env.robot.robot import Robot
+
+if TYPE_CHECKING:
+    from quadruped_env.simulation import Terrain
+
+COMMON: Final = ("domain_id", "subnet", "seconds", "quiet")
+"""Options of `add_common_arguments`."""
+GROUND: Final = ("seed", "terrain", "level")
+"""Options of `add_terrain_arguments`."""
+
+
+def add_robot_argument(parser: argparse.ArgumentParser) -> None:
+    """Add `--task`: the file that defines another robot than the built-in one."""
+    parser.add_argument(
+        "--task",
+        metavar="FILE",
+        help="Python file that defines your robot or terrain (docs/make-it-yours.md); it is executed (default: the "
+        "built-in ones)",
+    )
+
+
+def robot_of(arguments: argparse.Namespace) -> Robot:
+    """The robot that `--task` names, or the built-in one; a QuadrupedError if the file does not define one."""
+    return load_robot(arguments.task)
+
+
+def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
+    """Add `--terrain`, `--level` and `--seed`, with a help for the seed; `chosen_terrain` reads them."""
+    from quadruped_env.simulation.built_in_terrains import NAMES, flat
+    from quadruped_env.simulation.terrain import LEVELS
+
+    parser.add_argument(
+        "--terrain",
+        metavar="NAME",
+        default=flat.name,
+        help=f"the ground: {NAMES} (docs/terrain.md), or one from --task's file (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--level",
+        type=int,
+        metavar="N",
+        help=f"level of the terrain, from 1 to {LEVELS}, which is the hardest (default: none; docs/terrain.md)",
+    )
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help=f"{seed} (default: %(default)s)")
+
+
+def chosen_terrain(arguments: argparse.Namespace) -> "Terrain":
+    """The terrain that the arguments name.
+
+    Raises:
+        QuadrupedError: if there is no such terrain or level, or the file of `--task` cannot be loaded.
+    """
+    from quadruped_env.simulation import find_terrain
+    from quadruped_env.task.task_definition import BUILT_IN, load_task_file
+    from quadruped_env.task.terrain_section import leg_scale
+
+    definition = BUILT_IN if arguments.task is None else load_task_file(arguments.task)
+    terrain = find_terrain(arguments.terrain, definition.terrains)
+    return terrain.variant(arguments.seed, arguments.level, leg_scale(definition.robot))
+
+
+def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:
+    """Options as they were given, for another node."""
+    found = []
+    for name in names:
+        value = getattr(arguments, name)
+        if value is not None and value is not False:
+            found += [f"--{name.replace('_', '-')}", *([] if value is True else [str(value)])]
+    return found

@@ -1,0 +1,44 @@
+"""What an import of the package loads, and the registration of the environments without an import of Gymnasium."""
+
+import subprocess
+import sys
+
+import pytest
+
+import quadruped_env
+
+MAKE = "gymnasium.make('MiniQuadruped-v0'); gymnasium.make_vec('MiniQuadrupedRough-v0', num_envs=2)"
+
+
+def run(code):
+    """What a fresh Python prints."""
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+
+
+@pytest.mark.parametrize(
+    "imports",
+    [
+        "import gymnasium, quadruped_env",
+        "import quadruped_env, gymnasium",
+        "import quadruped_env, importlib.util; importlib.util.find_spec('gymnasium'); import gymnasium",
+        "import quadruped_env, gymnasium.spaces, gymnasium",
+    ],
+)
+def test_environments_are_registered_in_either_order(imports):
+    run(f"{imports}; {MAKE}")
+
+
+def test_make_loads_few_modules_and_nothing_of_recordings_or_ros():
+    print_modules = "import sys; print(*(name for name in sys.modules if name.startswith('quadruped_env')))"
+    loaded = run(f"import gymnasium, quadruped_env; gymnasium.make('MiniQuadruped-v0'); {print_modules}").split()
+    unneeded = tuple(f"quadruped_env.{name}" for name in ("trajectory", "ros", "live", "reporting", "policies"))
+    assert [name for name in loaded if name.startswith(unneeded)] == []
+    assert len(loaded) < 85
+
+
+def test_names_are_imported_when_they_are_used():
+    assert set(quadruped_env.__all__) <= set(dir(quadruped_env))
+    assert all(getattr(quadruped_env, name) is not None for name in quadruped_env.__all__)
+    assert quadruped_env.task.TaskConfig
+    with pytest.raises(AttributeError, match="has no attribute 'tasks'"):
+        _ = quadruped_env.tasks
