@@ -23,12 +23,10 @@ from quadruped_env.cli.train import task_change
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.control.policy_files import read_policy, shipped_directory
 from quadruped_env.errors import MAX_MESSAGE, cut, short
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.aggregate import aggregate
-from quadruped_env.evaluation.suite.references import read_references
-from quadruped_env.evaluation.suite.suite import ranked, read_results
-from quadruped_env.export.evaluation_results import evaluation_of
-from quadruped_env.export.folder import check_output
+from quadruped_env.evaluation.suite.suite import ranked, read_references, read_results
+from quadruped_env.export.folder import check_output, evaluation_of
 from quadruped_env.export.manifest import FORMAT
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.reporting.plots.learning_plots import read_progress
@@ -120,7 +118,7 @@ def read_suite(path):
 
 
 def read_sim2sim(path):
-    found = sim2sim.load(dataclasses.replace(find_subject("flat"), output=path.parent))
+    found = sim2sim.load(dataclasses.replace(find_policy("flat"), output=path.parent))
     for show in () if found is None else (sim2sim.tables, sim2sim.verdict, sim2sim.conditions):
         show(found[0])
 
@@ -135,7 +133,7 @@ def prepare_subject(directory):
     engine = {"name": "MuJoCo", "version": "4", "timestep": 0.005}
     values = {name: [[0.1, 0.2]] for name in ("forward_velocity", "yaw_rate", "base_height", "fallen")}
     part = {"commands": [[0.3, 0.0]], "engines": [values, values]}
-    digest = hashlib.sha256(find_subject("flat").policy.files()[TENSORS_FILE]).hexdigest()
+    digest = hashlib.sha256(find_policy("flat").policy.files()[TENSORS_FILE]).hexdigest()
     document = {"format_version": 1, "command_line": "", "policy": {"weights_sha256": digest}, "seeds": [1, 2]}
     document |= {"seconds": 5.0, "engines": [engine, engine], "controllers": {"policy": part}}
     (directory / sim2sim.RESULTS_FILE).write_text(json.dumps(document))
@@ -156,7 +154,7 @@ READERS = {
     "policy": Reader(CARD_FILE, lambda path: read_policy(path.parent), prepare_policy),
     "config": Reader(CONFIG_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
     "curve": Reader(PROGRESS_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
-    "recipe": Reader(CONFIG_FILE, lambda path: find_subject(str(path.parent)).recipe, prepare_whole_run, lenient=True),
+    "recipe": Reader(CONFIG_FILE, lambda path: find_policy(str(path.parent)).recipe, prepare_whole_run, lenient=True),
     "motors": Reader("motors.json", read_motors, sound=MOTORS),
     "task": Reader("task.json", read_task, sound=TASK),
     "terms": Reader("terms.py", load_task_file, sound=TERMS),
@@ -168,7 +166,7 @@ READERS = {
     "references": Reader("references.json", read_references, sound=json.dumps({"rows": [ROW]})),
     "metrics": Reader(
         "metrics.json",
-        lambda path: evaluation_of(dataclasses.replace(find_subject(str(path.parent)), output=path.parent)),
+        lambda path: evaluation_of(dataclasses.replace(find_policy(str(path.parent)), output=path.parent)),
         prepare_subject,
         lenient=True,
     ),
@@ -201,11 +199,9 @@ READ_BY = {
     "control/policy_files.py": ("policy", "tensors"),
     "control/task_file.py": ("terms",),
     "utils/documents.py": JSON,
-    "evaluation/subject.py": ("recipe",),
-    "evaluation/suite/references.py": ("references",),
-    "evaluation/suite/suite.py": ("suite",),
-    "export/folder.py": ("export",),
-    "export/evaluation_results.py": ("metrics",),
+    "evaluation/evaluated_policy.py": ("recipe",),
+    "evaluation/suite/suite.py": ("references", "suite"),
+    "export/folder.py": ("export", "metrics"),
     "utils/files.py": "a file that it has just written",
     "utils/provenance.py": "/proc/cpuinfo",
     "replay/motors_file.py": ("motors",),

@@ -23,7 +23,8 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 import numpy as np
 
-from quadruped_env.control.controllers import CommandedGaitController, Controller
+from quadruped_env.control.control_interface import Controller
+from quadruped_env.control.controllers import CommandedGaitController
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import evaluation_task
 from quadruped_env.evaluation.metrics import measure

@@ -28,18 +28,18 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 import numpy as np
 
+from benchmarks.recipe_plots import recipe_curves
 from benchmarks.shipping import disturbed
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
-from quadruped_env.evaluation.subject import Subject, find_subject
 from quadruped_env.evaluation.suite import gait_measures as suite_gait
 from quadruped_env.evaluation.suite import terrains
-from quadruped_env.evaluation.suite.measured_controller import Contender, mean_velocities
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.reporting.plots.learning_plots import read_progress
-from quadruped_env.reporting.plots.recipe_plots import recipe_curves
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import pasteable
@@ -61,10 +61,10 @@ Row = dict[str, float]
 """Column -> value."""
 
 
-def errors(contender: Contender, progress: Progress, episodes: int = 8) -> Row:
+def errors(measured: MeasuredController, progress: Progress, episodes: int = 8) -> Row:
     """Signed error of the mean velocity at every command, m/s or, on turns, rad/s."""
     commands = (*STRAIGHT_COMMANDS, *TURN_COMMANDS)
-    rollout = contender.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 20.0, progress)
+    rollout = measured.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 20.0, progress)
     means = np.nanmean(mean_velocities(rollout).reshape(len(commands), episodes, 2), axis=1)
     row = {}
     for (forward, turn), (reached_forward, reached_turn) in zip(commands, means, strict=True):
@@ -74,9 +74,9 @@ def errors(contender: Contender, progress: Progress, episodes: int = 8) -> Row:
     return row
 
 
-def own_env(contender: Contender, progress: Progress, episodes: int = 300, seconds: float = 20.0) -> Row:
+def own_env(measured: MeasuredController, progress: Progress, episodes: int = 300, seconds: float = 20.0) -> Row:
     """Episodes of the env of the policy's training, with random commands, that end in a fall, and their share in %."""
-    policy = contender.controller.policy  # type: ignore[attr-defined]
+    policy = measured.controller.policy  # type: ignore[attr-defined]
     env = policy.make_vec_env(episodes)
     task, dt = env.unwrapped.task, policy.config.control_timestep
     steps = round(seconds / dt)
@@ -103,16 +103,16 @@ def own_env(contender: Contender, progress: Progress, episodes: int = 300, secon
     }
 
 
-def falls(contender: Contender, progress: Progress, episodes: int = 200) -> Row:
+def falls(measured: MeasuredController, progress: Progress, episodes: int = 200) -> Row:
     """Share of episodes that end in a fall with the preset `hard`, and of time tilted by more than 0.3 rad, %."""
-    result = disturbed(contender.controller.policy, episodes, progress)  # type: ignore[attr-defined]
+    result = disturbed(measured.controller.policy, episodes, progress)  # type: ignore[attr-defined]
     shares = {"all": result["fall_rate"], **result["fall_rate_by_command"], "tilted": result["tilted_share"]}
     return {name: 100.0 * share for name, share in shares.items()}
 
 
-def gait(contender: Contender, progress: Progress) -> Row:
+def gait(measured: MeasuredController, progress: Progress) -> Row:
     """Least clearance (mm), most touchdowns per stride, and the electrical cost of transport at 0.4 m/s."""
-    commands = suite_gait.run(full_suite().gait, contender, progress)["commands"]
+    commands = suite_gait.run(full_suite().gait, measured, progress)["commands"]
     groups = {
         "forwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] > 0.0],
         "backwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] < 0.0],
@@ -131,10 +131,10 @@ def _of_feet(measure: str, entries: Sequence[dict[str, Any]]) -> list[float]:
     return [math.nan if value is None else value for entry in entries for value in entry[measure]]
 
 
-def terrain(contender: Contender, progress: Progress) -> Row:
+def terrain(measured: MeasuredController, progress: Progress) -> Row:
     """Height, depth (mm) or angle (degrees) of the highest level of each terrain that is passed; 0 for none."""
     part = full_suite().terrain
-    results = terrains.run(part, contender, progress)
+    results = terrains.run(part, measured, progress)
     row = {}
     for kind, result in results.items():
         unit, hardest = ("degrees", math.degrees(STEEPEST)) if kind == "slope" else ("mm", HIGHEST * 1e3)
@@ -142,10 +142,10 @@ def terrain(contender: Contender, progress: Progress) -> Row:
     return row
 
 
-def envelope(contender: Contender, progress: Progress, episodes: int = 100) -> Row:
+def envelope(measured: MeasuredController, progress: Progress, episodes: int = 100) -> Row:
     """Largest mean forward velocity, m/s, and yaw rate in place, rad/s, at which no episode of 10 s falls."""
     commands = (*FASTEST, *TIGHTEST)
-    rollout = contender.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 10.0, progress)
+    rollout = measured.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 10.0, progress)
     return fastest(rollout, len(FASTEST), episodes)
 
 
@@ -160,7 +160,7 @@ def fastest(rollout: Rollout, straight: int, episodes: int) -> Row:
     }
 
 
-MEASURES: Final[dict[str, Callable[[Contender, Progress], Row]]] = {
+MEASURES: Final[dict[str, Callable[[MeasuredController, Progress], Row]]] = {
     "errors": errors,
     "env": own_env,
     "falls": falls,
@@ -193,18 +193,18 @@ def main() -> int:
 def run(arguments: argparse.Namespace) -> int:
     """Measure every run, and print a table for each recipe and measure."""
     wanted = arguments.only or [*MEASURES, CURVES]
-    recipes = by_recipe([find_subject(run, Path()) for run in arguments.runs])
-    for recipe, subjects in recipes.items():
+    recipes = by_recipe([find_policy(run, Path()) for run in arguments.runs])
+    for recipe, policies in recipes.items():
         for measure in (measure for measure in wanted if measure in MEASURES):
             rows = []
-            for subject in subjects:
-                progress = ProgressLine(f"{measure} of {subject.name}")
-                rows.append(MEASURES[measure](Contender.of_policy(subject.policy, subject.name), progress))
-            print(f"\n{recipe}, {measure}\n\n{table(rows, [_seed(subject) for subject in subjects])}", flush=True)
+            for evaluated in policies:
+                progress = ProgressLine(f"{measure} of {evaluated.name}")
+                rows.append(MEASURES[measure](MeasuredController.of_policy(evaluated.policy, evaluated.name), progress))
+            print(f"\n{recipe}, {measure}\n\n{table(rows, [_seed(evaluated) for evaluated in policies])}", flush=True)
     if CURVES in wanted:
         curves = {
-            recipe: [read_progress(subject.progress_file) for subject in subjects if subject.progress_file]
-            for recipe, subjects in recipes.items()
+            recipe: [read_progress(evaluated.progress_file) for evaluated in policies if evaluated.progress_file]
+            for recipe, policies in recipes.items()
         }
         arguments.picture.parent.mkdir(parents=True, exist_ok=True)
         write_whole({arguments.picture: recipe_curves(curves).encode()})
@@ -212,30 +212,30 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def by_recipe(subjects: Sequence[Subject]) -> dict[str, list[Subject]]:
+def by_recipe(policies: Sequence[EvaluatedPolicy]) -> dict[str, list[EvaluatedPolicy]]:
     """Policies by the recipe, and the algorithm unless it is PPO, that they were trained with.
 
     Raises:
         QuadrupedError: if two policies of a recipe differ in more than the seed, or do not say what they come from.
     """
-    recipes: dict[str, list[Subject]] = {}
-    for subject in subjects:
-        card = subject.policy.card
+    recipes: dict[str, list[EvaluatedPolicy]] = {}
+    for evaluated in policies:
+        card = evaluated.policy.card
         if not {"recipe", "algo", "seed", "timesteps"} <= set(card):
-            raise QuadrupedError(f"{subject.name}: expected a trained policy; its card names no recipe or seed")
+            raise QuadrupedError(f"{evaluated.name}: expected a trained policy; its card names no recipe or seed")
         name = card["recipe"] if card["algo"] == "ppo" else f"{card['recipe']}, {card['algo']}"
         same = recipes.setdefault(name, [])
-        first = same[0].policy if same else subject.policy
+        first = same[0].policy if same else evaluated.policy
         steps = first.card["timesteps"], card["timesteps"]
         # A budget in seconds does not give the same number of steps twice.
-        if first.config != subject.policy.config or min(steps) < _SAME_STEPS * max(steps):
-            raise QuadrupedError(f"{subject.name}: expected the settings of {same[0].name}, with another seed")
-        same.append(subject)
+        if first.config != evaluated.policy.config or min(steps) < _SAME_STEPS * max(steps):
+            raise QuadrupedError(f"{evaluated.name}: expected the settings of {same[0].name}, with another seed")
+        same.append(evaluated)
     return recipes
 
 
-def _seed(subject: Subject) -> str:
-    return str(subject.policy.card["seed"])
+def _seed(evaluated: EvaluatedPolicy) -> str:
+    return str(evaluated.policy.card["seed"])
 
 
 def table(rows: Sequence[Row], seeds: Sequence[str]) -> str:

@@ -17,16 +17,24 @@ from typing import Any
 sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
-from benchmarks.shipping import note_suite, without_suite
+from benchmarks.shipping import note_suite, reference_row, without_suite
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import reference_contenders
-from quadruped_env.evaluation.suite.references import REFERENCE_FILE, read_references, reference_row, score_table
-from quadruped_env.evaluation.suite.suite import check_comparable, read_results, run_suite
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.suite import (
+    REFERENCE_FILE,
+    check_comparable,
+    read_references,
+    read_results,
+    run_suite,
+    score_table,
+)
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
-from quadruped_env.policies import Policy, load_policy
+from quadruped_env.gait import SinusoidalGait
+from quadruped_env.policies import CommandedGaitController, GaitController, Policy, ZeroController, load_policy
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.task import TaskConfig
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
@@ -103,11 +111,24 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
     return found
 
 
+def reference_controllers(policies: Mapping[str, Policy]) -> list[MeasuredController]:
+    """Controllers of the reference rows: standing, the tutorial's gait, the tuned gait, and policies by name."""
+    config = TaskConfig().for_robot(MINI_QUADRUPED)
+    return [
+        MeasuredController("standing", ZeroController(), config),
+        MeasuredController(
+            "article", GaitController(SinusoidalGait.preset("article", MINI_QUADRUPED), "article"), config
+        ),
+        MeasuredController("tuned", CommandedGaitController(), config),
+        *(MeasuredController.of_policy(policy, name) for name, policy in policies.items()),
+    ]
+
+
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print the scores."""
     suite = quick_suite() if arguments.quick else full_suite()
-    contenders = reference_contenders(named_policies(arguments.policy), MINI_QUADRUPED)
-    names = [contender.name for contender in contenders]
+    measured_controllers = reference_controllers(named_policies(arguments.policy))
+    names = [measured.name for measured in measured_controllers]
     wanted = arguments.only or names
     if not set(wanted) <= set(names):
         raise QuadrupedError(f"--only: expected some of {', '.join(names)}; found {', '.join(wanted)}")
@@ -116,11 +137,11 @@ def run(arguments: argparse.Namespace) -> int:
     known = finished_results(arguments.result, suite, shipped)
     origin = {"versions": versions(), "commit": git_commit()}
     results = {}
-    for contender in contenders:
-        if contender.name in wanted:
-            result = known.get(contender.name) or run_suite(contender, suite, ProgressLine(contender.name))
-            rows[contender.name] = {**reference_row(result), "origin": origin}
-            results[contender.name] = result
+    for measured in measured_controllers:
+        if measured.name in wanted:
+            result = known.get(measured.name) or run_suite(measured, suite, ProgressLine(measured.name))
+            rows[measured.name] = {**reference_row(result), "origin": origin}
+            results[measured.name] = result
     check_comparable(rows)
     if arguments.output == REFERENCE_FILE:
         for name in shipped:

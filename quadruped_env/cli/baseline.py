@@ -13,15 +13,7 @@ or a bag for `ros2 bag play` (-o walk_bag), and next to it a JSON file of the me
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.common_options import (
-    NEXT_FREE,
-    add_output,
-    add_overwrite,
-    add_robot_file,
-    add_terrain,
-    add_video,
-    named_terrain,
-)
+from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED
@@ -62,16 +54,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="seed of the first random start (default: %(default)s)",
     )
-    add_robot_file(parser, terrain=True)
-    add_terrain(parser, "flat")
-    add_output(
+    options.add_robot_file(parser, terrain=True)
+    options.add_terrain(parser, "flat")
+    options.add_output(
         parser,
         "FILE",
         "NAME.csv, or NAME for a rosbag2 bag with /tf from odom on "
-        f"(default: results/baseline-PRESET.csv, {NEXT_FREE})",
+        f"(default: results/baseline-PRESET.csv, {options.NEXT_FREE})",
     )
-    add_video(parser)
-    add_overwrite(parser)
+    options.add_video(parser)
+    options.add_overwrite(parser)
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -93,7 +85,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.seed,
         ProgressLine("measuring"),
         load_robot(arguments.task),
-        named_terrain(arguments),
+        options.named_terrain(arguments),
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     if arguments.video:

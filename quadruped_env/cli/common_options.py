@@ -2,17 +2,23 @@
 
 import argparse
 import shlex
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import NUM_SEEDS
+from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, compare
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
+from quadruped_env.policies import Policy
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
 from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain
 from quadruped_env.simulation.terrain import LEVELS, Terrain
 from quadruped_env.task import PRESETS
+from quadruped_env.trajectory.joint_trajectory import JointTrajectory
+from quadruped_env.trajectory.read_options import FLAGS
+from quadruped_env.utils.progress import Progress
 
 NEXT_FREE: Final = "or that name with the next free number"
 SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
@@ -31,15 +37,7 @@ def add_run(parser: argparse.ArgumentParser) -> None:
 def add_output(
     parser: argparse.ArgumentParser, metavar: str, text: str, default: Path | None = None, alias: str = "--out"
 ) -> None:
-    """Add `-o`, `--output`: where results are written.
-
-    Args:
-        parser: of the command.
-        metavar: kind of the path, such as DIR.
-        text: help, with the default.
-        default: value without the option.
-        alias: an earlier spelling, which works and is not shown.
-    """
+    """Add `-o`, `--output`: where results are written; `alias` is an earlier spelling, which works and is not shown."""
     parser.add_argument("-o", "--output", type=Path, metavar=metavar, default=default, help=text)
     parser.add_argument(alias, dest="output", type=Path, default=argparse.SUPPRESS, help=argparse.SUPPRESS)
 
@@ -89,12 +87,7 @@ def add_robot_file(parser: argparse.ArgumentParser, terrain: bool = False) -> No
 
 
 def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
-    """Add `--terrain` and `--level`.
-
-    Args:
-        parser: of the command.
-        default: ground without the option, in words.
-    """
+    """Add `--terrain` and `--level`; `default` is the ground without them, in words."""
     parser.add_argument(
         "--terrain",
         metavar="NAME",
@@ -110,8 +103,6 @@ def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
 
 def named_terrain(arguments: argparse.Namespace) -> str | Terrain | None:
     """The terrain of `--terrain` and `--level`, with the file of `--task`; its name without level and file.
-
-    None without `--terrain`.
 
     Raises:
         QuadrupedError: if the file has no such terrain or cannot be loaded, or there is no such level.
@@ -132,32 +123,14 @@ def check_level_has_terrain(arguments: argparse.Namespace) -> None:
         raise QuadrupedError(f"--level: found {arguments.level} without --terrain; name the terrain, too")
 
 
-def terrain_option(arguments: argparse.Namespace) -> str:
-    """The options `--terrain` and `--level` as a user types them again, and a space; nothing without a terrain."""
-    if arguments.terrain is None:
-        return ""
-    level = "" if arguments.level is None else f"--level {arguments.level} "
-    return f"--terrain {shlex.quote(arguments.terrain)} {level}"
-
-
 def add_randomization(parser: argparse.ArgumentParser, default: str) -> None:
-    """Add `--randomization`.
-
-    Args:
-        parser: of the command.
-        default: randomization without the option, in words.
-    """
+    """Add `--randomization`; `default` is the randomization without it, in words."""
     parser.add_argument(
         "--randomization",
         choices=tuple(PRESETS),
         metavar="PRESET",
         help=f"randomization of the episodes: {', '.join(PRESETS)} (default: {default}; docs/randomization.md)",
     )
-
-
-def randomization_option(preset: str | None) -> str:
-    """The option `--randomization` as a user types it again, and a space; nothing without a preset."""
-    return "" if preset is None else f"--randomization {preset} "
 
 
 def task_option(arguments: argparse.Namespace) -> str:
@@ -167,13 +140,19 @@ def task_option(arguments: argparse.Namespace) -> str:
     return "" if arguments.task is None else f"--task {shlex.quote(str(arguments.task))} "
 
 
-def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str) -> None:
-    """Add the options of commands that write a report.
+def evaluation_options(arguments: argparse.Namespace) -> str:
+    """The options of an evaluation that change its numbers, as a user types them again."""
+    terrain = "" if arguments.terrain is None else f"--terrain {shlex.quote(arguments.terrain)} "
+    level = "" if arguments.level is None else f"--level {arguments.level} "
+    preset = "" if arguments.randomization is None else f"--randomization {arguments.randomization} "
+    suite = "--suite " if arguments.suite else ""
+    quick = "--quick " if getattr(arguments, "quick", False) else ""
+    episodes = f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}"
+    return f"{task_option(arguments)}{terrain}{level}{preset}{suite}{quick}{episodes}"
 
-    Args:
-        parser: of the command.
-        default_output: where the report goes without `--output`, in words.
-    """
+
+def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str) -> None:
+    """Add the options of commands that write a report; without `--output` it goes to `default_output`, in words."""
     parser.add_argument(
         "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"
     )
@@ -191,3 +170,35 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
     add_video(parser)
     add_overwrite(parser, "replace the file of --video if it exists")
     add_output(parser, "DIR", f"directory of the report (default: {default_output})")
+
+
+def compared(policies: Policy | Mapping[str, Policy], arguments: argparse.Namespace) -> Comparison:
+    """Run an evaluation with these options."""
+    return compare(
+        policies,
+        arguments.seeds,
+        arguments.seconds,
+        progress=ProgressLine("running"),
+        terrain=named_terrain(arguments),
+        randomization=arguments.randomization or "none",
+    )
+
+
+def add_reading_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options to a parser; `reading_options` takes them from the parsed arguments."""
+    group = parser.add_argument_group("reading")
+    for name, flags in FLAGS.items():
+        target = group if len(flags) == 1 else group.add_mutually_exclusive_group()
+        for flag, arguments in flags.items():
+            target.add_argument(flag, dest=name, default=None, **arguments)
+
+
+def reading_options(args: argparse.Namespace) -> dict[str, Any]:
+    """Keyword arguments of `JointTrajectory.load`: the options that were given."""
+    given = {name: getattr(args, name) for name in FLAGS}
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def load_with(path: Path, args: argparse.Namespace, progress: Progress | None = None) -> JointTrajectory:
+    """Load a recording with the options of the command line."""
+    return JointTrajectory.load(path, **reading_options(args), progress=progress)

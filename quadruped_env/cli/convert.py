@@ -20,10 +20,15 @@ Recordings of any length need little memory, unless --sort, --rate, --start, --s
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.common_options import add_output, add_overwrite, add_robot_file
+from quadruped_env.cli.common_options import (
+    add_output,
+    add_overwrite,
+    add_reading_options,
+    add_robot_file,
+    reading_options,
+)
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.cli.reading_options import add_reading_options, reading_options
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import JointTrajectory
@@ -92,11 +97,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         target,
         ReadOptions.of(**reading_options(arguments)),
         WriteOptions(
-            arguments.storage,
-            arguments.tf_rate,
-            arguments.compress,
-            arguments.overwrite,
-            load_robot(arguments.task),
+            arguments.storage, arguments.tf_rate, arguments.compress, arguments.overwrite, load_robot(arguments.task)
         ),
         change if any(value is not None for value in changing) else None,
         ProgressLine("converting"),

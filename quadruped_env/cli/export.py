@@ -29,19 +29,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Export, and print what was written."""
     from quadruped_env.control.policy_files import SHIPPED
-    from quadruped_env.evaluation.subject import find_subject
+    from quadruped_env.evaluation.evaluated_policy import find_policy
     from quadruped_env.export import export_policy
     from quadruped_env.export.folder import check_output
 
-    subject = find_subject(arguments.run, None, arguments.task, arguments.trust_task)
-    shipped = subject.name in SHIPPED
-    default = Path("results", f"{subject.name}-export") if shipped else subject.output.with_name("export")
+    evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task)
+    shipped = evaluated.name in SHIPPED
+    default = Path("results", f"{evaluated.name}-export") if shipped else evaluated.output.with_name("export")
     output = arguments.output or default
     check_output(output, arguments.overwrite)
-    export = export_policy(subject, output, arguments.film, arguments.overwrite, ProgressLine("filming"))
+    export = export_policy(evaluated, output, arguments.film, arguments.overwrite, ProgressLine("filming"))
     graph = export.manifest["graph"]
     print(
-        f"{subject.name}: {len(graph['inputs'])} inputs, opset {graph['onnx_opset']}; ONNX Runtime differs from the "
+        f"{evaluated.name}: {len(graph['inputs'])} inputs, opset {graph['onnx_opset']}; ONNX Runtime differs from the "
         f"policy by {graph['largest_difference_from_the_policy']:.1g} at most"
     )
     if export.manifest["evaluation"] is None:

@@ -29,10 +29,17 @@ and `replay --motors`; identification.json (what this program prints, as data); 
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.common_options import NEXT_FREE, add_output, add_overwrite, add_robot_file
+from quadruped_env.cli.common_options import (
+    NEXT_FREE,
+    add_output,
+    add_overwrite,
+    add_reading_options,
+    add_robot_file,
+    load_with,
+    reading_options,
+)
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.cli.reading_options import add_reading_options, load_with, reading_options
 from quadruped_env.identification import BASES, FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import check_free, free_path

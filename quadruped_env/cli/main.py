@@ -23,16 +23,9 @@ first steps:
 
 
 def make_parser(only: str | None = None) -> argparse.ArgumentParser:
-    """The parser of `mini-quadruped`.
-
-    Args:
-        only: command whose arguments are needed; the others then have none, and their modules are not imported.
-    """
+    """The parser of `mini-quadruped`; with `only`, no module of the other commands is imported."""
     parser = ArgumentParser(
-        prog=COMMAND,
-        description=_DESCRIPTION,
-        epilog=pasteable(_EPILOG),
-        formatter_class=HelpFormatter,
+        prog=COMMAND, description=_DESCRIPTION, epilog=pasteable(_EPILOG), formatter_class=HelpFormatter
     )
     parser.add_argument("--version", action="version", version=f"{COMMAND} {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, title="commands")

@@ -24,18 +24,10 @@ time, the start included.
 import argparse
 from pathlib import Path
 
-from quadruped_env.cli.common_options import (
-    NEXT_FREE,
-    add_output,
-    add_overwrite,
-    add_robot_file,
-    add_terrain,
-    add_video,
-    named_terrain,
-)
+from quadruped_env.cli import common_options as options
+from quadruped_env.cli.common_options import add_reading_options, load_with
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.cli.reading_options import add_reading_options, load_with
 from quadruped_env.replay.replay import MODES
 from quadruped_env.utils.files import check_free, free_path
 from quadruped_env.utils.program import shorten_help
@@ -62,12 +54,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--motors", type=Path, metavar="MOTORS.json", help="motors of the robot, a result of `identify`"
     )
-    add_robot_file(parser, terrain=True)
-    add_terrain(parser, "flat")
-    add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {NEXT_FREE})")
+    options.add_robot_file(parser, terrain=True)
+    options.add_terrain(parser, "flat")
+    options.add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {options.NEXT_FREE})")
     parser.add_argument("--no-report", action="store_true", help="write no report.html, which needs the report extra")
-    add_video(parser)
-    add_overwrite(parser)
+    options.add_video(parser)
+    options.add_overwrite(parser)
     add_reading_options(parser)
     of_reading, others = ("--columns", "--map"), ("--task", "--terrain", "--output", "--video")
     shorten_help(parser, "--mode", "--clip", "--compare", "--motors", *of_reading, *others)
@@ -94,7 +86,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         None if arguments.motors is None else read_motors(arguments.motors, robot),
         load_with(arguments.compare, arguments) if isinstance(arguments.compare, Path) else None,
         robot,
-        named_terrain(arguments),
+        options.named_terrain(arguments),
     )
     result.save(output, arguments.overwrite, ProgressLine("writing"), compare)
     if not arguments.no_report:

@@ -56,24 +56,24 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run both engines, write the results, and print them."""
-    from quadruped_env.evaluation.subject import find_subject
+    from quadruped_env.evaluation.evaluated_policy import find_policy
     from quadruped_env.sim2sim import transfer_results
     from quadruped_env.sim2sim.engines import check_drake
     from quadruped_env.sim2sim.transfer import COMMANDS, run_transfer
 
-    subject = find_subject(arguments.run, arguments.output, arguments.task, arguments.trust_task)
-    subject.policy.check_is_data("sim2sim")
+    evaluated = find_policy(arguments.run, arguments.output, arguments.task, arguments.trust_task)
+    evaluated.policy.check_is_data("sim2sim")
     check_drake()
     commands = COMMANDS if arguments.velocities is None else [(v, w) for v, w in arguments.velocities]
     transfer = run_transfer(
-        subject.policy,
+        evaluated.policy,
         commands,
         arguments.seeds,
         arguments.seconds,
         there=Drake(arguments.contact, friction=arguments.friction),
         progress=ProgressLine("running"),
     )
-    path = transfer_results.save(transfer, subject, f"{invocation.program} {subject.source} {_options(arguments)}")
+    path = transfer_results.save(transfer, evaluated, f"{invocation.program} {evaluated.source} {_options(arguments)}")
     print("\n\n".join(table.text() for table in transfer_results.tables(transfer)))
     print("\n" + "\n".join([*transfer_results.conditions(transfer), "", *transfer_results.verdict(transfer)]))
     print(f"\nnumbers: {path}")

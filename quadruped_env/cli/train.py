@@ -307,7 +307,7 @@ def _defaults_in_words(name: str, left_out: Iterable[str]) -> str:
 def _in_words(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return " ".join(map(str, value)) if isinstance(value, tuple) else str(value).lower()
+    return " ".join(map(str, value)) if isinstance(value, tuple) else str(value).lower() or "none"
 
 
 def json_object(text: str) -> dict[str, Any]:

@@ -12,14 +12,7 @@ Ctrl-C ends it.
 import argparse
 import signal
 
-from quadruped_env.cli.common_options import (
-    SHIPPED_POLICIES,
-    add_output,
-    add_randomization,
-    add_task_file,
-    add_terrain,
-    named_terrain,
-)
+from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 
@@ -30,7 +23,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "sources",
         nargs="*",
         metavar="SOURCE",
-        help=f"a run, {SHIPPED_POLICIES}, a Python file of a policy, a gait's name, or a recording of joint states",
+        help=f"a run, {options.SHIPPED_POLICIES}, a Python file of a policy, a gait's name, or a recording of joint "
+        f"states",
     )
     parser.add_argument(
         "--command",
@@ -50,10 +44,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="ADDRESS",
         help="address to listen on; other addresses allow access from other machines (default: %(default)s)",
     )
-    add_task_file(parser)
-    add_terrain(parser, "that of the first robot's task")
-    add_randomization(parser, "none, and every episode starts at rest")
-    add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS, alias="--results")
+    options.add_task_file(parser)
+    options.add_terrain(parser, "that of the first robot's task")
+    options.add_randomization(parser, "none, and every episode starts at rest")
+    options.add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS, alias="--results")
     parser.add_argument(
         "--measure", type=float, metavar="S", help="end after this time in s, and print the speed of the playback"
     )
@@ -68,7 +62,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.port,
         arguments.output,
         arguments.task,
-        named_terrain(arguments),
+        options.named_terrain(arguments),
         arguments.randomization,
         arguments.trust_task,
     )

@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.controllers import Controller, PolicyController, ZeroController
+from quadruped_env.control.control_interface import Controller
+from quadruped_env.control.controllers import PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.policy import CARD_FILE, Policy
 from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, is_code, read_policy, training_advice

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -183,3 +184,22 @@ class ControlInterface:
         first = self.steps == 0
         past[first] = present[first, None]
         return past[self._env_ids, (self.steps[:, None] - self._ages) % depth].reshape(self.num_envs, -1)
+
+
+class Controller(Protocol):
+    """Computes joint targets from observations; it does not send them to a robot."""
+
+    name: str
+    action_mode: str
+    """Action mode that the task must have."""
+    follows_command: bool
+    """False if the velocity command has no effect."""
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """Joint targets (N, J) in rad for one control step.
+
+        Args:
+            observation: observations of all envs (N, width).
+            control: clocks, commands and actions of the envs, already advanced to this step.
+        """
+        ...

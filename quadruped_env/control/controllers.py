@@ -1,7 +1,7 @@
 """Controllers, which compute joint targets from observations."""
 
 import math
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,25 +17,6 @@ if TYPE_CHECKING:
     from quadruped_env.trajectory import JointTrajectory
 
 Floats = NDArray[np.float64]
-
-
-class Controller(Protocol):
-    """Computes joint targets from observations; it does not send them to a robot."""
-
-    name: str
-    action_mode: str
-    """Action mode that the task must have."""
-    follows_command: bool
-    """False if the velocity command has no effect."""
-
-    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
-        """Joint targets (N, J) in rad for one control step.
-
-        Args:
-            observation: observations of all envs (N, width).
-            control: clocks, commands and actions of the envs, already advanced to this step.
-        """
-        ...
 
 
 class ZeroController:

@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import ControlConfig
-from quadruped_env.control.control_interface import ControlInterface
-from quadruped_env.control.controllers import Controller, PolicyController
+from quadruped_env.control.control_interface import ControlInterface, Controller
+from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.joint_command import LIMP, Target, limited
 from quadruped_env.control.observations import OBSERVATIONS
 from quadruped_env.control.stand_up import StandUp

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
+from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number, proportion
 from quadruped_env.evaluation.metrics import METRICS, measure
 from quadruped_env.evaluation.recorded_episode import Recording, play, publish
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
@@ -97,9 +97,9 @@ class Baseline:
             estimate = self.estimate(name)
             metrics[name] = {
                 "unit": METRICS[name].unit,
-                "mean": _number(estimate.mean),
-                "interval": [_number(estimate.low), _number(estimate.high)],
-                "episodes": [_number(value) for value in self.metrics[name].tolist()],
+                "mean": number(estimate.mean),
+                "interval": [number(estimate.low), number(estimate.high)],
+                "episodes": [number(value) for value in self.metrics[name].tolist()],
             }
         return {
             "preset": self.preset,
@@ -119,16 +119,12 @@ class Baseline:
         }
 
     def save(self, path: Path, commands: bool = False, overwrite: bool = False) -> None:
-        """Write a trajectory to a file or bag, and the report next to it, with the suffix `.json`.
+        """Write the measured joints, or the joint targets, to a file or bag, and the report next to it, as `.json`.
 
-        Args:
-            path: as in `JointTrajectory.save`. In a bag, measured joints come with the base's pose in `odom`.
-            commands: whether to write the joint targets rather than the measured joints.
-            overwrite: whether to replace files that are already there.
+        In a bag, measured joints come with the base's pose in `odom`.
 
         Raises:
-            QuadrupedError: if a file exists and `overwrite` is false, or cannot be written.
-            MissingExtraError: if a bag is to be written and the libraries for it are not installed.
+            QuadrupedError, MissingExtraError: as `JointTrajectory.save`.
         """
         check_target(path, overwrite)
         if commands:
@@ -189,7 +185,3 @@ def run_baseline(
     rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, part_of(progress, 0.0, 0.5))
     recording = play(commands, preset, progress=part_of(progress, 0.5, 1.0), robot=robot, terrain=terrain)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))
-
-
-def _number(value: float) -> float | None:
-    return None if math.isnan(value) else value

@@ -74,6 +74,15 @@ def motion_of(command: Command) -> str:
     return "forwards" if forward > 0 else "backwards"
 
 
+def words(command: Command) -> str:
+    """A velocity command in words, such as `0.4 m/s and 0.2 rad/s`."""
+    forward, yaw_rate = command
+    if not forward and not yaw_rate:
+        return "stand"
+    parts = [f"{forward:g} m/s"] if forward else []
+    return " and ".join(parts + ([f"{yaw_rate:g} rad/s"] if yaw_rate else []))
+
+
 @dataclass(frozen=True)
 class Comparison:
     """Rollouts and metrics of every controller on K commands with S seeds each."""
@@ -144,14 +153,14 @@ class Comparison:
             "seconds": self.seconds,
             "controllers": {
                 controller: {
-                    "all": {m: _plain(self.estimate(controller, m)) for m in METRICS},
+                    "all": {m: self.estimate(controller, m).to_dict() for m in METRICS},
                     "by_motion": {
-                        motion: {m: _plain(self.estimate(controller, m, motion)) for m in METRICS}
+                        motion: {m: self.estimate(controller, m, motion).to_dict() for m in METRICS}
                         for motion in MOTIONS
                         if self.conditions(motion)
                     },
                     "by_command": [
-                        {m: _plain(self.estimate_at(controller, m, i)) for m in METRICS}
+                        {m: self.estimate_at(controller, m, i).to_dict() for m in METRICS}
                         for i in range(len(self.commands))
                     ],
                 }
@@ -160,12 +169,8 @@ class Comparison:
         }
 
 
-def _plain(estimate: Estimate) -> dict[str, float | int | None]:
-    return {name: None if math.isnan(value) else value for name, value in dataclasses.asdict(estimate).items()}
-
-
 def compare(
-    policy: Policy | Agent,
+    policies: Policy | Agent | Mapping[str, Policy | Agent],
     num_seeds: int = NUM_SEEDS,
     seconds: float = DEFAULT_SECONDS,
     commands: Sequence[Command] = COMMANDS,
@@ -173,45 +178,28 @@ def compare(
     terrain: str | Terrain | None = None,
     randomization: str = "none",
 ) -> Comparison:
-    """Run a policy, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
+    """Run policies, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    The task is the one that the policy was trained for, with a preset in place of its randomization, a user's own
-    included: by default, only the start of an episode is random. Commands may lie outside the training ranges.
+    Each policy runs the task that it was trained for, with a preset in place of its randomization, a user's own
+    included: by default, only the start of an episode is random. The scripted controllers run the first policy's task,
+    the tuned gait with a clock of its own frequency. Commands may lie outside the training ranges.
 
     Args:
-        policy: the trained policy, or an object with the two methods of `Agent`.
+        policies: one policy, which is called `policy`, or several by name: trained ones, or objects with the two
+            methods of `Agent`.
         num_seeds: episodes per command.
         seconds: length of an episode, s.
         commands: forward velocity in m/s and yaw rate in rad/s.
         progress: called with the fraction done.
-        terrain: a terrain, or the name of one of the task's, in place of the task's own.
-        randomization: a preset in place of the task's own randomization: `none`, `moderate` or `hard`.
+        terrain: a terrain, or the name of one of the task's, in place of the tasks' own.
+        randomization: a preset in place of the tasks' own randomization: `none`, `moderate` or `hard`.
 
     Raises:
-        QuadrupedError: if there is no seed or no such terrain or preset, or the episodes are too short to measure.
+        QuadrupedError: if there is no seed or no such terrain or preset, the episodes are too short to measure, a
+            policy has the name of a scripted controller, or two policies are for different robots.
     """
-    return compare_policies({"policy": policy}, num_seeds, seconds, commands, progress, terrain, randomization)
-
-
-def compare_policies(
-    policies: Mapping[str, Policy | Agent],
-    num_seeds: int = NUM_SEEDS,
-    seconds: float = DEFAULT_SECONDS,
-    commands: Sequence[Command] = COMMANDS,
-    progress: Progress | None = None,
-    terrain: str | Terrain | None = None,
-    randomization: str = "none",
-) -> Comparison:
-    """Run several policies (name -> policy) and the scripted controllers on the same episodes: see `compare`.
-
-    Each policy runs its own training task, on its terrain unless `terrain` names another one; the scripted controllers
-    run the first policy's, the tuned gait with a clock of its own frequency.
-
-    Raises:
-        QuadrupedError: as `compare`, or if a policy has the name of a scripted controller, or two policies are for
-            different robots.
-    """
-    known = {name: as_policy(policy, name) for name, policy in policies.items()}
+    named = policies if isinstance(policies, Mapping) else {"policy": policies}
+    known = {name: as_policy(policy, name) for name, policy in named.items()}
     taken = sorted(set(known) & (set(CONTROLLERS) - {"policy"}))
     if taken:
         raise QuadrupedError(f"{taken[0]!r} is the name of a scripted controller; rename the policy's directory")

@@ -4,9 +4,10 @@ Implemented in NumPy so that a report does not need SciPy; the tests compare it 
 """
 
 import math
+import warnings
 from dataclasses import dataclass
 from functools import cache
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +29,29 @@ class Estimate:
     count: int
     """Number of values that are not NaN"""
 
+    def to_dict(self) -> dict[str, float | int | None]:
+        """The estimate as plain values; NaN becomes None."""
+        return {"mean": number(self.mean), "low": number(self.low), "high": number(self.high), "count": self.count}
+
+
+def number(value: float) -> float | None:
+    """A number, or None for NaN and infinities, which JSON cannot represent."""
+    return float(value) if math.isfinite(value) else None
+
+
+def mean_of(values: ArrayLike) -> Any:
+    """Mean over the first axis without NaN: a number, or a list of numbers; None without values."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # the mean of nothing
+        means = np.nanmean(np.asarray(values, dtype=np.float64), axis=0)
+    return number(float(means)) if means.ndim == 0 else [number(value) for value in means.tolist()]
+
+
+def percentile_interval(resampled: NDArray[np.float64]) -> tuple[float, float]:
+    """Ends of the confidence interval from the means of bootstrap resamples."""
+    low, high = np.quantile(resampled, [0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE])
+    return float(low), float(high)
+
 
 def bootstrap_mean(values: ArrayLike) -> Estimate:
     """The mean of the values that are not NaN, with its percentile bootstrap interval.
@@ -47,8 +71,7 @@ def bootstrap_mean(values: ArrayLike) -> Estimate:
     totals, sizes = counts @ np.where(finite, strata.ravel(), 0.0), counts @ (finite * 1.0)
     # A resample may contain only NaN.
     means = totals[sizes > 0] / sizes[sizes > 0]
-    low, high = np.quantile(means, [(1.0 - CONFIDENCE) / 2.0, (1.0 + CONFIDENCE) / 2.0])
-    return Estimate(float(np.nanmean(strata)), float(low), float(high), count)
+    return Estimate(float(np.nanmean(strata)), *percentile_interval(means), count)
 
 
 @cache

@@ -1,8 +1,9 @@
 """Locomotion metrics: pure functions from sensor readings over time to one number per episode.
 
-The first axis of arrays is time: (T, N, ...). The mask `counted` (T, N) selects samples; an episode without a selected
-sample gets NaN. `measure` computes every metric of a rollout over the time after the first `START_UP` seconds and
-before a fall; the fall rate counts from the beginning.
+The first axis of arrays is time: scalars are (T, N), vectors (T, N, ...). The mask `counted` (T, N) selects samples,
+which are contiguous in each episode; an episode without a selected sample gets NaN. `dt` is the time between samples,
+s. Angles are in rad, lengths in m, velocities in m/s and rad/s. `measure` computes every metric of a rollout over the
+time after the first `START_UP` seconds and before a fall; the fall rate counts from the beginning.
 """
 
 import math
@@ -47,7 +48,6 @@ class Metric:
     unit: str
     meaning: str
     digits: int = 2
-    less_is_better: bool = False
     limit: Callable[[Robot], float] | None = None
     """Hardware limit of a robot, in `unit`"""
     percent: bool = False
@@ -66,55 +66,43 @@ class Metric:
 
 
 METRICS: Final[dict[str, Metric]] = {
-    "fall_rate": Metric("Falls", "", "share of episodes that end in a fall", 0, True, percent=True),
+    "fall_rate": Metric("Falls", "", "share of episodes that end in a fall", 0, percent=True),
     "forward_velocity_error": Metric(
-        "Forward velocity error",
-        "m/s",
-        "RMS over time of the 1 s mean of the forward velocity minus its command",
-        3,
-        True,
+        "Forward velocity error", "m/s", "RMS over time of the 1 s mean of the forward velocity minus its command", 3
     ),
     "yaw_rate_error": Metric(
-        "Yaw rate error", "rad/s", "RMS over time of the 1 s mean of the yaw rate minus its command", 3, True
+        "Yaw rate error", "rad/s", "RMS over time of the 1 s mean of the yaw rate minus its command", 3
     ),
     "forward_velocity": Metric("Forward velocity", "m/s", "mean, in the robot's own frame", 3),
     "yaw_rate": Metric("Yaw rate", "rad/s", "mean; positive turns left", 3),
     "distance": Metric("Distance", "m", "travelled forwards by the end of the episode, or by the fall"),
-    "lateral_drift": Metric("Lateral drift", "m/m", "metres sideways per metre ahead, on straight commands", 3, True),
-    "heading_drift": Metric("Heading drift", "rad/s", "change of heading over time, on straight commands", 3, True),
+    "lateral_drift": Metric("Lateral drift", "m/m", "metres sideways per metre ahead, on straight commands", 3),
+    "heading_drift": Metric("Heading drift", "rad/s", "change of heading over time, on straight commands", 3),
     "electrical_cost_of_transport": Metric(
-        "Electrical cost of transport",
-        "",
-        "electrical power / (weight x speed); undefined for a robot that stands",
-        2,
-        True,
+        "Electrical cost of transport", "", "electrical power / (weight x speed); undefined for a robot that stands"
     ),
     "mechanical_cost_of_transport": Metric(
-        "Mechanical cost of transport",
-        "",
-        "mechanical power / (weight x speed); undefined for a robot that stands",
-        2,
-        True,
+        "Mechanical cost of transport", "", "mechanical power / (weight x speed); undefined for a robot that stands"
     ),
     "electrical_power": Metric(
-        "Electrical power", "W", "mean of the mechanical power and the heat in the motors' windings", 1, True
+        "Electrical power", "W", "mean of the mechanical power and the heat in the motors' windings", 1
     ),
     "mechanical_power": Metric(
-        "Mechanical power", "W", "mean positive power of the motors; braking recovers no energy", 1, True
+        "Mechanical power", "W", "mean positive power of the motors; braking recovers no energy", 1
     ),
     "peak_torque": Metric(
-        "Peak torque", "N m", "largest of any joint", 1, True, lambda robot: float(robot.effort_limit.max())
+        "Peak torque", "N m", "largest of any joint", 1, lambda robot: float(robot.effort_limit.max())
     ),
     "peak_joint_speed": Metric(
-        "Peak joint speed", "rad/s", "largest of any joint", 1, True, lambda robot: float(robot.velocity_limit.max())
+        "Peak joint speed", "rad/s", "largest of any joint", 1, lambda robot: float(robot.velocity_limit.max())
     ),
     "joint_acceleration": Metric(
-        "Joint acceleration", "rad/s²", "RMS over joints and time; small for smooth motion", 0, True
+        "Joint acceleration", "rad/s²", "RMS over joints and time; small for smooth motion", 0
     ),
     "joints_at_limit": Metric(
-        "Joints at a limit", "", "share of time with any joint at a position limit", 1, True, percent=True
+        "Joints at a limit", "", "share of time with any joint at a position limit", 1, percent=True
     ),
-    "foot_slip": Metric("Foot slip", "m/s", "mean sliding speed of the soles that are on the ground", 3, True),
+    "foot_slip": Metric("Foot slip", "m/s", "mean sliding speed of the soles that are on the ground", 3),
     "foot_clearance": Metric(
         "Foot clearance", "m", "height that a sole exceeds 5 % of the time; of the foot that is lifted least", 3
     ),
@@ -191,16 +179,10 @@ def _ratio(numerator: NDArray[Any], denominator: NDArray[Any]) -> Floats:
 
 
 def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Mask]:
-    """Means over every `WINDOW` seconds.
+    """Means of values (T, N, ...) over every `WINDOW` seconds, and a mask.
 
-    Args:
-        values: (T, N, ...).
-        counted: (T, N); each episode's True samples are contiguous.
-        dt: time between samples, s.
-
-    Returns:
-        Means (M, N, ...), element i over samples i to i + window, and a mask (M, N), True if all of those samples
-        count. M is 0 for a rollout shorter than a window.
+    Element i of the means (M, N, ...) is over samples i to i + window; the mask (M, N) is True if all of those samples
+    count. M is 0 for a rollout shorter than a window.
     """
     window = round(WINDOW / dt)
     if len(values) < window:
@@ -210,16 +192,10 @@ def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats
 
 
 def tracking_error(velocity: NDArray[Any], command: Floats, counted: Mask, dt: float) -> Floats:
-    """RMS error between a velocity and its command, in the unit of the velocity, (N,).
+    """RMS error between a velocity (T, N) and its command (N,), in the unit of the velocity, (N,).
 
     sqrt(mean over windows of (mean of the velocity over `WINDOW` - command)^2). The oscillation of a legged robot
     within each stride is not an error.
-
-    Args:
-        velocity: m/s or rad/s (T, N).
-        command: (N,).
-        counted: (T, N).
-        dt: s.
     """
     means, whole = window_means(velocity, counted, dt)
     return np.sqrt(masked_mean((means - command) ** 2, whole))
@@ -231,11 +207,7 @@ def distance(forward_velocity: NDArray[Any], valid: Mask, dt: float) -> Floats:
 
 
 def heading_of(orientation: NDArray[Any]) -> Floats:
-    """Heading of the base over time, rad from the world's x axis, without jumps of a turn (T, N).
-
-    Args:
-        orientation: quaternions wxyz (T, N, 4).
-    """
+    """Heading of the base from the world's x axis, without jumps of a turn (T, N), from quaternions wxyz (T, N, 4)."""
     return np.unwrap(yaw(orientation), axis=0)
 
 
@@ -258,13 +230,8 @@ def _first_and_last(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Flo
 def lateral_drift(base_position: NDArray[Any], heading: Floats, counted: Mask, dt: float) -> Floats:
     """|displacement across the heading at the beginning| / |displacement along it|, m/m, (N,).
 
-    Beginning and end are means over `WINDOW`. NaN for a robot that does not travel (`STANDING_SPEED`).
-
-    Args:
-        base_position: m (T, N, 3).
-        heading: rad (T, N).
-        counted: (T, N).
-        dt: s.
+    Beginning and end of the positions (T, N, 3) and of the heading (T, N) are means over `WINDOW`. NaN for a robot that
+    does not travel (`STANDING_SPEED`).
     """
     start, end, elapsed = _first_and_last(base_position[..., :2], counted, dt)
     direction, _, _ = _first_and_last(heading, counted, dt)
@@ -276,13 +243,7 @@ def lateral_drift(base_position: NDArray[Any], heading: Floats, counted: Mask, d
 
 
 def heading_drift(heading: Floats, counted: Mask, dt: float) -> Floats:
-    """|heading at the end - heading at the beginning| / time, both means over `WINDOW`, rad/s, (N,).
-
-    Args:
-        heading: rad, without jumps (T, N).
-        counted: (T, N).
-        dt: s.
-    """
+    """|heading at the end - heading at the beginning| / time, both means over `WINDOW`, rad/s, (N,)."""
     start, end, elapsed = _first_and_last(heading, counted, dt)
     return np.abs(end - start) / elapsed
 
@@ -292,12 +253,7 @@ def cost_of_transport(power: Floats, speed: Floats, mass: float) -> Floats:
 
     Collins et al. 2005 (https://doi.org/10.1126/science.1107799) distinguish the mechanical cost, of the positive work
     of the motors, and the energetic one, of all power that the robot draws. The electrical cost here is that of the
-    motors: their positive work and the heat in their windings, without electronics.
-
-    Args:
-        power: W (N,).
-        speed: m/s (N,).
-        mass: mass of the robot, kg.
+    motors: their positive work and the heat in their windings, without electronics. Power (N,) is in W, mass in kg.
     """
     travels = np.abs(speed) > STANDING_SPEED
     return _ratio(power, np.where(travels, mass * GRAVITY * np.abs(speed), 0.0))
@@ -310,41 +266,29 @@ def peak(values: NDArray[Any], counted: Mask) -> Floats:
 
 
 def joint_acceleration(joint_velocity: NDArray[Any], counted: Mask, dt: float) -> Floats:
-    """RMS over time and joints of (velocity now - velocity before) / dt, rad/s^2, (N,).
+    """RMS over time and joints of (velocity now - velocity before) / dt, rad/s^2, (N,), for velocities (T, N, J).
 
     The quantity that the `dof_acc` term of legged_gym penalizes. Targets and actions are not suitable: a scripted gait
     has no action, and a joint follows a rough target smoothly.
-
-    Args:
-        joint_velocity: rad/s (T, N, J).
-        counted: (T, N).
-        dt: s.
     """
-    acceleration = np.diff(joint_velocity.astype(np.float64), axis=0) / dt
-    return np.sqrt(masked_mean((acceleration**2).mean(axis=-1), counted[1:] & counted[:-1]))
+    return rms_rate(joint_velocity, counted, dt)
+
+
+def rms_rate(values: NDArray[Any], counted: Mask, dt: float) -> Floats:
+    """RMS over time and joints of the change between samples per time (N,), for values (T, N, J)."""
+    change = np.diff(values.astype(np.float64), axis=0) / dt
+    return np.sqrt(masked_mean((change**2).mean(axis=-1), counted[1:] & counted[:-1]))
 
 
 def joints_at_limit(joint_position: NDArray[Any], counted: Mask, robot: Robot) -> Floats:
-    """Fraction of time with any joint within `LIMIT_MARGIN` of its limits, in [0, 1], (N,).
-
-    Args:
-        joint_position: rad (T, N, J).
-        counted: (T, N).
-        robot: robot with the limits.
-    """
+    """Fraction of time with any joint (T, N, J) within `LIMIT_MARGIN` of its limits, in [0, 1], (N,)."""
     low, high = robot.joint_position_low + LIMIT_MARGIN, robot.joint_position_high - LIMIT_MARGIN
     at_limit = (joint_position < low) | (joint_position > high)
     return masked_mean(np.any(at_limit, axis=-1) * 1.0, counted)
 
 
 def stance_slip(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floats:
-    """Mean sliding speed over all feet and samples with the foot on the ground, m/s, (N,).
-
-    Args:
-        slip_speed: speed of each sole's lowest point (T, N, L).
-        contact: (T, N, L).
-        counted: (T, N).
-    """
+    """Mean sliding speed (T, N, L) over all feet and samples with the foot on the ground, m/s, (N,)."""
     stance = contact & counted[..., None]
     return _ratio(np.where(stance, slip_speed, 0).sum(axis=(0, 2), dtype=np.float64), stance.sum(axis=(0, 2)))
 
@@ -356,13 +300,9 @@ def slip_of_feet(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floa
 
 
 def foot_clearance(foot_height: NDArray[Any], counted: Mask) -> Floats:
-    """Height that each sole exceeds 5 % of the time, m, (N, L).
+    """Height over the ground (T, N, L) that each sole exceeds 5 % of the time, m, (N, L).
 
     About the top of its swing, but robust against a single highest sample.
-
-    Args:
-        foot_height: m over the ground (T, N, L).
-        counted: (T, N).
     """
     heights = np.sort(np.where(counted[..., None], foot_height, np.inf), axis=0)
     count = counted.sum(axis=0)
@@ -372,26 +312,16 @@ def foot_clearance(foot_height: NDArray[Any], counted: Mask) -> Floats:
 
 
 def duty_factor(contact: Mask, counted: Mask) -> Floats:
-    """Fraction of time that each foot is on the ground, in [0, 1], (N, L).
-
-    Args:
-        contact: (T, N, L).
-        counted: (T, N).
-    """
+    """Fraction of time that each foot is on the ground (T, N, L), in [0, 1], (N, L)."""
     return masked_mean(contact, counted)
 
 
 def stride_frequency(hip_position: NDArray[Any], counted: Mask, dt: float) -> Floats:
-    """Strides per second, Hz, (N,): the strongest frequency of the hips' swing.
+    """Strides per second, Hz, (N,): the strongest frequency of the swing of the hips (T, N, hips).
 
     The peak of the power spectrum (Hann window, summed over the hips), refined by a parabola through its neighbours.
     Touch-downs are not used, because a foot that bounces touches down more than once per stride. NaN where the hips
     swing less than `STANDING_SWING`, or for fewer than two strides.
-
-    Args:
-        hip_position: positions of the hips, rad (T, N, hips).
-        counted: (T, N); each episode's True samples are contiguous.
-        dt: s.
     """
     hips = hip_position.astype(np.float64)
     swing = np.where(counted[..., None], hips - masked_mean(hips, counted), 0.0)

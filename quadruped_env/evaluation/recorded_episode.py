@@ -7,7 +7,7 @@ controller alone, and a replay of the same joint targets is bit-identical.
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,11 +66,6 @@ class Recording(Trace):
 def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajectory:
     """Joint targets that a gait publisher sends: positions and velocities at t = 0, 1 / rate, ... up to `seconds`.
 
-    Args:
-        gait: gait to sample.
-        seconds: time of the last target, s.
-        rate: targets per second, Hz.
-
     Raises:
         QuadrupedError: if `seconds` or `rate` is out of range.
     """
@@ -80,7 +75,8 @@ def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajector
         raise QuadrupedError(f"seconds: expected over 0 and up to {MAX_SECONDS:g} s; found {seconds:g}")
     # Multiplied by 1 / rate, so that 50 Hz gives exactly the times and positions of a gait on the task's clock.
     times = np.arange(math.floor(seconds * rate + 1e-6) + 1) * (1.0 / rate)
-    return JointTrajectory(_stamps(times), gait.robot.joint_names, gait.positions(times), gait.velocities(times))
+    stamps = np.rint(times * NS_PER_SECOND).astype(np.int64)
+    return JointTrajectory(stamps, gait.robot.joint_names, gait.positions(times), gait.velocities(times))
 
 
 def play(
@@ -159,14 +155,9 @@ def record(
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
     recorder = Recorder(Recording, robot, steps + 1)
-    readings = task.simulation.readings
-
-    def write() -> None:
-        recorder.write(readings, contact=task.context.foot_contact)
-
     observation = task.observe()
     fell_at = None
-    write()
+    recorder.write(task.simulation.readings, contact=task.context.foot_contact)
     for step in range(1, steps + 1):
         transition = task.act(controller, observation)
         observation = transition.observation
@@ -174,7 +165,7 @@ def record(
             fell_at = step * config.control_timestep
         if transition.diverged[0]:
             break
-        write()
+        recorder.write(task.simulation.readings, contact=task.context.foot_contact)
         if progress is not None:
             progress(step / steps)
     recording = recorder.trace(
@@ -193,7 +184,3 @@ def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.fl
         return np.array([0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance])
     within = positions.clip(robot.joint_position_low, robot.joint_position_high)
     return np.concatenate([robot.resting_pose(within), within])
-
-
-def _stamps(times: NDArray[np.floating[Any]]) -> NDArray[np.int64]:
-    return np.rint(times * NS_PER_SECOND).astype(np.int64)

@@ -26,7 +26,6 @@ FIRST_SEED: Final = EVALUATION_SEEDS.start
 BeforeStep = Callable[[Task, int], None]
 """Function (task, number of control steps done) that changes commands or pushes robots before a control step."""
 
-
 Engine = Callable[[TaskConfig, int], Simulation]
 """Makes N simulated robots for a task."""
 
@@ -88,15 +87,8 @@ def run_episodes(
 ) -> Iterator[tuple[Task, Transition]]:
     """Run N episodes at the same time, without restarting any, and yield the task after every control step.
 
-    Args:
-        controller: controller to run.
-        command: forward velocity in m/s and yaw rate in rad/s of each episode (N, 2).
-        seeds: seed of each episode (N,).
-        steps: number of control steps.
-        config: task configuration with the controller's action mode.
-        before_step: called before every control step.
-        tiles: kind and level of the tile on which each episode starts (N, 2), as in `Task.reset`.
-        engine: simulates the robots.
+    Commands (N, 2) are in m/s and rad/s. The config has the controller's action mode. `tiles` are kind and level of the
+    tile on which each episode starts (N, 2), as in `Task.reset`.
     """
     task = Task(engine(config, len(command)), config)
     # Consecutive episodes with the same command are reset at once.

@@ -1,13 +1,12 @@
 """`Trace`: a robot over time. Rollouts, recordings, films and the viewer hold their samples in it.
 
-A quantity is declared once, as an annotated field of `Trace` or of a subclass. The recorder allocates from the
-declaration, and every trace is checked against it.
+A quantity is declared once, as an annotated field of `Trace` or of a subclass, and every trace is checked against it.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cache, cached_property
-from typing import Annotated, Any, Generic, Literal, Self, TypeVar, get_args
+from typing import Annotated, Any, Generic, Self, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -19,32 +18,18 @@ from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.trajectory import JointTrajectory
 
-
-@dataclass(frozen=True)
-class Quantity:
-    """Shape and type of a quantity of one env at one time."""
-
-    shape: tuple[int | Literal["joints", "legs", "terms"], ...] = ()
-    """Lengths; `joints` and `legs` are the robot's numbers of them, `terms` is any number"""
-    truth: bool = False
-    """True for truth values, False for floating-point numbers"""
-
-    def shape_for(self, robot: Robot) -> tuple[int | None, ...]:
-        """Lengths for a robot; None for any number."""
-        lengths = {"joints": robot.num_joints, "legs": robot.num_legs, "terms": None}
-        return tuple(lengths[axis] if isinstance(axis, str) else axis for axis in self.shape)
-
-
 _Floats = NDArray[np.floating[Any]]
-Scalar = Annotated[_Floats, Quantity()]
-Velocity = Annotated[_Floats, Quantity((2,))]
-Pose = Annotated[_Floats, Quantity((7,))]
-PerJoint = Annotated[_Floats, Quantity(("joints",))]
-PerLeg = Annotated[_Floats, Quantity(("legs",))]
-PositionPerLeg = Annotated[_Floats, Quantity(("legs", 3))]
-PerTerm = Annotated[_Floats, Quantity(("terms",))]
-Flag = Annotated[NDArray[np.bool_], Quantity(truth=True)]
-FlagPerLeg = Annotated[NDArray[np.bool_], Quantity(("legs",), truth=True)]
+# An annotation is the shape of a quantity of one env at one time: `joints` and `legs` are the robot's numbers of them,
+# `terms` is any number.
+Scalar = Annotated[_Floats, ()]
+Velocity = Annotated[_Floats, (2,)]
+Pose = Annotated[_Floats, (7,)]
+PerJoint = Annotated[_Floats, ("joints",)]
+PerLeg = Annotated[_Floats, ("legs",)]
+PositionPerLeg = Annotated[_Floats, ("legs", 3)]
+PerTerm = Annotated[_Floats, ("terms",)]
+Flag = Annotated[NDArray[np.bool_], ()]
+FlagPerLeg = Annotated[NDArray[np.bool_], ("legs",)]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -82,15 +67,19 @@ class Trace:
 
     def __post_init__(self) -> None:
         axes = np.shape(self.base_pose)[:-1]
-        for name, quantity in self.quantities().items():
+        lengths: dict[int | str, Any] = {"joints": self.robot.num_joints, "legs": self.robot.num_legs, "terms": "any"}
+        for name, shape in self.quantities().items():
             array = getattr(self, name)
-            if array is not None:
-                _check_shape(name, np.shape(array), (*axes, *quantity.shape_for(self.robot)))
+            if array is None:
+                continue
+            found, expected = np.shape(array), (*axes, *(lengths.get(axis, axis) for axis in shape))
+            if len(found) != len(expected) or any(b not in (a, "any") for a, b in zip(found, expected, strict=True)):
+                raise QuadrupedError(f"trace: {name} must have shape ({', '.join(map(str, expected))}); found {found}")
 
     @classmethod
     @cache
-    def quantities(cls) -> dict[str, Quantity]:
-        """Declared quantities: name -> quantity."""
+    def quantities(cls) -> dict[str, tuple[int | str, ...]]:
+        """Declared quantities: name -> shape, as annotated."""
         return {
             declared.name: note
             for declared in fields(cls)
@@ -136,11 +125,9 @@ class Trace:
 
     @classmethod
     def stack(cls, samples: Sequence[Self], every: int = 1) -> Self:
-        """Trace of single samples of one env, arrays (...), whose first axis is time (T, ...).
+        """Trace of single samples (one or more, in order) of one env, arrays (...), whose first axis is time (T, ...).
 
-        Args:
-            samples: one or more, in order.
-            every: distance of the samples to keep; the last one is kept.
+        Of them every n-th is kept, and the last one.
         """
         kept = samples[::-1][::every][::-1]
         known = [name for name in cls.quantities() if getattr(kept[0], name) is not None]
@@ -194,7 +181,7 @@ TraceT = TypeVar("TraceT", bound=Trace)
 
 
 class Recorder(Generic[TraceT]):
-    """Records samples of N envs, one per control step, as a kind of trace declares them.
+    """Records samples of N envs, one per control step, for a kind of trace.
 
     Args:
         kind: `Trace` or a subclass.
@@ -210,57 +197,18 @@ class Recorder(Generic[TraceT]):
         """Number of samples written."""
 
     def write(self, readings: Readings, **values: NDArray[Any]) -> None:
-        """Write the next sample. The first one decides which quantities are recorded.
-
-        Args:
-            readings: of N envs.
-            values: quantity of the kind of trace -> (N, ...), besides those that readings state.
-
-        Raises:
-            QuadrupedError: if all samples are written, a quantity is not the kind's or was not in the first sample, or
-                a value does not have the shape of its quantity.
-        """
-        if self.written == self._steps:
-            raise QuadrupedError(f"recorder: all {self._steps} samples are written")
+        """Write the next sample: the readings of N envs, and further quantities (N, ...) of the kind of trace."""
         sample = {**measured(readings), **values}
         if not self._arrays:
-            self._allocate(sample)
-        if sample.keys() != self._arrays.keys():
-            names = ", ".join(sorted(sample.keys() ^ self._arrays.keys()))
-            raise QuadrupedError(
-                f"recorder: every sample has the quantities of the first one; only one of them has {names}"
-            )
+            for name, value in sample.items():
+                dtype = np.bool_ if value.dtype == np.bool_ else self._dtype
+                self._arrays[name] = np.zeros((self._steps, *value.shape), dtype)
         for name, value in sample.items():
-            place = self._arrays[name][self.written]
-            _check_shape(name, np.shape(value), place.shape)
-            place[...] = value
+            self._arrays[name][self.written] = value
         self.written += 1
-
-    def _allocate(self, sample: dict[str, NDArray[Any]]) -> None:
-        declared, envs = self._kind.quantities(), len(sample["base_pose"])
-        unknown = ", ".join(sorted(sample.keys() - declared.keys()))
-        if unknown:
-            raise QuadrupedError(
-                f"recorder: {self._kind.__name__} has no quantity {unknown}; it has {', '.join(declared)}"
-            )
-        for name, value in sample.items():
-            _check_shape(name, np.shape(value), (envs, *declared[name].shape_for(self._robot)))
-        self._arrays = {
-            name: np.zeros((self._steps, *np.shape(value)), np.bool_ if declared[name].truth else self._dtype)
-            for name, value in sample.items()
-        }
 
     def trace(self, **values: Any) -> TraceT:
         """The trace of all T samples, read-only, which ends the recording; `values` are its fields not recorded."""
         for array in self._arrays.values():
             array.flags.writeable = False
         return self._kind(robot=self._robot, **self._arrays, **values)
-
-
-def _check_shape(name: str, found: tuple[int, ...], expected: tuple[int | None, ...]) -> None:
-    if found == expected:
-        return
-    fits = len(found) == len(expected) and all(want in (None, got) for got, want in zip(found, expected, strict=True))
-    if not fits:
-        lengths = ", ".join("any" if length is None else str(length) for length in expected)
-        raise QuadrupedError(f"trace: {name} must have shape ({lengths}); found {found}")

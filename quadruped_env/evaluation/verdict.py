@@ -51,12 +51,7 @@ class Verdict:
 
 
 def verdict(comparison: Comparison, suite: Mapping[str, Any] | None = None) -> Verdict:
-    """Judge the policy of a comparison. Motions that its commands do not cover are left out.
-
-    Args:
-        comparison: results of the policy and of the scripted controllers.
-        suite: the policy's results of the suite, which add its gait and its robustness; None: it was not run.
-    """
+    """Judge the policy of a comparison, with its results of the suite; motions without a command are left out."""
     findings = [("Falls", _falls(comparison))]
     for topic, words in (
         ("Forwards", _forwards),

@@ -5,17 +5,9 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
+from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
-from quadruped_env.export.onnx_interface import (
-    COMMAND,
-    GAIT_PHASE,
-    HISTORY,
-    JOINT_TARGET,
-    LAST_ACTION,
-    NEXT_GAIT_PHASE,
-    NEXT_HISTORY,
-    PolicyInterface,
-)
+from quadruped_env.export.onnx_interface import PolicyInterface
 
 CARD_PAGE: Final = "README.md"
 TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")
@@ -30,30 +22,18 @@ _SHOWN: Final = {
 
 
 def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str | None, files: Iterable[str]) -> str:
-    """The page in Markdown, with the front matter that model hubs read.
-
-    Args:
-        interface: inputs and outputs of the policy.
-        manifest: the policy's manifest.
-        film: name of the film's file, or None.
-        files: names of the other files of the folder.
-    """
+    """The page in Markdown, with the front matter that model hubs read; `files` are the other files of the folder."""
     sections = [
-        _front_matter(),
+        "---\ntags:\n" + "".join(f"  - {tag}\n" for tag in TAGS) + "pipeline_tag: reinforcement-learning\n---",
         f"# {manifest['name']}\n\n{_introduction(manifest)}",
         "" if film is None else f"![The robot walks.]({film})",
         f"## Use\n\n{_use(interface, manifest)}",
         f"## Before it walks\n\n{_entry(manifest)}",
         f"## Results\n\n{_results(manifest['evaluation'])}",
-        f"## Training\n\n{_training(manifest['training'])}",
+        f"## Training\n\n{_verbatim(json.dumps(manifest['training'], indent=2))}",
         f"## Files\n\n{_files(files)}",
     ]
     return "\n\n".join(section for section in sections if section) + "\n"
-
-
-def _front_matter() -> str:
-    tags = "\n".join(f"  - {tag}" for tag in TAGS)
-    return f"---\ntags:\n{tags}\npipeline_tag: reinforcement-learning\n---"
 
 
 def _introduction(manifest: Mapping[str, Any]) -> str:
@@ -71,10 +51,10 @@ def _introduction(manifest: Mapping[str, Any]) -> str:
 
 
 def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
-    rows = [f"| `{entry.name}` | {entry.width} | {entry.unit} | {entry.description} |" for entry in interface.inputs]
-    outputs = [
-        f"| `{entry.name}` | {entry.width} | {entry.unit} | {entry.description} |" for entry in interface.outputs
-    ]
+    inputs, outputs = (
+        "\n".join(f"| `{entry.name}` | {entry.width} | {entry.unit} | {entry.description} |" for entry in entries)
+        for entries in (interface.inputs, interface.outputs)
+    )
     header = "|---|---|---|---|"
     joints = ", ".join(manifest["robot"]["joints"])
     text = _filled(
@@ -83,16 +63,20 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
         f"their stance, limits and gains. Vectors are in the frame of the base: x forward, y left, z up."
     )
     return (
-        f"{text}\n\n| input | columns | unit | |\n{header}\n" + "\n".join(rows) + "\n\n"
-        f"| output | columns | unit | |\n{header}\n" + "\n".join(outputs) + f"\n\n```python\n{example(interface)}```"
+        f"{text}\n\n| input | columns | unit | |\n{header}\n{inputs}\n\n"
+        f"| output | columns | unit | |\n{header}\n{outputs}\n\n```python\n{example(interface)}```"
     )
 
 
 def example(interface: PolicyInterface) -> str:
     """Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
-    feedback = {LAST_ACTION: "action", GAIT_PHASE: NEXT_GAIT_PHASE, HISTORY: NEXT_HISTORY}
+    feedback = {
+        graph_io.LAST_ACTION: "action",
+        graph_io.GAIT_PHASE: graph_io.NEXT_GAIT_PHASE,
+        graph_io.HISTORY: graph_io.NEXT_HISTORY,
+    }
     own = {entry.name: entry.width for entry in interface.inputs if entry.name in feedback}
-    values = {HISTORY: "np.full((1, {}), np.nan, np.float32)"}
+    values = {graph_io.HISTORY: "np.full((1, {}), np.nan, np.float32)"}
     first = ", ".join(
         f'"{name}": {values.get(name, "np.zeros((1, {}), np.float32)").format(width)}' for name, width in own.items()
     )
@@ -113,7 +97,7 @@ def joint_targets(**readings):
     inputs = {{name: np.array([value], np.float32) for name, value in readings.items()}}
     outputs = dict(zip(names, session.run(names, {{**inputs, **memory}})))\
 {kept}
-    return outputs["{JOINT_TARGET}"][0]
+    return outputs["{graph_io.JOINT_TARGET}"][0]
 '''
 
 
@@ -127,7 +111,7 @@ def _entry(manifest: Mapping[str, Any]) -> str:
             _item(f"Position servos with the gains {servo}, within each joint's limits (`{MANIFEST_FILE}`)."),
             _item(
                 f"Move slowly to the stance, in {entry['min_time_s']:g} s or more, and hold it for "
-                f"{entry['settle_s']:g} s. Then call the policy, beginning with the idle {COMMAND} {idle}."
+                f"{entry['settle_s']:g} s. Then call the policy, beginning with the idle {graph_io.COMMAND} {idle}."
             ),
             _item(
                 f"Keep commands within their ranges. Send the idle one after {stop['no_command_s']:g} s without a "
@@ -174,10 +158,6 @@ def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
             cells.append("-" if mean is None else f"{mean:.3g}")
         lines.append(f"| {motion} | {' | '.join(cells)} |")
     return "\n".join(lines)
-
-
-def _training(training: Mapping[str, Any]) -> str:
-    return _verbatim(json.dumps(training, indent=2))
 
 
 def _verbatim(text: str) -> str:

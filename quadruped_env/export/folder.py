@@ -1,24 +1,24 @@
 """The folder of an exported policy, ready for a model hub: written completely or not at all."""
 
+import hashlib
 import os
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, compare
-from quadruped_env.evaluation.subject import Subject
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.export.card import CARD_PAGE, card_page
-from quadruped_env.export.evaluation_results import evaluation_of
-from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, files_of, manifest
+from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, RESULTS, manifest
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
-from quadruped_env.policies import Policy
 from quadruped_env.reporting.films.video import prepare_video, save_film
-from quadruped_env.reporting.pages.page import without_nan
+from quadruped_env.reporting.pages.page import METRICS_FILE, without_nan
 from quadruped_env.reporting.pages.pictures import filmed
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.documents import read_json
@@ -32,6 +32,11 @@ FILM_SECONDS: Final = 5.0
 FILM_COMMANDS: Final[tuple[Command, ...]] = ((0.4, 0.0), (0.0, 0.5), (-0.2, 0.0))
 """Velocity commands of the film, m/s and rad/s."""
 
+_EVALUATION: Final = (
+    "command_line", "format_version", "verdict", "suite", "commands", "seeds", "seconds", "metrics",
+)  # fmt: skip
+"""Fields of an evaluation that its export keeps, with the policy's own results."""
+
 
 @dataclass(frozen=True)
 class Export:
@@ -44,7 +49,7 @@ class Export:
 
 
 def export_policy(
-    subject: Subject,
+    evaluated: EvaluatedPolicy,
     output: Path,
     with_film: bool = False,
     overwrite: bool = False,
@@ -55,7 +60,7 @@ def export_policy(
     The graph is run on ONNX Runtime and compared with the policy before anything is written.
 
     Args:
-        subject: policy to export, with its run and the place of its evaluation.
+        evaluated: policy to export, with its run and the place of its evaluation.
         output: the folder.
         with_film: whether to film the robot.
         overwrite: whether to replace an earlier export.
@@ -65,17 +70,22 @@ def export_policy(
         MissingExtraError: if a library of the extra `export`, or with a film of `report`, is not installed.
         QuadrupedError: if the folder exists, the policy cannot be exported, or a file cannot be written.
     """
-    subject.policy.check_is_data("export")
+    evaluated.policy.check_is_data("export")
     check_output(output, overwrite)
-    policy, interface = subject.policy, PolicyInterface(subject.policy)
+    policy, interface = evaluated.policy, PolicyInterface(evaluated.policy)
     graph = policy_graph(interface, policy.robot.name)
     difference = largest_difference(interface, graph)
-    contents = {GRAPH_FILE: graph, **policy.files(), **_robot_files(policy), **_learning_curve(subject)}
-    document = manifest(policy, interface, subject.name, evaluation_of(subject), difference)
+    contents = {GRAPH_FILE: graph, **policy.files()}
+    contents |= {"robot.urdf": policy.robot.urdf.encode(), "robot.xml": policy.robot.mjcf.encode()}
+    if evaluated.progress_file is not None:
+        contents[PROGRESS_FILE] = evaluated.progress_file.read_bytes()
+    document = manifest(policy, interface, evaluated.name, evaluation_of(evaluated), difference)
     with whole(output) as part:
         part.mkdir()
         if with_film:
-            _film(policy, part / FILM_FILE, progress)
+            prepare_video(part / FILM_FILE)
+            comparison = compare(policy, num_seeds=1, seconds=FILM_SECONDS, commands=FILM_COMMANDS)
+            save_film(part / FILM_FILE, filmed(comparison), progress)
             contents[FILM_FILE] = (part / FILM_FILE).read_bytes()
         page = card_page(interface, document, FILM_FILE if with_film else None, [*contents, MANIFEST_FILE])
         contents[CARD_PAGE] = page.encode()
@@ -105,6 +115,34 @@ def check_output(output: Path, overwrite: bool = False) -> None:
         raise QuadrupedError(f"{output}: exists already; name another place, or ask to overwrite it (--overwrite)")
 
 
+def evaluation_of(evaluated: EvaluatedPolicy) -> dict[str, Any] | None:
+    """Results of the evaluation in the policy's output directory, or those on a shipped policy's card, or None.
+
+    Raises:
+        QuadrupedError: if the file of the metrics is damaged.
+
+    Warns:
+        QuadrupedWarning: if the metrics are those of another policy, or lack fields; they are left out.
+    """
+    path = evaluated.output / METRICS_FILE
+    if path.is_file():
+        document = read_json(path, "evaluate the policy again")
+        try:
+            if document["policy"]["card"] == without_nan(evaluated.policy.card):
+                own = document["controllers"]["policy"]
+                return {
+                    **{name: document[name] for name in _EVALUATION},
+                    "all": own["all"],
+                    "by_motion": own["by_motion"],
+                }
+            problem = "is the evaluation of another policy, so it is left out; evaluate this one to export its results"
+        except (KeyError, TypeError):
+            problem = "lacks the fields of an evaluation, so it is left out; evaluate the policy again"
+        warnings.warn(f"{path}: {problem}", QuadrupedWarning, stacklevel=3)
+    results = {name: evaluated.policy.card[name] for name in RESULTS if name in evaluated.policy.card}
+    return without_nan(results) or None
+
+
 def _is_export(folder: Path) -> bool:
     try:
         document = read_json(folder / MANIFEST_FILE)
@@ -113,21 +151,9 @@ def _is_export(folder: Path) -> bool:
     return isinstance(document, dict) and document.get("format") == FORMAT
 
 
-def _robot_files(policy: Policy) -> dict[str, bytes]:
-    return {"robot.urdf": policy.robot.urdf.encode(), "robot.xml": policy.robot.mjcf.encode()}
-
-
-def _learning_curve(subject: Subject) -> dict[str, bytes]:
-    path = subject.progress_file
-    return {} if path is None else {PROGRESS_FILE: path.read_bytes()}
-
-
 def _checksums(contents: Mapping[str, bytes]) -> dict[str, Any]:
-    files = files_of(contents)
+    files = {
+        name: {"sha256": hashlib.sha256(content).hexdigest(), "bytes": len(content)}
+        for name, content in contents.items()
+    }
     return {"weights_sha256": files[TENSORS_FILE]["sha256"], "policy_file": CARD_FILE, "files": files}
-
-
-def _film(policy: Policy, path: Path, progress: Progress | None) -> None:
-    prepare_video(path)
-    comparison = compare(policy, num_seeds=1, seconds=FILM_SECONDS, commands=FILM_COMMANDS)
-    save_film(path, filmed(comparison), progress)

@@ -1,6 +1,5 @@
 """The manifest of an exported policy: everything that a program needs to run it, as JSON."""
 
-import hashlib
 from collections.abc import Mapping
 from typing import Any, Final
 
@@ -36,12 +35,7 @@ def manifest(
 ) -> dict[str, Any]:
     """The manifest without its list of files.
 
-    Args:
-        policy: the policy, with its task.
-        interface: its inputs and outputs.
-        name: name of the policy.
-        evaluation: results of its evaluation, or None.
-        difference: largest difference between the graph on ONNX Runtime and the policy.
+    `difference` is the largest one between the graph on ONNX Runtime and the policy.
     """
     control = policy.control
     facts = {key: value for key, value in policy.card.items() if key not in RESULTS}
@@ -77,14 +71,6 @@ def manifest(
         "task": {"config": policy.task, "task_file": policy.task.get(TASK_FILE)},
         "training": facts,
         "evaluation": None if evaluation is None else dict(evaluation),
-    }
-
-
-def files_of(contents: Mapping[str, bytes]) -> dict[str, dict[str, Any]]:
-    """Size and SHA-256 of files, by name."""
-    return {
-        name: {"sha256": hashlib.sha256(content).hexdigest(), "bytes": len(content)}
-        for name, content in contents.items()
     }
 
 

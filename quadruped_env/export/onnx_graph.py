@@ -11,17 +11,8 @@ from quadruped_env.control import observations
 from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.export.onnx_interface import (
-    ACTION,
-    COMMAND,
-    GAIT_PHASE,
-    HISTORY,
-    JOINT_TARGET,
-    NEXT_GAIT_PHASE,
-    NEXT_HISTORY,
-    Input,
-    PolicyInterface,
-)
+from quadruped_env.export import onnx_interface as graph_io
+from quadruped_env.export.onnx_interface import Input, PolicyInterface
 from quadruped_env.gait.gaits import WHOLE_STEPS
 
 OPSET: Final = 26
@@ -51,12 +42,7 @@ def policy_graph(interface: PolicyInterface, name: str) -> bytes:
     """The graph of a policy as an ONNX file.
 
     It takes every input of `PolicyInterface.inputs`, computes the observation from them (offset, scale, clipping, gait
-    clock), the network's action, and the joint targets, to which in `residual` mode the scripted gait belongs. A
-    symmetric policy's network holds both of its sides.
-
-    Args:
-        interface: policy with its inputs and outputs.
-        name: name of the graph.
+    clock), the network's action, and the joint targets, to which in `residual` mode the scripted gait belongs.
 
     Raises:
         MissingExtraError: if onnx is not installed.
@@ -75,7 +61,7 @@ def _phase_step(graph: "_Graph", interface: PolicyInterface) -> str:
     if not isinstance(frequency, CommandedFrequency):
         return graph.constant(interface.phase_step(frequency))
     arms = graph.constant([[1.0], [frequency.turn_arm]])
-    speed = graph.add("MatMul", graph.add("Abs", COMMAND), arms)
+    speed = graph.add("MatMul", graph.add("Abs", graph_io.COMMAND), arms)
     knots, values = np.array(frequency.speeds), np.array(frequency.frequencies)
     widths = np.diff(knots)
     # Part of the speed within each interval (N, K - 1).
@@ -89,12 +75,12 @@ def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
     """Sine and cosine of the phase, 0 where standing is commanded (N, 2), and the phase after this step (N, 1)."""
     if not interface.has_clock:
         return "", ""
-    size = graph.add("Abs", COMMAND)
+    size = graph.add("Abs", graph_io.COMMAND)
     largest = graph.add("ReduceMax", size, graph.integers([1]), keepdims=1)
     moving = graph.add("Cast", graph.add("Greater", largest, graph.constant(MOVING_THRESHOLD)), to=_FLOAT)
-    both = graph.add("Concat", graph.add("Sin", GAIT_PHASE), graph.add("Cos", GAIT_PHASE), axis=1)
-    later = graph.add("Add", GAIT_PHASE, _phase_step(graph, interface))
-    phase = graph.add("Mod", later, graph.constant(math.tau), fmod=1, output=NEXT_GAIT_PHASE)
+    both = graph.add("Concat", graph.add("Sin", graph_io.GAIT_PHASE), graph.add("Cos", graph_io.GAIT_PHASE), axis=1)
+    later = graph.add("Add", graph_io.GAIT_PHASE, _phase_step(graph, interface))
+    phase = graph.add("Mod", later, graph.constant(math.tau), fmod=1, output=graph_io.NEXT_GAIT_PHASE)
     return graph.add("Mul", both, moving), phase
 
 
@@ -114,10 +100,10 @@ def _with_history(graph: "_Graph", interface: PolicyInterface, present: str) -> 
     if not width:
         return present
     repeated = graph.add("Concat", *[present] * (interface.layout.history - 1), axis=1)
-    past = graph.add("Where", graph.add("IsNaN", HISTORY), repeated, HISTORY)
+    past = graph.add("Where", graph.add("IsNaN", graph_io.HISTORY), repeated, graph_io.HISTORY)
     stacked = graph.add("Concat", present, past, axis=1)
     start, end, axis = (graph.integers([value]) for value in (0, width, 1))
-    graph.add("Slice", stacked, start, end, axis, output=NEXT_HISTORY)
+    graph.add("Slice", stacked, start, end, axis, output=graph_io.NEXT_HISTORY)
     return stacked
 
 
@@ -134,8 +120,8 @@ def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> s
             x = graph.add(_OPERATORS[policy.activation], layer)
     x = graph.add("Gemm", x, graph.constant(last[0]), graph.constant(last[1]))
     if policy.output == "tanh":
-        return graph.add("Tanh", x, output=ACTION)
-    return graph.clipped(x, -1.0, 1.0, output=ACTION)
+        return graph.add("Tanh", x, output=graph_io.ACTION)
+    return graph.clipped(x, -1.0, 1.0, output=graph_io.ACTION)
 
 
 def _joint_target(graph: "_Graph", interface: PolicyInterface, action: str, phase: str) -> None:
@@ -144,7 +130,7 @@ def _joint_target(graph: "_Graph", interface: PolicyInterface, action: str, phas
     change = graph.add("Mul", action, graph.constant(policy.control.action.scale))
     nominal = graph.constant(robot.stance) if interface.gait is None else _gait(graph, interface, phase)
     target = graph.add("Add", change, nominal)
-    graph.clipped(target, robot.joint_position_low, robot.joint_position_high, output=JOINT_TARGET)
+    graph.clipped(target, robot.joint_position_low, robot.joint_position_high, output=graph_io.JOINT_TARGET)
 
 
 def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
@@ -153,7 +139,9 @@ def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
     assert gait is not None
     knots = np.array(gait.speeds)
     widths = np.diff(knots)
-    speed, yaw_rate = (graph.add("MatMul", COMMAND, graph.constant(column)) for column in np.eye(2)[:, :, None])
+    speed, yaw_rate = (
+        graph.add("MatMul", graph_io.COMMAND, graph.constant(column)) for column in np.eye(2)[:, :, None]
+    )
     shares = (
         graph.add("Div", graph.add("Abs", value), graph.constant(whole))
         for value, whole in zip((speed, yaw_rate), WHOLE_STEPS, strict=True)
@@ -180,9 +168,7 @@ def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
     sine, cosine, offset = waves
     angle = graph.add("Add", phase, graph.constant(interface.joint_phases))
     swing = graph.add(
-        "Add",
-        graph.add("Mul", sine, graph.add("Sin", angle)),
-        graph.add("Mul", cosine, graph.add("Cos", angle)),
+        "Add", graph.add("Mul", sine, graph.add("Sin", angle)), graph.add("Mul", cosine, graph.add("Cos", angle))
     )
     return graph.add("Add", swing, offset)
 

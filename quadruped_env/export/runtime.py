@@ -9,17 +9,8 @@ from numpy.typing import NDArray
 from quadruped_env.control import observations
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.export.onnx_interface import (
-    ACTION,
-    COMMAND,
-    GAIT_PHASE,
-    HISTORY,
-    JOINT_TARGET,
-    NEXT_GAIT_PHASE,
-    NEXT_HISTORY,
-    Input,
-    PolicyInterface,
-)
+from quadruped_env.export import onnx_interface as graph_io
+from quadruped_env.export.onnx_interface import Input, PolicyInterface
 
 Arrays = dict[str, NDArray[np.float32]]
 
@@ -32,11 +23,7 @@ _REACH: Final = 1.25
 
 
 def session_of(content: bytes) -> Any:
-    """ONNX Runtime with a graph, on the processor and with one thread.
-
-    Raises:
-        MissingExtraError: if ONNX Runtime is not installed.
-    """
+    """ONNX Runtime with a graph, on the processor and with one thread; a MissingExtraError if it is not installed."""
     try:
         import onnxruntime
     except ImportError as error:
@@ -61,14 +48,14 @@ def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Ar
     policy, layout = interface.policy, interface.layout
 
     def draw(entry: Input) -> NDArray[np.float64]:
-        if entry.name == GAIT_PHASE:
+        if entry.name == graph_io.GAIT_PHASE:
             return random.uniform(0.0, math.tau, (samples, 1))
-        if entry.name == COMMAND:
+        if entry.name == graph_io.COMMAND:
             low, high = np.array([command.range for command in policy.control.commands[: entry.width]]).T
             command = random.uniform(low, high, (samples, entry.width))
             command[::10] = 0.0
             return command
-        if entry.name == HISTORY:
+        if entry.name == graph_io.HISTORY:
             low, high = (np.tile(bound, layout.history - 1) for bound in (layout.low, layout.high))
             past = random.uniform(low, high, (samples, entry.width))
             past[::10] = np.nan
@@ -86,9 +73,9 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
     samples = len(next(iter(inputs.values())))
     everything = np.arange(samples)
     control = ControlInterface(policy.robot, policy.control, samples, policy.fields)
-    control.reset(everything, inputs[GAIT_PHASE][:, 0].astype(np.float64) if interface.has_clock else 0.0)
-    if COMMAND in inputs:
-        control.set_command(everything, inputs[COMMAND].astype(np.float64))
+    control.reset(everything, inputs[graph_io.GAIT_PHASE][:, 0].astype(np.float64) if interface.has_clock else 0.0)
+    if graph_io.COMMAND in inputs:
+        control.set_command(everything, inputs[graph_io.COMMAND].astype(np.float64))
     readings = np.concatenate(
         [
             control.clock.copy() if entry is observations.gait_clock else inputs[entry.name].astype(np.float64)
@@ -97,17 +84,17 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
         axis=1,
     )
     observation = np.clip((readings - interface.offsets) * layout.scale, layout.low, layout.high).astype(np.float32)
-    if HISTORY in inputs:
-        past = inputs[HISTORY]
+    if graph_io.HISTORY in inputs:
+        past = inputs[graph_io.HISTORY]
         past = np.where(np.isnan(past), np.tile(observation, layout.history - 1), past)
         observation = np.concatenate([observation, past], axis=1)
     action = policy.predict(observation)
     control.advance()
     found: dict[str, NDArray[Any]] = {
-        ACTION: action,
-        JOINT_TARGET: control.joint_target(action),
-        NEXT_GAIT_PHASE: control.phase[:, None],
-        NEXT_HISTORY: observation[:, : interface.history_width],
+        graph_io.ACTION: action,
+        graph_io.JOINT_TARGET: control.joint_target(action),
+        graph_io.NEXT_GAIT_PHASE: control.phase[:, None],
+        graph_io.NEXT_HISTORY: observation[:, : interface.history_width],
     }
     return {entry.name: found[entry.name].astype(np.float32) for entry in interface.outputs}
 
@@ -126,8 +113,8 @@ def largest_difference(interface: PolicyInterface, content: bytes, samples: int 
     differences = {name: np.abs(found[name].astype(np.float64) - expected[name]) for name in expected}
     if interface.has_clock:
         # Just below a whole turn is next to just above 0.
-        turn = differences[NEXT_GAIT_PHASE]
-        differences[NEXT_GAIT_PHASE] = np.minimum(turn, math.tau - turn)
+        turn = differences[graph_io.NEXT_GAIT_PHASE]
+        differences[graph_io.NEXT_GAIT_PHASE] = np.minimum(turn, math.tau - turn)
     largest = max(float(difference.max()) for difference in differences.values())
     if not largest <= TOLERANCE:
         raise QuadrupedError(

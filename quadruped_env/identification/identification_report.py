@@ -9,7 +9,7 @@ import numpy as np
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.identification.dataset import UNITS
 from quadruped_env.identification.identify import NO_INTERVALS, Identification, pooled
-from quadruped_env.reporting.pages.page import circumstances, figure, write_html
+from quadruped_env.reporting.pages.page import figure, provenance, write_html
 from quadruped_env.reporting.palette import BLUE, INK, ORANGE
 from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
 from quadruped_env.reporting.report_directory import REPORT_FILE
@@ -43,7 +43,7 @@ def save(found: Identification, directory: Path, command_line: str, overwrite: b
     """
     check_free(identification_files(directory), overwrite)
     check_report_extra()
-    document = {**found.report(), **circumstances(command_line)}
+    document = {**found.report(), **provenance(command_line)}
     write_json(directory / MOTORS_FILE, found.config())
     write_json(directory / NUMBERS_FILE, document)
     context = {

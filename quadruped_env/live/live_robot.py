@@ -21,8 +21,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.utils.rotations import rotate
-from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, Offered, heading, world_vector
-from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
+from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, Offered, ViewedTrace, heading, sample, world_vector
 
 NAME: Final = "live robot"
 _ROW: Final = np.zeros(1, dtype=np.intp)

@@ -1,9 +1,9 @@
 """Trained policies together with their tasks, and controllers that need no policy."""
 
 from quadruped_env.control.by_name import ControllerSpec
+from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import (
     CommandedGaitController,
-    Controller,
     GaitController,
     PolicyController,
     TrajectoryController,

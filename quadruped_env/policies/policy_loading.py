@@ -7,7 +7,8 @@ from pathlib import Path
 
 from quadruped_env.control import by_name
 from quadruped_env.control.by_name import ControllerSpec
-from quadruped_env.control.controllers import Controller, PolicyController
+from quadruped_env.control.control_interface import Controller
+from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.kept_task_file import code_changes, kept_file
 from quadruped_env.control.policy import Agent, Policy
 from quadruped_env.control.policy_files import Terms, is_code, policy_directory, read_policy

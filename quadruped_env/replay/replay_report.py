@@ -8,7 +8,7 @@ import numpy as np
 
 from quadruped_env.replay.replay import Replay
 from quadruped_env.replay.signal_comparison import SIGNALS
-from quadruped_env.reporting.pages.page import circumstances, figure, write_html
+from quadruped_env.reporting.pages.page import figure, provenance, write_html
 from quadruped_env.reporting.palette import BLUE, INK, VERMILION
 from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
 from quadruped_env.reporting.report_directory import REPORT_FILE
@@ -49,7 +49,7 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
         "remarks": replay.remarks(),
         "tables": tables,
         "figures": figures,
-        "document": circumstances(command_line),
+        "document": provenance(command_line),
         "motors": dataclasses.asdict(replay.motors),
     }
     write_html(directory / REPORT_FILE, "motion.html", context)

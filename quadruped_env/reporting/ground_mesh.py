@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.reporting.palette import BACKGROUND, FLOOR, SQUARE, rgb
-from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
 
 if TYPE_CHECKING:
     import trimesh
@@ -43,10 +43,27 @@ def use_film_colours(model: mujoco.MjModel) -> None:
         colours[:, :3] = linear(colours[:, :3])
 
 
-def set_up_scene(server: Any) -> None:
-    """Set light and background of viser's scene, in place of those of mjviser."""
+def robot_scene(server: Any, model: mujoco.MjModel) -> Any:
+    """Mjviser's scene of a model, which is modified, with the light and the colours of films and without uneven ground.
+
+    Uneven ground is drawn by `ground_mesh`: mjviser would draw a height field again with every robot.
+    """
+    from mjviser import ViserMujocoScene
+
+    if HeightField.of(model) is not None:
+        model.geom(GROUND).rgba[3] = 0.0
+    use_film_colours(model)
+    scene = ViserMujocoScene(server, model, num_envs=1)
+    scene.camera_tracking_enabled = False
     server.scene.configure_environment_map("studio", environment_intensity=0.35)
     server.scene.set_background_image(np.full((1, 1, 3), rgb(BACKGROUND), np.uint8), format="png")
+    add_floor(server, floor_plane(model).name, float(floor_plane(model).pos[2]))
+    return scene
+
+
+def floor_plane(model: mujoco.MjModel) -> Any:
+    """The plane of a model that is drawn as the floor: the ground, or what surrounds uneven ground."""
+    return model.geom(GROUND if HeightField.of(model) is None else SURROUNDINGS)
 
 
 def floor_mesh() -> "trimesh.Trimesh":
@@ -75,11 +92,10 @@ def floor_mesh() -> "trimesh.Trimesh":
     return trimesh.Trimesh(vertices, faces, vertex_colors=colours.round().astype(np.uint8), process=False)
 
 
-def add_floor(server: Any, name: str, height: float) -> None:
-    """Draw the flat floor at a height, m, in place of what has this name in viser's scene."""
-    server.scene.add_mesh_trimesh(
-        name, floor_mesh(), position=(0.0, 0.0, height), cast_shadow=False, receive_shadow=0.25
-    )
+def add_floor(server: Any, plane: str, height: float) -> None:
+    """Draw the flat floor at a height, m, in viser's scene, in place of the grid that mjviser draws for a plane."""
+    name, position = f"/fixed_bodies/world/{plane}", (0.0, 0.0, height)
+    server.scene.add_mesh_trimesh(name, floor_mesh(), position=position, cast_shadow=False, receive_shadow=0.25)
 
 
 def floor_offset(shift: NDArray[np.floating[Any]]) -> NDArray[np.floating[Any]]:
@@ -90,13 +106,7 @@ def floor_offset(shift: NDArray[np.floating[Any]]) -> NDArray[np.floating[Any]]:
 def ground_mesh(
     field: HeightField, around: NDArray[np.floating] | None = None, margin: float = 3.0
 ) -> "trimesh.Trimesh":
-    """The ground as a mesh in the world frame, with a pattern of squares.
-
-    Args:
-        field: heights of the ground.
-        around: positions (N, 2) whose surroundings are needed, m; None: the whole field.
-        margin: distance around these positions that is covered, m.
-    """
+    """The ground as a mesh in the world frame, with a pattern of squares; within a margin, m, of positions (N, 2)."""
     import trimesh
 
     points = field.points(around, margin)

@@ -44,12 +44,8 @@ class DrakeModel:
     def build(cls, robot: Robot, motors: MotorConfig, timestep: float, contact: Contact) -> Self:
         """Build a robot from its URDF, on a half space.
 
-        Args:
-            robot: the robot.
-            motors: motors that move it; those that differ from the robot's replace the URDF's passive joint torques
-                and rotors.
-            timestep: s.
-            contact: contact model of all links and of the ground.
+        Motors that differ from the robot's replace the URDF's passive joint torques and rotors. The time step is in s;
+        all links and the ground have the same contact model.
 
         Raises:
             QuadrupedError: if Drake cannot read the URDF, or it lacks a link, a joint or an actuator of the robot.

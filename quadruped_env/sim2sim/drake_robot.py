@@ -63,11 +63,8 @@ class DrakeRobot:
     def set_state(self, base_pose: Floats, base_velocity: Floats, position: Floats, velocity: Floats) -> None:
         """Set the state before the first step.
 
-        Args:
-            base_pose: position in m and quaternion wxyz of the base (7,).
-            base_velocity: linear and angular velocity of the base in the world frame (6,), m/s and rad/s.
-            position: joint positions (J,), rad.
-            velocity: joint velocities (J,), rad/s.
+        Position and quaternion wxyz of the base (7,), its linear and angular velocity in the world frame (6,), and
+        joint positions and velocities (J,).
         """
         model, plant = self._model, self.plant
         q, v = np.zeros(plant.num_positions()), np.zeros(plant.num_velocities())
@@ -78,11 +75,7 @@ class DrakeRobot:
         plant.SetVelocities(self.context, v)
 
     def step(self, torque: Floats, friction: Floats | None = None) -> None:
-        """Advance by one step of Drake.
-
-        Args:
-            torque: torques of the motors (J,), N m.
-            friction: further torques on the joints (J,), N m.
+        """Advance by one step of Drake, with torques of the motors (J,) and of dry friction (J,), N m.
 
         Raises:
             RuntimeError: if Drake's solver fails.

@@ -30,12 +30,6 @@ class DrakeSimulation:
     accelerometer are those of the sensors' sites, and a touch sensor adds up the normal forces on its link within its
     zone.
 
-    Args:
-        config: task, for its robot, motors and time steps.
-        num_envs: number of robots, N.
-        timestep: time step of Drake, s.
-        contact: contact model.
-
     Raises:
         QuadrupedError: if the task's ground is not level, or the URDF is not that of the task's robot.
     """
@@ -157,11 +151,7 @@ class DrakeSimulation:
         """See `Simulation.restore_model_fields`; no field is ever changed."""
 
     def model_field(self, name: str) -> Floats:
-        """Refused: the robot in Drake does not follow MuJoCo's model.
-
-        Raises:
-            QuadrupedError: always.
-        """
+        """Refused with a QuadrupedError: the robot in Drake does not follow MuJoCo's model."""
         raise QuadrupedError(
             f"sim2sim: a randomization of MuJoCo's {name!r} does not reach the robot in Drake; run the task without "
             f"it, as config.randomized('none') does"

@@ -2,6 +2,7 @@
 
 import importlib.util
 import math
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from importlib import metadata
 from typing import Any, ClassVar, Final, Literal, get_args
@@ -39,13 +40,11 @@ class MuJoCo:
     """Coefficient of sliding friction of all contacts; None: those of the model."""
 
     def __post_init__(self) -> None:
-        _check("cone", self.cone, self.cone is None or self.cone in _CONES, " or ".join(_CONES))
-        _check("impratio", self.impratio, self.impratio is None or self.impratio > 0.0, "positive")
-        time_constant = self.time_constant
-        _check("time_constant", time_constant, time_constant is None or time_constant > 0.0, "positive (s)")
-        rounds = self.noslip_iterations
-        _check("noslip_iterations", rounds, rounds is None or rounds >= 0, "0 or more")
-        _check_friction(self.friction)
+        _check("cone", self.cone, lambda value: value in _CONES, " or ".join(_CONES))
+        _check("impratio", self.impratio, lambda value: value > 0.0, "positive")
+        _check("time_constant", self.time_constant, lambda value: value > 0.0, "positive (s)")
+        _check("noslip_iterations", self.noslip_iterations, lambda value: value >= 0, "0 or more")
+        _check("friction", self.friction, lambda value: 0.0 <= value < math.inf, "0 or more")
 
     def __call__(self, config: TaskConfig, num_envs: int) -> Simulation:
         """N robots of a task, on its ground."""
@@ -66,18 +65,14 @@ class MuJoCo:
         """Version, time step and contact model for a task, as plain values."""
         model = config.compiled_model()
         option = model.opt
-        cones = {number: name for name, number in _CONES.items()}
-        used = {
-            "cone": cones[mujoco.mjtCone(option.cone)],
+        return {
+            "version": mujoco.__version__,
+            "timestep": config.physics_timestep,
+            "cone": {number: name for name, number in _CONES.items()}[mujoco.mjtCone(option.cone)],
             "impratio": float(option.impratio),
             "time_constant": float(model.geom("ground").solref[0]),
             "noslip_iterations": int(option.noslip_iterations),
             "friction": friction_of(config),
-        }
-        return {
-            "version": mujoco.__version__,
-            "timestep": config.physics_timestep,
-            **used,
             **{name: value for name, value in asdict(self).items() if value is not None},
         }
 
@@ -110,11 +105,11 @@ class Drake:
     """
 
     def __post_init__(self) -> None:
-        valid = get_args(Approximation)
-        _check("approximation", self.approximation, self.approximation in valid, " or ".join(valid))
-        _check("max_timestep", self.max_timestep, 0.0 < self.max_timestep < math.inf, "positive (s)")
-        _check("relaxation_time", self.relaxation_time, 0.0 <= self.relaxation_time < math.inf, "0 or more (s)")
-        _check_friction(self.friction)
+        known = get_args(Approximation)
+        _check("approximation", self.approximation, lambda value: value in known, " or ".join(known))
+        _check("max_timestep", self.max_timestep, lambda value: 0.0 < value < math.inf, "positive (s)")
+        _check("relaxation_time", self.relaxation_time, lambda value: 0.0 <= value < math.inf, "0 or more (s)")
+        _check("friction", self.friction, lambda value: 0.0 <= value < math.inf, "0 or more")
 
     def __call__(self, config: TaskConfig, num_envs: int) -> Simulation:
         """N robots of a task, on level ground.
@@ -138,11 +133,7 @@ class Drake:
         return Contact(self.approximation, friction, self.relaxation_time)
 
     def settings(self, config: TaskConfig) -> dict[str, Any]:
-        """Version, time step and contact model for a task, as plain values.
-
-        Raises:
-            MissingExtraError: if Drake is not installed.
-        """
+        """Version, time step and contact model for a task, as plain values."""
         check_drake()
         return {
             "version": metadata.version("drake"),
@@ -166,10 +157,6 @@ def friction_of(config: TaskConfig) -> float:
     return float(model.geom_friction[[model.geom("ground").id, *touching], 0].max())
 
 
-def _check_friction(value: float | None) -> None:
-    _check("friction", value, value is None or 0.0 <= value < math.inf, "0 or more")
-
-
-def _check(name: str, value: Any, valid: bool, rule: str) -> None:
-    if not valid:
+def _check(name: str, value: Any, valid: Callable[[Any], bool], rule: str) -> None:
+    if value is not None and not valid(value):
         raise QuadrupedError(f"engine: {name} must be {rule}; found {short(value)}")

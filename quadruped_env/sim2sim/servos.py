@@ -49,13 +49,7 @@ class Servos:
         self._targets[:, robots] = position
 
     def torque(self, target: Floats, position: Floats, velocity: Floats) -> Floats:
-        """Torques of the motors (N, J) in N m for the next step of the engine.
-
-        Args:
-            target: joint targets sent now (N, J), rad.
-            position: joint positions (N, J), rad.
-            velocity: joint velocities (N, J), rad/s.
-        """
+        """Torques of the motors (N, J) in N m for the next step of the engine, for joint targets sent now (N, J)."""
         if len(self._targets) > 1:
             self._targets[1:] = self._targets[:-1].copy()
         self._targets[0] = target

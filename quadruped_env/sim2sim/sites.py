@@ -1,31 +1,20 @@
 """Sensors' sites of a robot's MJCF, on the links of the same robot in Drake."""
 
 from dataclasses import dataclass
-from typing import Final, NamedTuple, Self
+from typing import Final, Self
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.sim2sim.drake_robot import DrakeRobot
+from quadruped_env.sim2sim.drake_robot import BodyState, DrakeRobot
 from quadruped_env.utils import rotations
 
 Floats = NDArray[np.float64]
 
 _SPHERE: Final = int(mujoco.mjtGeom.mjGEOM_SPHERE)
 _BOX: Final = int(mujoco.mjtGeom.mjGEOM_BOX)
-
-
-class Motion(NamedTuple):
-    """Position and velocity of a site in the world frame."""
-
-    position: Floats
-    """Position (3,), m."""
-    linear_velocity: Floats
-    """Velocity of the site (3,), m/s."""
-    angular_velocity: Floats
-    """Angular velocity (3,), rad/s."""
 
 
 @dataclass(frozen=True)
@@ -50,12 +39,12 @@ class Site:
         link = model.body(int(site.bodyid[0])).name
         return cls(site.name, link, site.pos.copy(), site.quat.copy(), int(site.type[0]), site.size.copy())
 
-    def motion(self, robot: DrakeRobot) -> Motion:
-        """Position and velocity."""
+    def motion(self, robot: DrakeRobot) -> BodyState:
+        """Motion of the site; its rotation is that of its link."""
         body = robot.body(self.link)
         arm = body.rotation @ self.position
         velocity = body.linear_velocity + np.cross(body.angular_velocity, arm)
-        return Motion(body.position + arm, velocity, body.angular_velocity)
+        return body._replace(position=body.position + arm, linear_velocity=velocity)
 
     def acceleration(self, robot: DrakeRobot) -> Floats:
         """Acceleration in the last step (3,), in the world frame, m/s^2."""

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD, out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.evaluation.comparison import Command, evaluation_task
-from quadruped_env.evaluation.confidence import bootstrap_mean
+from quadruped_env.evaluation.confidence import bootstrap_mean, number
 from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import CommandedGaitController, Controller, Policy, PolicyController, ZeroController
 from quadruped_env.sim2sim.engines import Drake, MuJoCo
-from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.progress import Progress, part_of
 
 Floats = NDArray[np.float64]
 Engine = MuJoCo | Drake
@@ -67,13 +67,8 @@ class Transfer:
     def loss(self, controller: str, velocity: str, command: int) -> float:
         """Share of a velocity here that the second engine does not reach; negative if it is faster there.
 
-        1 if every robot falls there during the start-up. NaN if the command does not ask for the velocity, or the robot
-        does not follow it here.
-
-        Args:
-            controller: name.
-            velocity: one of `TARGETS`.
-            command: index of one of the controller's commands.
+        1 if every robot falls there during the start-up. NaN if the command (its index) does not ask for the velocity,
+        or the robot does not follow it here.
         """
         wanted = self.commands[controller][command][tuple(TARGETS).index(velocity)]
         here, there = self.means(controller, velocity, command)
@@ -125,7 +120,7 @@ class Transfer:
                     "commands": [list(command) for command in self.commands[controller]],
                     "engines": [
                         {
-                            name: [[_number(value) for value in row] for row in engine[name].tolist()]
+                            name: [[number(value) for value in row] for row in engine[name].tolist()]
                             for name in QUANTITIES
                         }
                         for engine in engines
@@ -142,7 +137,9 @@ class Transfer:
         Raises:
             KeyError, TypeError, ValueError: if a field is missing or has another form.
         """
-        here, there = document["engines"]
+        here, there = (
+            {**engine, "name": str(engine["name"]), "version": str(engine["version"])} for engine in document["engines"]
+        )
         seeds = tuple(int(seed) for seed in document["seeds"])
         commands, values = {}, {}
         for controller, part in document["controllers"].items():
@@ -155,7 +152,7 @@ class Transfer:
             values[controller] = first, second
         if "policy" not in values or not values.keys() <= set(CONTROLLERS):
             raise ValueError(f"controllers: expected policy, and no others than {CONTROLLERS}; found {list(values)}")
-        return cls(commands, seeds, float(document["seconds"]), (_engine(here), _engine(there)), values)
+        return cls(commands, seeds, float(document["seconds"]), (here, there), values)
 
 
 def run_transfer(
@@ -206,7 +203,9 @@ def run_transfer(
     for controller, chosen in runs:
         first, second = (
             _measured(roll_out(controller, chosen, seeds, seconds, config, part, engine=engine), len(seeds))
-            for engine, part in zip(engines, (None, _part(progress, done / total, len(chosen) / total)), strict=True)
+            for engine, part in zip(
+                engines, (None, part_of(progress, done / total, (done + len(chosen)) / total)), strict=True
+            )
         )
         values[controller.name] = first, second
         done += len(chosen)
@@ -247,16 +246,3 @@ def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
         "fallen": rollout.fallen.astype(np.float64),
     }
     return {name: np.reshape(values[name], (-1, num_seeds)) for name in QUANTITIES}
-
-
-def _part(progress: Progress | None, start: float, share: float) -> Progress | None:
-    """Progress callback for a part of the work."""
-    return None if progress is None else lambda done: progress(start + share * done)
-
-
-def _engine(values: Mapping[str, Any]) -> dict[str, Any]:
-    return {**values, "name": str(values["name"]), "version": str(values["version"])}
-
-
-def _number(value: float) -> float | None:
-    return value if math.isfinite(value) else None

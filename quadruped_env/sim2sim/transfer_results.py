@@ -1,20 +1,19 @@
 """Results of a policy in two engines: table, verdict, and the file that an evaluation report reads."""
 
-import datetime
 import hashlib
 import math
 import warnings
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 from quadruped_env.control.policy import TENSORS_FILE
 from quadruped_env.errors import QuadrupedWarning
-from quadruped_env.evaluation.subject import Subject
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.sim2sim.transfer import TARGETS, Transfer
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import write_json
-from quadruped_env.utils.provenance import git_commit, machine, versions
+from quadruped_env.utils.provenance import circumstances
+from quadruped_env.utils.text_table import text_table
 
 RESULTS_FILE: Final = "sim2sim.json"
 FORMAT_VERSION: Final = 1
@@ -24,38 +23,23 @@ _VELOCITIES: Final = {"forward_velocity": "forward velocity", "yaw_rate": "yaw r
 _NOTHING: Final = "-"
 
 
-@dataclass(frozen=True)
-class Table:
+class Table(NamedTuple):
     """One controller's results as text, one row per command."""
 
     label: str
     header: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
+    rows: list[tuple[str, ...]]
 
     def text(self) -> str:
         """The table as plain text."""
-        lines = [self.header, *self.rows]
-        widths = [max(len(line[i]) for line in lines) for i in range(len(self.header))]
-        body = ("  ".join(cell.rjust(width) for cell, width in zip(line, widths, strict=True)) for line in lines)
-        return "\n".join([self.label, *body])
+        return f"{self.label}\n{text_table([self.header, *self.rows], left=0)}"
 
 
 def tables(transfer: Transfer) -> list[Table]:
     """The results of each controller: the mean of each quantity in both engines, and what is lost."""
     here, there = (str(engine["name"]) for engine in transfer.engines)
-    header = (
-        "m/s, rad/s",
-        f"m/s {here}",
-        there,
-        "loss",
-        f"rad/s {here}",
-        there,
-        "loss",
-        f"height mm {here}",
-        there,
-        f"falls {here}",
-        there,
-    )
+    velocities = (f"m/s {here}", there, "loss", f"rad/s {here}", there, "loss")
+    header = ("m/s, rad/s", *velocities, f"height mm {here}", there, f"falls {here}", there)
     found = []
     for controller, commands in transfer.commands.items():
         rows = []
@@ -67,7 +51,7 @@ def tables(transfer: Transfer) -> list[Table]:
             cells += [_shown(1000.0 * value, 0) for value in transfer.means(controller, "base_height", i)]
             cells += [f"{int(engine['fallen'][i].sum())}" for engine in transfer.values[controller]]
             rows.append(tuple(cells))
-        found.append(Table(_LABELS[controller], header, tuple(rows)))
+        found.append(Table(_LABELS[controller], header, rows))
     return found
 
 
@@ -111,24 +95,13 @@ def conditions(transfer: Transfer) -> tuple[str, ...]:
     )
 
 
-def save(transfer: Transfer, subject: Subject, command_line: str) -> Path:
-    """Write the results into the subject's output directory; an earlier file is replaced.
-
-    Returns:
-        The path of the file.
-
-    Raises:
-        QuadrupedError: if it cannot be written.
-    """
-    path = subject.output / RESULTS_FILE
+def save(transfer: Transfer, evaluated: EvaluatedPolicy, command_line: str) -> Path:
+    """Write the results into the policy's output directory, and return the file; an earlier one is replaced."""
+    path = evaluated.output / RESULTS_FILE
     document = {
         "format_version": FORMAT_VERSION,
-        "command_line": command_line,
-        "time": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "machine": machine(),
-        "versions": versions(),
-        "commit": git_commit(),
-        "policy": {"name": subject.name, "weights_sha256": _weights(subject)},
+        **circumstances(command_line),
+        "policy": {"name": evaluated.name, "weights_sha256": _weights(evaluated)},
         "verdict": list(verdict(transfer)),
         **transfer.to_dict(),
     }
@@ -136,8 +109,8 @@ def save(transfer: Transfer, subject: Subject, command_line: str) -> Path:
     return path
 
 
-def load(subject: Subject) -> tuple[Transfer, str] | None:
-    """The results in the subject's output directory and the command that made them; None if this policy has none.
+def load(evaluated: EvaluatedPolicy) -> tuple[Transfer, str] | None:
+    """The results in the policy's output directory and the command that made them; None if this policy has none.
 
     Raises:
         QuadrupedError: if the file is not JSON.
@@ -145,14 +118,14 @@ def load(subject: Subject) -> tuple[Transfer, str] | None:
     Warns:
         QuadrupedWarning: if the file is of another policy, or lacks fields.
     """
-    path = subject.output / RESULTS_FILE
+    path = evaluated.output / RESULTS_FILE
     if not path.is_file():
         return None
     document = read_json(path, "run sim2sim again")
     try:
         if document["format_version"] != FORMAT_VERSION:
             problem = f"has format_version {document['format_version']!r}, and this version reads {FORMAT_VERSION}"
-        elif document["policy"]["weights_sha256"] != _weights(subject):
+        elif document["policy"]["weights_sha256"] != _weights(evaluated):
             problem = "is of another policy"
         else:
             return Transfer.from_dict(document), str(document["command_line"])
@@ -162,9 +135,9 @@ def load(subject: Subject) -> tuple[Transfer, str] | None:
     return None
 
 
-def _weights(subject: Subject) -> str:
+def _weights(evaluated: EvaluatedPolicy) -> str:
     """SHA-256 of the policy's weights, as in its own file."""
-    return hashlib.sha256(subject.policy.files()[TENSORS_FILE]).hexdigest()
+    return hashlib.sha256(evaluated.policy.files()[TENSORS_FILE]).hexdigest()
 
 
 def _shown(value: float, digits: int) -> str:

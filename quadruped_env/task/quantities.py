@@ -1,7 +1,7 @@
 """Quantities that rewards and metrics share: functions of arrays (N, ...).
 
 Reductions run along the last axis only, so that the value of an env does not depend on the number of envs. Sums of
-products are written as such: `np.vecdot`, `np.einsum` and `@` round in the way of the processor.
+products are written as such: `np.vecdot`, `np.einsum` and `@` round as each processor does.
 """
 
 import math

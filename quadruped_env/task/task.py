@@ -12,8 +12,7 @@ import numpy as np
 from gymnasium.utils import seeding
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env.control.control_interface import ControlInterface
-from quadruped_env.control.controllers import Controller
+from quadruped_env.control.control_interface import ControlInterface, Controller
 from quadruped_env.control.episode_memory import EpisodeMemory, State
 from quadruped_env.control.velocity_command import check_command
 from quadruped_env.errors import QuadrupedError
@@ -239,7 +238,7 @@ class Task:
         """Advance every env by one control step with a controller's joint targets.
 
         Args:
-            controller: see `quadruped_env.control.Controller`.
+            controller: see `quadruped_env.control.control_interface.Controller`.
             observation: observations of all envs (N, width).
 
         Raises:
@@ -263,7 +262,7 @@ class Task:
         terminated = self._terminations(self.context, diverged)
         self.context.fallen[:] = terminated
         limit = self.max_episode_steps
-        truncated = np.zeros_like(diverged) if limit is None else self.control.steps >= limit
+        truncated = np.zeros(self.num_envs, np.bool_, like=diverged) if limit is None else self.control.steps >= limit
         if self.tiles is not None:
             self.tiles.update(self.context, terminated, diverged, running)
         terms = self._rewards(self.context)

@@ -1,12 +1,13 @@
 """Where numbers come from: the machine, the libraries' versions, the commit of the checkout, a user's files."""
 
+import datetime
 import os
 import platform
 import subprocess
 from dataclasses import dataclass, field
 from importlib import metadata
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 _LIBRARIES: Final = ("mini-quadruped", "mujoco", "gymnasium", "numpy", "stable-baselines3", "sb3-contrib", "torch")
 TERRAIN_FILE: Final = "terrain_file"
@@ -25,6 +26,17 @@ class TaskFile:
     def to_dict(self) -> dict[str, str]:
         """Plain values, as stored in configs and results."""
         return {"name": self.name, "sha256": self.sha256}
+
+
+def circumstances(command_line: str) -> dict[str, Any]:
+    """Where a document comes from: command line, time, machine, versions and commit."""
+    return {
+        "command_line": command_line,
+        "time": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+        "machine": machine(),
+        "versions": versions(),
+        "commit": git_commit(),
+    }
 
 
 def versions() -> dict[str, str]:

@@ -6,14 +6,4 @@ from quadruped_env.viewer.snapshot import RobotView, View
 from quadruped_env.viewer.view_controller import ViewController
 from quadruped_env.viewer.viewer_recording import RESULTS
 
-__all__ = [
-    "LOOPBACK",
-    "PORT",
-    "RESULTS",
-    "Pace",
-    "RobotView",
-    "Show",
-    "View",
-    "ViewController",
-    "open_show",
-]
+__all__ = ["LOOPBACK", "PORT", "RESULTS", "Pace", "RobotView", "Show", "View", "ViewController", "open_show"]

@@ -8,22 +8,11 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.reporting.palette import (
-    ACTUAL,
-    COMMANDED,
-    GREEN,
-    GREY,
-    INK,
-    LIMIT,
-    VERMILION,
-    joint_colours,
-    leg_colours,
-)
+from quadruped_env.reporting import palette
 from quadruped_env.robot import Robot
 from quadruped_env.task import Section
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS
-from quadruped_env.viewer.viewed_trace import ViewedTrace
+from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, ViewedTrace
 
 if TYPE_CHECKING:
     import viser
@@ -40,14 +29,7 @@ _POINTS: Final = 125
 
 
 class Plots:
-    """A panel of charts at the left edge.
-
-    Args:
-        server: the server of the page.
-        commands: ranges of the velocity command.
-        robot: the robots.
-        reward: False if their samples have no reward terms.
-    """
+    """A panel of charts at the left edge, for ranges of the velocity command; `reward` is False without terms."""
 
     def __init__(self, server: "viser.ViserServer", commands: Section, robot: Robot, reward: bool = True) -> None:
         panel = server.gui.add_panel()
@@ -61,15 +43,25 @@ class Plots:
             self._yaw = _Chart(server, "Yaw rate, rad/s", _VELOCITY_LINES, turn)
             self._gait = server.gui.add_html(gait_diagram(robot, np.zeros((0, robot.num_legs), np.bool_), 0.02))
         with panel.add_tab("Joints"):
-            self._kinds = [_JointChart(server, robot, kind) for kind in robot.joints_by_kind]
+            self._kinds = [self._add_kind(server, robot, kind) for kind in robot.joints_by_kind]
             self._fastest = float(robot.velocity_limit.max())
-            lines: list[_Line] = [(leg, colour, ()) for leg, colour in leg_colours(robot).items()]
-            lines.append(("limit", LIMIT, (4, 4)))
+            lines: list[_Line] = [(leg, colour, ()) for leg, colour in palette.leg_colours(robot).items()]
+            lines.append(("limit", palette.LIMIT, (4, 4)))
             self._speeds = _Chart(server, "Fastest joint of each leg, rad/s", lines, (0.0, 1.2 * self._fastest))
         self._reward = None
         if reward:
             with panel.add_tab("Reward"):
                 self._reward = server.gui.add_html("")
+
+    @staticmethod
+    def _add_kind(server: "viser.ViserServer", robot: Robot, kind: str) -> tuple["_Chart", Any, tuple[float, float]]:
+        """A chart of the positions of the joints of a kind, its joints, and the outermost of their limits."""
+        joints = robot.joints_by_kind[kind]
+        limits = float(robot.joint_position_low[joints].min()), float(robot.joint_position_high[joints].max())
+        colours = palette.joint_colours(robot)
+        lines: list[_Line] = [(*colours[joint], ()) for joint in joints]
+        lines += [("limits", palette.LIMIT, (4, 4)), ("", palette.LIMIT, (4, 4))]
+        return _Chart(server, f"{kind.capitalize()} positions, rad", lines, _padded(limits)), joints, limits
 
     def update(self, view: View) -> None:
         """Show the last seconds of the watched robot."""
@@ -90,8 +82,9 @@ class Plots:
         command = drawn.command if robot.follows_command else np.full_like(drawn.command, np.nan)
         for i, chart in enumerate((self._forward, self._yaw)):
             chart.show(times, drawn.velocity[:, i], drawn.smooth_velocity[:, i], command[:, i])
-        for kind in self._kinds:
-            kind.show(times, drawn.joint_position)
+        for chart, joints, limits in self._kinds:
+            bounds = (np.full(len(times), limit) for limit in limits)
+            chart.show(times, *drawn.joint_position[:, joints].T, *bounds)
         speeds = np.abs(drawn.joint_velocity)
         by_leg = [speeds[:, list(leg)].max(axis=1) for leg in description.leg_joints]
         self._speeds.show(times, *by_leg, np.full(len(times), self._fastest))
@@ -107,8 +100,8 @@ _Line = tuple[str, str, tuple[int, ...]]
 
 _VELOCITY_LINES: Final[tuple[_Line, ...]] = (
     ("now", "#B7CDE0", ()),
-    ("mean", ACTUAL, ()),
-    ("command", COMMANDED, (6, 4)),
+    ("mean", palette.ACTUAL, ()),
+    ("command", palette.COMMANDED, (6, 4)),
 )
 
 
@@ -125,14 +118,8 @@ class _Chart:
         self._handle: Any = server.gui.add_uplot(
             (np.array([0.0, HISTORY_SECONDS]), *(np.zeros(2) for _ in lines)),
             tuple(series),
-            scales={
-                "x": {"time": False},
-                "y": {"range": bounds},
-            },
-            axes=(
-                {"size": 28, "font": "11px sans-serif"},
-                {"size": 38, "font": "11px sans-serif"},
-            ),
+            scales={"x": {"time": False}, "y": {"range": bounds}},
+            axes=({"size": 28, "font": "11px sans-serif"}, {"size": 38, "font": "11px sans-serif"}),
             legend={"show": False},
             cursor={"show": False},
             height=_CHART_HEIGHT,
@@ -145,39 +132,16 @@ class _Chart:
         self._handle.data = (times, *lines)
 
 
-class _JointChart:
-    """Positions of the joints of one kind, with the outermost of their limits."""
-
-    def __init__(self, server: "viser.ViserServer", robot: Robot, kind: str) -> None:
-        self._joints = robot.joints_by_kind[kind]
-        self._limits = (
-            float(robot.joint_position_low[self._joints].min()),
-            float(robot.joint_position_high[self._joints].max()),
-        )
-        joints = joint_colours(robot)
-        lines: list[_Line] = [(*joints[joint], ()) for joint in self._joints]
-        lines += [("limits", LIMIT, (4, 4)), ("", LIMIT, (4, 4))]
-        self._chart = _Chart(server, f"{kind.capitalize()} positions, rad", lines, _padded(self._limits))
-
-    def show(self, times: NDArray[np.floating], positions: NDArray[np.floating]) -> None:
-        """Draw positions (T, J) over times (s) (T,)."""
-        limits = (np.full(len(times), limit) for limit in self._limits)
-        self._chart.show(times, *positions[:, self._joints].T, *limits)
-
-
 def gait_diagram(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> str:
     """Gait diagram as SVG: one bar per foot and stance phase, time to the right, the present at the right edge.
 
-    Args:
-        robot: robot that moves.
-        contact: True for each foot on the ground (T, L), over `GAIT_SECONDS` or less.
-        timestep: time between samples, s.
+    Contacts (T, L) are over `GAIT_SECONDS` or less, `timestep` seconds apart.
     """
     left, right, top, row, bar = 30, 360, 4, 22, 14
     bottom = top + row * robot.num_legs
     scale = (right - left) / GAIT_SECONDS
     parts = []
-    for leg, (name, colour) in enumerate(leg_colours(robot).items()):
+    for leg, (name, colour) in enumerate(palette.leg_colours(robot).items()):
         y = top + row * leg
         parts.append(f'<text x="{left - 8}" y="{y + bar - 2}" text-anchor="end">{name}</text>')
         parts.append(f'<rect x="{left}" y="{y}" width="{right - left}" height="{bar}" fill="#EEF1F4"/>')
@@ -194,7 +158,7 @@ def gait_diagram(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> s
         parts.append(f'<text x="{x:.1f}" y="{bottom + 12}" text-anchor="middle">{-second if second else "now"}</text>')
     return (
         f'{_heading("Feet on the ground, s", ())}<svg viewBox="0 0 380 {bottom + 18}" width="100%" '
-        f'style="{_FONT};padding:0 6px" fill="{INK}" data-plot="gait">{"".join(parts)}</svg>'
+        f'style="{_FONT};padding:0 6px" fill="{palette.INK}" data-plot="gait">{"".join(parts)}</svg>'
     )
 
 
@@ -205,12 +169,12 @@ def reward_bars(names: Sequence[str], values: NDArray[np.float64]) -> str:
     for name, value in zip(names, values, strict=True):
         width = 50.0 * min(abs(value) / most, 1.0)
         side = "left" if value >= 0 else "right"
-        colour = GREEN if value >= 0 else VERMILION
+        colour = palette.GREEN if value >= 0 else palette.VERMILION
         rows.append(
             f'<tr><td style="padding-right:6px;white-space:nowrap">{escape(name.replace("_", " "))}</td>'
             f'<td style="width:45%;position:relative"><div style="position:absolute;top:4px;bottom:4px;{side}:50%;'
             f'width:{width:.1f}%;background:{colour}"></div>'
-            f'<div style="position:absolute;top:0;bottom:0;left:50%;width:1px;background:{GREY}"></div></td>'
+            f'<div style="position:absolute;top:0;bottom:0;left:50%;width:1px;background:{palette.GREY}"></div></td>'
             f'<td style="text-align:right;font-variant-numeric:tabular-nums">{value:+z.2f}</td></tr>'
         )
     rows.append(
@@ -225,8 +189,8 @@ def reward_bars(names: Sequence[str], values: NDArray[np.float64]) -> str:
 
 _FONT: Final = "font:12px sans-serif"
 _NO_MOTION: Final = (
-    f'<div style="{_FONT};padding:12px;color:{GREY}" data-unknown>Velocity and contacts of the feet are unknown: '
-    "no /odom arrives.</div>"
+    f'<div style="{_FONT};padding:12px;color:{palette.GREY}" data-unknown>'
+    "Velocity and contacts of the feet are unknown: no /odom arrives.</div>"
 )
 
 
@@ -238,7 +202,7 @@ def _heading(title: str, lines: Sequence[_Line]) -> str:
         if name
     )
     return (
-        f'<div style="{_FONT};display:flex;flex-wrap:wrap;padding:8px 12px 2px 12px;color:{INK}">'
+        f'<div style="{_FONT};display:flex;flex-wrap:wrap;padding:8px 12px 2px 12px;color:{palette.INK}">'
         f'<b style="flex-grow:1">{escape(title)}</b>{keys}</div>'
     )
 

@@ -2,7 +2,8 @@
 
 import math
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Final
@@ -10,15 +11,11 @@ from typing import TYPE_CHECKING, Any, Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.simulation.terrain import LEVELS
-from quadruped_env.viewer.keys import ARROWS_FIRST
-from quadruped_env.viewer.legend import CONTACT_FORCES, VELOCITIES
-from quadruped_env.viewer.panel_text import keys_html, legend_html, status_html
-from quadruped_env.viewer.paths import without_directories
-from quadruped_env.viewer.pushes_and_forces import MAX_FORCE_SECONDS, MAX_PUSH, max_force
+from quadruped_env.viewer.panel_text import KEY_HTML, keys_html, legend_html, status_html, without_directories
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.view_controller import SPEEDS, ViewController
+from quadruped_env.viewer.view_controller import MAX_FORCE_SECONDS, MAX_PUSH, SPEEDS, ViewController
 from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
-from quadruped_env.viewer.viewer_scene import Scene
+from quadruped_env.viewer.viewer_scene import CONTACT_FORCES, VELOCITIES, Scene
 
 if TYPE_CHECKING:
     import viser
@@ -38,13 +35,7 @@ _UNFADED: Final = "<style>canvas[data-engine] { opacity: 1 !important }</style>"
 
 
 class Panel:
-    """The control panel of the viewer.
-
-    Args:
-        server: the server of the page.
-        controller: the controller that the controls act on.
-        scene: the scene, for showing and hiding overlays.
-    """
+    """The control panel of the viewer, which acts on a controller, and shows and hides overlays of a scene."""
 
     def __init__(self, server: "viser.ViserServer", controller: ViewController, scene: Scene) -> None:
         self._server = server
@@ -57,7 +48,7 @@ class Panel:
         gui = server.gui
         gui.main_panel.dock_right()
         gui.main_panel.set_width(_WIDTH)
-        gui.add_html(ARROWS_FIRST + _UNFADED)
+        gui.add_html(KEY_HTML + _UNFADED)
         self._status = gui.add_html("")
         self._clock_buttons = gui.add_button_group("", (PAUSE, STEP, RESET))
         self._on(self._clock_buttons, lambda: self._press(self._clock_buttons.value))
@@ -65,20 +56,18 @@ class Panel:
         self._on(self._record, self._toggle_recording)
         tabs = gui.add_tab_group()
         self._sources: list[Any] = []
-        if controller.available.sources:
-            with tabs.add_tab("Drive"):
-                self._add_command()
-                self._add_push()
+        with tabs.add_tab("Drive"):
+            if not controller.available.sources:
+                self._add_gait()
+            self._add_command()
+            self._add_push()
+            if controller.available.sources:
                 self._add_playback()
+        if controller.available.sources:
             with tabs.add_tab("Robots"):
                 self._add_robots()
                 self._add_gait()
                 self._add_episodes()
-        else:
-            with tabs.add_tab("Drive"):
-                self._add_gait()
-                self._add_command()
-                self._add_push()
         with tabs.add_tab("Show"):
             self._add_overlays()
         self._legend = gui.add_html("")
@@ -144,7 +133,7 @@ class Panel:
             )  # fmt: skip
             self._strength = gui.add_slider("Strength, m/s", min=0.0, max=MAX_PUSH, step=0.05, initial_value=0.5)
             self._on(gui.add_button("Push", icon="arrow-big-right"), self._push)
-            most = math.floor(max_force(self._controller.robot))
+            most = math.floor(self._controller.max_force)
             self._force = gui.add_slider("Force, N", min=0.0, max=most, step=0.5, initial_value=min(5.0, most))
             self._seconds = gui.add_slider("For, s", min=0.1, max=MAX_FORCE_SECONDS, step=0.1, initial_value=1.0)
             self._hold = gui.add_button("Apply force", icon="arrow-bar-to-right")
@@ -217,19 +206,18 @@ class Panel:
 
     def _add_keys(self) -> None:
         for label, key, action in (
-            ("Faster", "arrowup", lambda: self._nudge(1, 0)),
-            ("Slower, backwards", "arrowdown", lambda: self._nudge(-1, 0)),
-            ("Turn left", "arrowleft", lambda: self._nudge(0, 1)),
-            ("Turn right", "arrowright", lambda: self._nudge(0, -1)),
-            ("Stand", "0", self._stand),
+            ("Faster", "arrowup", lambda: self._steer(lambda: self._controller.nudge(1, 0))),
+            ("Slower, backwards", "arrowdown", lambda: self._steer(lambda: self._controller.nudge(-1, 0))),
+            ("Turn left", "arrowleft", lambda: self._steer(lambda: self._controller.nudge(0, 1))),
+            ("Turn right", "arrowright", lambda: self._steer(lambda: self._controller.nudge(0, -1))),
+            ("Stand", "0", lambda: self._steer(lambda: self._controller.set_command(0.0, 0.0))),
             ("Pause or resume", "space", lambda: self._press(PAUSE)),
             ("One step", "N", lambda: self._press(STEP)),
             ("Reset", "R", lambda: self._press(RESET)),
             ("Push", "P", self._push),
             ("Record or save", "V", self._toggle_recording),
         ):
-            command = self._server.gui.add_command(label, hotkey=key)
-            command.on_trigger(self._guarded(action))
+            self._server.gui.add_command(label, hotkey=key).on_trigger(self._guarded(action))
 
     # --- actions
 
@@ -250,17 +238,10 @@ class Panel:
     def _command(self) -> None:
         self._shown_command = self._controller.set_command(self._velocity.value, self._yaw_rate.value)
 
-    def _nudge(self, forward: int, left: int) -> None:
-        if not self._controller.offered.command:
-            return
-        self._controller.nudge(forward, left)
-        self._show_command()
-
-    def _stand(self) -> None:
-        if not self._controller.offered.command:
-            return
-        self._controller.set_command(0.0, 0.0)
-        self._show_command()
+    def _steer(self, change: Callable[[], object]) -> None:
+        if self._controller.offered.command:
+            change()
+            self._show_command()
 
     def _show_overlay(self, name: str, box: Any) -> None:
         self._scene.visible[name] = box.value
@@ -312,11 +293,8 @@ class Panel:
         if command == self._shown_command:
             return
         self._shown_command = command
-
-        def show() -> None:
+        with self._without_actions():
             self._velocity.value, self._yaw_rate.value = command
-
-        self._show(show)
 
     def _show_offered(self) -> None:
         """Hide controls without an effect."""
@@ -334,26 +312,20 @@ class Panel:
     def _show_terrain(self) -> None:
         """Set the lists to the terrain of the robots."""
         terrain = self._shown_terrain = self._controller.terrain
-
-        def show() -> None:
+        with self._without_actions():
             _set(self._terrain, "value", terrain.name)
             _set(self._level, "value", NO_LEVEL if terrain.level is None else str(terrain.level))
             _set(self._level, "visible", self._has_levels())
 
-        self._show(show)
-
     def _show_robots(self) -> None:
         names, distinct = self._controller.robots, self._controller.names
         self._shown_names = distinct
-
-        def show() -> None:
-            for index, dropdown in enumerate(self._sources):
-                _set(dropdown, "value", names[index] if index < len(names) else NONE)
-            _set(self._watched, "options", distinct)
-            _set(self._watched, "value", distinct[self._controller.view().watched])
-
         if self._sources:
-            self._show(show)
+            with self._without_actions():
+                for index, dropdown in enumerate(self._sources):
+                    _set(dropdown, "value", names[index] if index < len(names) else NONE)
+                _set(self._watched, "options", distinct)
+                _set(self._watched, "value", distinct[self._controller.view().watched])
         self._show_gait()
 
     def _show_gait(self) -> None:
@@ -361,19 +333,17 @@ class Panel:
         self._gait_folder.visible = gait is not None
         if gait is None:
             return
-
-        def show() -> None:
+        with self._without_actions():
             self._amplitude.value, self._frequency.value = gait.amplitude, gait.frequency
             for slider, phase in zip(self._phases, gait.phases, strict=True):
                 slider.value = phase
 
-        self._show(show)
-
-    def _show(self, change: Callable[[], object]) -> None:
-        """Change control values without triggering their actions."""
+    @contextmanager
+    def _without_actions(self) -> Iterator[None]:
+        """A context in which changed values of controls do not trigger their actions."""
         self._setting = True
         try:
-            change()
+            yield
         finally:
             self._setting = False
 

@@ -1,21 +1,76 @@
-"""Text of the viewer's panel, as HTML: status, legend and keys."""
+"""Text of the viewer's page, as HTML: status, legend, keys, and the script that handles the keys."""
 
+import re
 from collections.abc import Mapping
 from html import escape
+from pathlib import Path
 from typing import Final
 
-from quadruped_env.reporting.palette import GREY, INK, LIMIT
+from quadruped_env.reporting.palette import ACTUAL, COMMANDED, CONTACT, FRONT, GREY, INK, LIMIT, PUSH, leg_colours
 from quadruped_env.robot import Robot
-from quadruped_env.viewer.legend import legend
+from quadruped_env.utils.files import shown_path
 from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.viewed_robot import Offered
 from quadruped_env.viewer.viewer_recording import MAX_SECONDS
+from quadruped_env.viewer.viewer_scene import CONTACT_FORCES, TRAILS, VELOCITIES
 
 SMALL: Final = "font:12px sans-serif;padding:0 12px 8px 12px;line-height:1.6"
+_ABSOLUTE: Final = re.compile(r"(?<![\w./])/(?:[^\s/'\"]+/)+[^\s/'\",;]*")
+_ARROW, _LINE, _PATCH = "&#10142;", "&#9473;", "&#9632;"
+_FRONT_GEOM: Final = "front_visual"
+"""Name of the mark at the front in the models of `QuadrupedDesign`; other robots need not have one."""
+Mark = tuple[str, str, str]
+"""Symbol, colour and name."""
+
+# viser moves its camera with the arrow keys, focused sliders and buttons consume keys, and held keys repeat. Therefore
+# the script captures these keys before other listeners and dispatches them only to the hotkeys, which listen on the
+# document element. Text fields keep their keys.
+_KEY_SCRIPT: Final = """
+document.title = 'MiniQuadruped';
+if (!window.quadrupedKeys) {
+  window.quadrupedKeys = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Space'];
+  window.addEventListener('keydown', function (event) {
+    var typing = event.target.closest &amp;&amp; event.target.closest('input:not([type=checkbox]), textarea, [contenteditable]');
+    var held = event.ctrlKey || event.altKey || event.metaKey || event.shiftKey;
+    if (!event.isTrusted || typing || held || window.quadrupedKeys.indexOf(event.code) === -1) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    if (!event.repeat) {
+      document.documentElement.dispatchEvent(
+        new KeyboardEvent('keydown', {key: event.key, code: event.code, cancelable: true}));
+    }
+  }, true);
+}
+"""  # noqa: E501
+
+# HTML inserted into a page later does not run <script> elements; the load event of an image does.
+_PIXEL: Final = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
+
+KEY_HTML: Final = f'<img alt="" hidden src="{_PIXEL}" onload="{" ".join(_KEY_SCRIPT.split())}">'
+"""HTML that sets the title of the page and makes arrow keys and the space bar control the robot."""
+
+
+def legend(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> dict[str, list[Mark]]:
+    """Meaning -> marks that have it, of the offered controls and readings, and of the visible overlays."""
+    entries: dict[str, list[Mark]] = {}
+    if visible[VELOCITIES]:
+        if offered.command:
+            entries["commanded velocity and turn"] = [(_ARROW, COMMANDED, "")]
+        if offered.motion:
+            entries["measured velocity and turn"] = [(_ARROW, ACTUAL, "")]
+    if visible[CONTACT_FORCES] and offered.motion:
+        entries["contact forces"] = [(_ARROW, CONTACT, "")]
+    if offered.push:
+        entries["push, sustained force" if offered.force else "push"] = [(_ARROW, PUSH, "")]
+    if visible[TRAILS]:
+        entries["paths of the feet"] = [(_LINE, colour, leg) for leg, colour in leg_colours(robot).items()]
+    if _FRONT_GEOM in robot.mjcf:
+        entries["front of the robot"] = [(_PATCH, FRONT, "")]
+    return entries
 
 
 def legend_html(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> str:
-    """The legend of the scene, as HTML; arguments as in `legend`."""
+    """The `legend` as HTML."""
     lines = []
     for meaning, marks in legend(robot, offered, visible).items():
         shown = (f'<span style="color:{colour}">{symbol}</span> {escape(name)}' for symbol, colour, name in marks)
@@ -61,3 +116,10 @@ def status_html(view: View) -> str:
         warnings.append(escape(f"The gait exceeds limits: {robot.complaints[0]}{more}"))
     lines += [f'<span style="color:{LIMIT}">{warning}</span>' for warning in warnings]
     return f'<div style="{SMALL};padding-top:8px;min-height:80px;color:{INK}" data-status>{"<br>".join(lines)}</div>'
+
+
+def without_directories(text: str) -> str:
+    """Replace absolute paths in a text as `shown_path` does."""
+    # First the known directories, whose names may contain spaces.
+    text = text.replace(f"{Path.cwd()}/", "").replace(f"{Path.home()}/", "")
+    return _ABSOLUTE.sub(lambda match: shown_path(Path(match[0])), text)

@@ -19,30 +19,22 @@ _PORTS_TRIED: Final = 100
 def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
     """Start a server on the first free port from `port` on, for this project's page only (see `access` and `guard`).
 
-    Args:
-        host: the address to listen on; any other than loopback lets other machines control the viewer.
-        port: first port to try; 0 takes any free port.
+    Any address other than loopback lets other machines control the viewer. Port 0 is any free port.
 
     Raises:
         MissingExtraError: if viser is not installed.
         QuadrupedError: if there is no such address here, or no port is free.
     """
-
-    class LocalServer(import_viser().ViserServer):  # type: ignore[misc]
-        def request_share_url(self, verbose: bool = True) -> None:
-            """Ignore the request: browsers may send it even without a share button."""
-
-    # Imported here because they need viser.
-    from quadruped_env.viewer import thread_messages
+    module = import_viser()
+    # Imported here because it needs viser.
     from quadruped_env.viewer.guard import Guard
 
     guard = Guard(host)
-    thread_messages.install()
     port = _free_port(host, port)
     # viser prints its own banner.
     with contextlib.redirect_stdout(io.StringIO()), guard.installed():
-        server: viser.ViserServer = LocalServer(host, port, label="MiniQuadruped", verbose=False)
-    guard.messages.gui = server.gui
+        server: viser.ViserServer = module.ViserServer(host, port, label="MiniQuadruped", verbose=False)
+    guard.gui = server.gui
     server.gui.configure_theme(show_logo=False, show_share_button=False, brand_color=(0, 114, 178))
     return server
 
@@ -54,11 +46,7 @@ def stop_server(server: "viser.ViserServer") -> None:
 
 
 def import_viser() -> Any:
-    """The module `viser`.
-
-    Raises:
-        MissingExtraError: if it, or mjviser, is not installed.
-    """
+    """The module `viser`; a MissingExtraError if it, or mjviser, is not installed."""
     try:
         import mjviser  # noqa: F401
         import viser

@@ -54,17 +54,7 @@ class Pace:
 
 
 class Show:
-    """A running viewer.
-
-    Args:
-        controller: the controller to show; `close` also closes it.
-        host: the address to listen on.
-        port: the first port to try.
-
-    Raises:
-        MissingExtraError: if viser or mjviser is not installed.
-        QuadrupedError: if there is no such address, or no free port.
-    """
+    """A running viewer of a controller, which `close` also closes; arguments and errors as in `open_show`."""
 
     def __init__(self, controller: ViewController, host: str = LOOPBACK, port: int = PORT) -> None:
         self.controller = controller

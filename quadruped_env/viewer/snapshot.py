@@ -6,10 +6,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.simulation import Terrain
-from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, contact_forces, heading
-from quadruped_env.viewer.viewed_trace import ViewedTrace
+from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, ViewedTrace, contact_forces, heading
 
 
 @dataclass(frozen=True)
@@ -35,7 +33,6 @@ class RobotView:
     """Samples of the last seconds, oldest first."""
     term_names: tuple[str, ...]
     """Names of the samples' reward terms."""
-    gait: GaitSettings | None
     complaints: tuple[str, ...]
     """Descriptions of the joint limits that its gait exceeds."""
     fell_at: float | None
@@ -55,15 +52,12 @@ class View:
     """Time since the last reset, s."""
     paused: bool
     speed: float
-    command: tuple[float, float]
     robots: tuple[RobotView, ...]
     terrain: Terrain
     watched: int
     """Index of the robot that plots and camera follow."""
     recorded: float | None
     """Duration of the current recording, s; None if there is none."""
-    lag: float
-    """Playback time skipped since the last reset because the machine was too slow, s."""
     offered: Offered
 
 
@@ -83,7 +77,6 @@ def robot_view(robot: ViewedRobot, name: str, scratch: mujoco.MjData) -> RobotVi
         forces,
         tuple(robot.history),
         robot.term_names,
-        robot.gait,
         tuple(robot.complaints()),
         robot.fell_at,
     )

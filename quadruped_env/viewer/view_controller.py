@@ -16,23 +16,28 @@ import mujoco
 
 from quadruped_env.control.steering import FORWARD_STEP, TURN_STEP, next_step
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.metrics import GRAVITY
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import TERRAINS, Terrain
 from quadruped_env.simulation.push_limit import PushLimit
-from quadruped_env.viewer.pushes_and_forces import MAX_FORCE_SECONDS, push_velocity, sustained_force
 from quadruped_env.viewer.snapshot import View, robot_view
 from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot
-from quadruped_env.viewer.viewer_recording import MAX_SECONDS, RESULTS, Take, TakeSaver
-from quadruped_env.viewer.viewer_robots import Lineup, Slot, Source
+from quadruped_env.viewer.viewer_recording import MAX_SECONDS, RESULTS, RecordingSaver, ViewerRecording
+from quadruped_env.viewer.viewer_robots import Source, ViewerRobots
 
 SPEEDS: Final = (0.1, 4.0)
 """Range of the playback speed, as a multiple of real time."""
+MAX_PUSH: Final = 1.5
+"""Maximum velocity change by a push, m/s."""
+MAX_FORCE_SHARE: Final = 0.5
+"""Maximum sustained force, relative to the robot's weight."""
+MAX_FORCE_SECONDS: Final = 5.0
+"""Maximum duration of a sustained force, s."""
 RESTART_AFTER: Final = 2.0
 """Time after a fall until the robot restarts, s."""
 _MAX_LAG: Final = 0.25
 """Maximum playback time that is caught up after a delay, s; the rest is skipped."""
-_MESSAGES: Final = 20
 
 Command = tuple[float, float]
 
@@ -48,7 +53,7 @@ class ViewController:
         robot: description of the robots.
         terrain: initial ground of all simulated robots; None: that of the first robot's task.
         terrains: terrains that can be chosen.
-        randomization: initial randomization, a key of `lineup.RANDOMIZATIONS`.
+        randomization: initial randomization, a key of `viewer_robots.RANDOMIZATIONS`.
 
     Raises:
         QuadrupedError: if a source is unknown or does not fit the robot.
@@ -70,9 +75,9 @@ class ViewController:
         """Controls that have an effect on at least one kind of robot here, and readings that exist."""
         self.terrains = tuple(terrains)
         self._lock = threading.RLock()
-        self._messages: deque[str] = deque(maxlen=_MESSAGES)
-        self._saver = TakeSaver(results, self._messages.append)
-        self._time = self._budget = self._lag = 0.0
+        self._messages: deque[str] = deque(maxlen=20)
+        self._saver = RecordingSaver(results, self._messages.append)
+        self._time = self._budget = 0.0
         self._seed = 0
         self._paused = False
         self._speed = 1.0
@@ -80,13 +85,13 @@ class ViewController:
         self._push_limit = PushLimit("push")
         self._watched = 0
         self.restart_after_fall = True
-        self._take: Take | None = None
+        self._recording: ViewerRecording | None = None
         try:
-            self._lineup = Lineup(sources, chosen, robot, terrain, randomization, terrains)
+            self._robots = ViewerRobots(sources, chosen, robot, terrain, randomization, terrains)
         except Exception:
             self._saver.close()
             raise
-        self.command_ranges = self._lineup.command_ranges
+        self.command_ranges = self._robots.command_ranges
         """Of the robots at the start; one that is added later clips commands to its own."""
 
     # --- the robots
@@ -94,58 +99,48 @@ class ViewController:
     @property
     def robots(self) -> tuple[str, ...]:
         """The name of each robot's source."""
-        with self._lock:
-            return self._lineup.sources
+        return self._robots.sources
 
     @property
     def names(self) -> tuple[str, ...]:
         """The name of each robot: its source's, with a number if an earlier robot has the same source."""
-        with self._lock:
-            return self._lineup.names
+        return self._robots.names
 
     @property
     def offered(self) -> Offered:
         """The controls that have an effect on the current robots, and their readings."""
-        with self._lock:
-            return replace(self.available, command=self.available.command and self._lineup.follows_command)
+        return replace(self.available, command=self.available.command and self._robots.follows_command)
 
     def set_source(self, index: int, name: str | None) -> None:
-        """Change the source of a robot and restart it; None removes the robot.
-
-        The index after the last robot adds one.
+        """Change the source of a robot and restart it; None removes the robot. The index after the last robot adds one.
 
         Raises:
-            QuadrupedError: if there is no such robot or source, or the source does not fit the robot. Nothing
-                changes then.
+            QuadrupedError: if there is no such robot or source, or it does not fit the robot. Nothing changes then.
         """
-        robot = None if name is None else self._lineup.make(name)
+        robot = None if name is None else self._robots.make(name)
         with self._lock:
-            self._lineup.check_place(index, remove=robot is None)
+            self._robots.check_place(index, remove=robot is None)
             if index == self._watched:
                 self.stop_recording()
             if robot is not None:
-                slot = self._lineup.slot(index, robot, self._time)
+                slot = self._robots.slot(index, robot, self._time)
                 robot.reset(self._seed, self._command)
-                self._lineup.slots[index : index + 1] = [slot]
+                self._robots.slots[index : index + 1] = [slot]
             else:
-                del self._lineup.slots[index : index + 1]
-                self.watch(min(self._watched, len(self._lineup.slots) - 1))
+                del self._robots.slots[index : index + 1]
+                self.watch(min(self._watched, len(self._robots.slots) - 1))
 
     def watch(self, index: int) -> None:
         """Select the robot for plots, camera, gait settings and recordings."""
         with self._lock:
-            if not 0 <= index < len(self._lineup.slots):
-                raise QuadrupedError(f"watch: expected an index of 0 to {len(self._lineup.slots) - 1}; found {index}")
+            if not 0 <= index < len(self._robots.slots):
+                raise QuadrupedError(f"watch: expected an index of 0 to {len(self._robots.slots) - 1}; found {index}")
             if index != self._watched:
                 self.stop_recording()
             self._watched = index
 
     def set_gait(self, settings: GaitSettings) -> None:
-        """Change the scripted gait of the watched robot.
-
-        Raises:
-            QuadrupedError: if it has no scripted gait.
-        """
+        """Change the scripted gait of the watched robot; a QuadrupedError if it has none."""
         with self._lock:
             self._watched_robot.gait = settings
 
@@ -157,46 +152,36 @@ class ViewController:
 
     @property
     def randomization(self) -> str:
-        """The randomization, a key of `lineup.RANDOMIZATIONS`."""
-        with self._lock:
-            return self._lineup.randomization
+        """The randomization, a key of `viewer_robots.RANDOMIZATIONS`."""
+        return self._robots.randomization
 
     def set_randomization(self, name: str) -> None:
-        """Choose the randomization, a key of `lineup.RANDOMIZATIONS`, and restart all robots."""
+        """Choose the randomization, a key of `viewer_robots.RANDOMIZATIONS`, and restart all robots."""
         with self._lock:
-            self._replace(self._lineup.randomized(name))
+            self._robots.slots = self._robots.randomized(name)
+            self.reset()
 
     @property
     def terrain(self) -> Terrain:
         """The ground of the robots."""
-        with self._lock:
-            return self._lineup.terrain
+        return self._robots.terrain
 
     def set_terrain(self, name: str, level: int | None = None) -> None:
-        """Choose the ground of all simulated robots, and restart them.
-
-        Args:
-            name: name of one of `terrains`.
-            level: from 1 to 10, for a terrain that has levels; None: its default shape.
+        """Choose the ground of all simulated robots by its name and level (None: its default shape), and restart them.
 
         Raises:
             QuadrupedError: if there is no such terrain or level. Nothing changes then.
         """
         with self._lock:
-            self._replace(self._lineup.on_terrain(name, level))
-
-    def _replace(self, slots: list[Slot]) -> None:
-        """Show other robots, from their start."""
-        self._lineup.slots = slots
-        self.reset()
+            self._robots.slots = self._robots.on_terrain(name, level)
+            self.reset()
 
     # --- the command and the clock
 
     @property
     def command(self) -> Command:
         """Velocity command of all robots: forward velocity in m/s and yaw rate in rad/s."""
-        with self._lock:
-            return self._command
+        return self._command
 
     def set_command(self, forward_velocity: float, yaw_rate: float) -> Command:
         """Set the velocity command of all robots, forward velocity in m/s and yaw rate in rad/s, clipped to its ranges.
@@ -209,7 +194,7 @@ class ViewController:
         ranges = self.command_ranges
         with self._lock:
             self._command = (_cut(forward_velocity, ranges.forward_velocity), _cut(yaw_rate, ranges.yaw_rate))
-            for slot in self._lineup.slots:
+            for slot in self._robots.slots:
                 slot.robot.set_command(self._command)
             return self._command
 
@@ -227,8 +212,7 @@ class ViewController:
     @property
     def paused(self) -> bool:
         """True if playback is paused."""
-        with self._lock:
-            return self._paused
+        return self._paused
 
     @paused.setter
     def paused(self, paused: bool) -> None:
@@ -248,8 +232,8 @@ class ViewController:
             self.stop_recording()
             self._seed += 1
             self._push_limit = PushLimit("push")
-            self._time = self._budget = self._lag = 0.0
-            for slot in self._lineup.slots:
+            self._time = self._budget = 0.0
+            for slot in self._robots.slots:
                 slot.robot.reset(self._seed, self._command)
                 slot.clock = 0.0
 
@@ -260,21 +244,12 @@ class ViewController:
             self._tick()
 
     def advance(self, elapsed: float) -> int:
-        """Advance playback.
-
-        Args:
-            elapsed: real time since the last call, s.
-
-        Returns:
-            The number of control steps.
-        """
+        """Advance playback by the real time since the last call, s. Returns the number of control steps."""
         with self._lock:
             if self._paused:
                 return 0
             self._budget += elapsed * self._speed
-            left_out = max(0.0, self._budget - _MAX_LAG * max(1.0, self._speed))
-            self._budget -= left_out
-            self._lag += left_out
+            self._budget = min(self._budget, _MAX_LAG * max(1.0, self._speed))
             steps = int(self._budget / self._timestep + 1e-9)
             self._budget -= steps * self._timestep
             for _ in range(steps):
@@ -282,69 +257,63 @@ class ViewController:
             return steps
 
     def push(self, direction: float, strength: float) -> None:
-        """Push all robots.
-
-        Args:
-            direction: direction relative to the robot's heading, positive to the left, rad.
-            strength: velocity added to the base, m/s.
+        """Push all robots by up to `MAX_PUSH` m/s, in a direction relative to the heading (rad, positive to the left).
 
         Raises:
             QuadrupedError: if it is too large together with other pushes, see `PushLimit`.
         """
-        velocity = push_velocity(direction, strength)
+        velocity = _vector(direction, _cut(strength, (0.0, MAX_PUSH)))
         with self._lock:
             self._push_limit.check(velocity, self._time)
-            for slot in self._lineup.slots:
+            for slot in self._robots.slots:
                 slot.robot.push(velocity)
 
-    def hold_force(self, direction: float, force: float, seconds: float) -> None:
-        """Apply a sustained force to the base of all robots.
+    @property
+    def max_force(self) -> float:
+        """Maximum sustained force, N."""
+        return MAX_FORCE_SHARE * self.robot.total_mass * GRAVITY
 
-        Args:
-            direction: direction relative to the robot's heading, positive to the left, rad.
-            force: force, N.
-            seconds: its duration, s.
+    def hold_force(self, direction: float, force: float, seconds: float) -> None:
+        """Apply a force in N, up to `max_force`, to the base of all robots for up to `MAX_FORCE_SECONDS`.
+
+        The direction is relative to the robot's heading, positive to the left, rad.
         """
-        vector = sustained_force(self.robot, direction, force)
+        vector = _vector(direction, _cut(force, (0.0, self.max_force)))
         with self._lock:
-            for slot in self._lineup.slots:
+            for slot in self._robots.slots:
                 slot.robot.hold_force(vector, _cut(seconds, (0.0, MAX_FORCE_SECONDS)))
 
     # --- recordings
 
     def start_recording(self) -> None:
-        """Start recording the watched robot; no effect during a recording.
+        """Start recording the watched robot, unless there is a recording.
 
         Raises:
             QuadrupedError: if too many recordings are being saved, or were made.
         """
         with self._lock:
-            if self._take is None:
+            if self._recording is None:
                 self._saver.check_room()
                 robot = self._watched_robot
                 follows_command = robot.follows_command and self.available.command
                 name, motion = self.names[self._watched], self.available.motion
-                self._take = Take(name, [robot.history[-1]], follows_command, motion)
+                self._recording = ViewerRecording(name, [robot.history[-1]], follows_command, motion)
 
     def stop_recording(self) -> None:
         """End the current recording, if any, and save it in the background."""
         with self._lock:
-            take, self._take = self._take, None
-            if take is not None:
-                self._saver.save(take)
+            recording, self._recording = self._recording, None
+            if recording is not None:
+                self._saver.save(recording)
 
     @property
     def saving(self) -> bool:
         """True during a recording and until it is saved."""
-        with self._lock:
-            return self._take is not None or self._saver.busy
+        return self._recording is not None or self._saver.busy
 
     def messages(self) -> list[str]:
         """Messages for the user since the last call."""
-        said = []
-        while self._messages:
-            said.append(self._messages.popleft())
-        return said
+        return [self._messages.popleft() for _ in range(len(self._messages))]
 
     def close(self) -> None:
         """End the recording and wait until it is saved."""
@@ -360,45 +329,43 @@ class ViewController:
                 self._time,
                 self._paused,
                 self._speed,
-                self._command,
                 tuple(
                     robot_view(slot.robot, name, slot.scratch)
-                    for slot, name in zip(self._lineup.slots, self.names, strict=True)
+                    for slot, name in zip(self._robots.slots, self.names, strict=True)
                 ),
-                self._lineup.terrain,
+                self._robots.terrain,
                 self._watched,
-                None if self._take is None else self._take.seconds,
-                self._lag,
+                None if self._recording is None else self._recording.seconds,
                 self.offered,
             )
 
     def model(self) -> mujoco.MjModel:
         """A copy of the robots' MuJoCo model."""
         with self._lock:
-            return copy.copy(self._lineup.slots[0].robot.model)
+            return copy.copy(self._robots.slots[0].robot.model)
 
     # --- inside
 
     @property
     def _watched_robot(self) -> ViewedRobot:
-        return self._lineup.slots[self._watched].robot
+        return self._robots.slots[self._watched].robot
 
     @property
     def _timestep(self) -> float:
-        return self._lineup.slots[0].robot.timestep
+        return self._robots.slots[0].robot.timestep
 
     def _tick(self) -> None:
         self._time += self._timestep
-        for index, slot in enumerate(self._lineup.slots):
+        for index, slot in enumerate(self._robots.slots):
             while slot.clock + slot.robot.timestep <= self._time + 1e-9:
                 slot.clock += slot.robot.timestep
                 self._step(index, slot.robot)
 
     def _step(self, index: int, robot: ViewedRobot) -> None:
         moment = robot.step()
-        if index == self._watched and self._take is not None:
-            self._take.samples.append(moment)
-            if self._take.seconds >= MAX_SECONDS:
+        if index == self._watched and self._recording is not None:
+            self._recording.samples.append(moment)
+            if self._recording.seconds >= MAX_SECONDS:
                 self._messages.append(f"The recording has ended: the maximum is {MAX_SECONDS:g} s; record again")
                 self.stop_recording()
         fallen_for = 0.0 if robot.fell_at is None else float(moment.time) - robot.fell_at
@@ -406,6 +373,11 @@ class ViewController:
             if index == self._watched:
                 self.stop_recording()
             robot.reset(self._seed, self._command)
+
+
+def _vector(direction: float, length: float) -> tuple[float, float]:
+    """Vector (forwards, left) of a length in a direction, rad, positive to the left."""
+    return length * math.cos(direction), length * math.sin(direction)
 
 
 def _cut(value: float, bounds: tuple[float, float]) -> float:

@@ -1,9 +1,9 @@
-"""One robot of the viewer: its source, its task, and its recent history."""
+"""One robot of the viewer: its source, its task, and samples of its recent history for plots and recordings."""
 
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Final, Protocol
+from typing import Any, Final, Protocol
 
 import mujoco
 import numpy as np
@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 from quadruped_env.control.editable_gait import HasGait
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.trace import CommandedTrace, PerTerm, PositionPerLeg, Scalar, Velocity, measured
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
+from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import SingleSimulation, Terrain, highest_ground
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, Transition
 from quadruped_env.utils.rotations import from_yaw, multiply, rotate, yaw
-from quadruped_env.viewer.viewed_trace import ViewedTrace, sample
 
 HISTORY_SECONDS: Final = 5.0
 
@@ -39,6 +40,27 @@ class Offered:
     """Choice of controllers, terrain, playback speed and randomization, and reward terms; fixed from the start."""
     motion: bool = True
     """Velocity of the base, and contacts of the feet."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ViewedTrace(CommandedTrace):
+    """Trace of a viewed robot, arrays (T, ...), or one of its samples, arrays (...)."""
+
+    time: Scalar
+    """Time since the start of the episode, s (T,)"""
+    smooth_velocity: Velocity
+    """Velocity averaged over about one gait cycle, m/s and rad/s (T, 2)"""
+    foot_position: PositionPerLeg
+    """Centre of each foot's sphere in the world frame, m (T, L, 3)"""
+    reward_terms: PerTerm
+    """Weighted terms of the last step, in the task's order (T, K); zeros at the start"""
+
+
+def sample(robot: Robot, timestep: float, terrain: Terrain, readings: Readings, **values: NDArray[Any]) -> ViewedTrace:
+    """One sample of a robot, copied from readings of one env and from further quantities (1, ...) of the trace."""
+    both = {**measured(readings), "foot_position": readings.foot_position, **values}
+    copies: dict[str, Any] = {name: np.array(value[0]) for name, value in both.items()}
+    return ViewedTrace(robot=robot, timestep=timestep, terrain=terrain, **copies)
 
 
 class ViewedRobot(Protocol):
@@ -107,13 +129,7 @@ class ViewedRobot(Protocol):
 
 
 class TaskRobot:
-    """A simulated robot in a task of its own.
-
-    Args:
-        source: its controller.
-        randomization: function that gives the source's task another randomization.
-        robot: its description.
-        terrain: replaces the source's own terrain.
+    """A simulated robot in the task of its source, with another randomization and on another ground if they are given.
 
     Raises:
         QuadrupedError: if the source does not fit the robot.
@@ -166,11 +182,6 @@ class TaskRobot:
         return self._simulation.data
 
     @property
-    def time(self) -> float:
-        """Time since its episode began, s."""
-        return float(self.history[-1].time)
-
-    @property
     def gait(self) -> GaitSettings | None:
         """The settings of its scripted gait; None if it has none."""
         return self._controller.settings if isinstance(self._controller, HasGait) else None
@@ -211,24 +222,17 @@ class TaskRobot:
         """
         self._force, self._force_steps = force, round(seconds / self.timestep)
 
-    def _apply_force(self) -> None:
-        if self._force_steps:
-            force = world_vector(self._force, heading(self.data))
-            self._simulation.set_force(_ROW, force[None])
-
-    def _end_force(self) -> None:
-        if self._force_steps:
-            self._force_steps -= 1
-            if not self._force_steps:
-                self._simulation.set_force(_ROW, np.zeros((1, 3)))
-
     def step(self) -> ViewedTrace:
         """Advance by one control step. A robot that fell goes on; one whose simulation diverged does not."""
         if self.diverged:
             return self.history[-1]
-        self._apply_force()
+        if self._force_steps:
+            self._simulation.set_force(_ROW, world_vector(self._force, heading(self.data))[None])
         transition = self.task.act(self._controller, self.observation)
-        self._end_force()
+        if self._force_steps:
+            self._force_steps -= 1
+            if not self._force_steps:
+                self._simulation.set_force(_ROW, np.zeros((1, 3)))
         self.observation = transition.observation
         self.diverged = bool(transition.diverged[0])
         moment = self._sample(transition)
@@ -284,9 +288,7 @@ def world_vector(vector: tuple[float, float], heading: float) -> NDArray[np.floa
 def contact_forces(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Ground contact points (K, 3), m, and forces on the robot (K, 3), N, in the world frame.
 
-    Args:
-        model: model of the robot and the ground.
-        data: its state; the derived quantities are recomputed in place.
+    The derived quantities of the state are recomputed in place.
     """
     mujoco.mj_forward(model, data)
     points, forces = np.empty((data.ncon, 3)), np.empty((data.ncon, 3))

@@ -1,7 +1,7 @@
 """The robots of a show: their sources, their ground and their randomization."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from operator import methodcaller
 from typing import Final
 
@@ -37,23 +37,12 @@ class Slot:
     robot: ViewedRobot
     clock: float
     """Playback time that the robot has simulated, s."""
-    scratch: mujoco.MjData = field(init=False)
+    scratch: mujoco.MjData
     """Data for what is computed from a copy of the state."""
 
-    def __post_init__(self) -> None:
-        self.scratch = mujoco.MjData(self.robot.model)
 
-
-class Lineup:
-    """Robots side by side. It is not safe for threads: `ViewController` locks it.
-
-    Args:
-        sources: selectable sources by name.
-        chosen: names of the initial sources, one per robot.
-        robot: description of the robots.
-        terrain: initial ground of all simulated robots; None: that of the first robot's task.
-        randomization: initial randomization, a key of `RANDOMIZATIONS`.
-        terrains: terrains that can be chosen.
+class ViewerRobots:
+    """Robots side by side, with the arguments of `ViewController`, which locks them: they are not safe for threads.
 
     Raises:
         QuadrupedError: if a source is unknown or does not fit the robot, or there are too many.
@@ -131,7 +120,7 @@ class Lineup:
             lanes = (LANE * size_of(self.robot) * side for side in (0.0, 1.0, -1.0))
             robot.lane = next(lane for lane in lanes if lane not in taken)
             robot.reset(0, (0.0, 0.0))
-        return Slot(robot, clock)
+        return Slot(robot, clock, mujoco.MjData(robot.model))
 
     def check_place(self, index: int, remove: bool) -> None:
         """Raise a QuadrupedError if no robot can be put at an index, or removed from there."""
@@ -145,21 +134,13 @@ class Lineup:
             raise QuadrupedError(f"{self.names[0]}: the first robot cannot be removed; choose another source for it")
 
     def randomized(self, name: str) -> list[Slot]:
-        """Choose the randomization, a key of `RANDOMIZATIONS`; new robots of the same sources.
-
-        Raises:
-            QuadrupedError: if there is no such randomization, or it does not fit. Nothing changes then.
-        """
+        """New robots of the same sources with another of `RANDOMIZATIONS`; a QuadrupedError if there is no such one."""
         if name not in RANDOMIZATIONS:
             raise QuadrupedError(f"randomization: there is no {name!r}; there are {', '.join(RANDOMIZATIONS)}")
         return self._made_with("randomization", name)
 
     def on_terrain(self, name: str, level: int | None) -> list[Slot]:
-        """Choose the ground by its name and level; new robots of the same sources.
-
-        Raises:
-            QuadrupedError: if there is no such terrain or level. Nothing changes then.
-        """
+        """New robots of the same sources on another ground; a QuadrupedError if there is no such terrain or level."""
         terrain = find_terrain(name, self.terrains).variant(self.terrain.seed, level, leg_scale(self.robot))
         return self._made_with("_terrain", terrain)
 

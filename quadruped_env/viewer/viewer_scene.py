@@ -13,21 +13,24 @@ from quadruped_env.reporting.films.film import size_of
 from quadruped_env.reporting.ground_mesh import (
     add_floor,
     floor_offset,
+    floor_plane,
     ground_mesh,
+    robot_scene,
     scene_rgb,
-    set_up_scene,
-    use_film_colours,
 )
 from quadruped_env.reporting.palette import ACTUAL, COMMANDED, CONTACT, PUSH, leg_colours
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
-from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
-from quadruped_env.viewer.legend import CONTACT_FORCES, NAMES, OVERLAYS, TRAILS, VELOCITIES
+from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.viewer.snapshot import RobotView, View
 from quadruped_env.viewer.viewer_robots import LANE
 
 if TYPE_CHECKING:
     import viser
+
+CONTACT_FORCES, VELOCITIES, TRAILS, NAMES = "contact forces", "velocity arrows", "foot trails", "names"
+OVERLAYS: Final = (CONTACT_FORCES, VELOCITIES, TRAILS, NAMES)
+"""Overlays of the scene, which can be hidden."""
 
 # Lengths are for a robot of size 1.
 _FOLLOW_TIME: Final = 0.3
@@ -67,18 +70,9 @@ Points = NDArray[np.float64]
 
 
 class Scene:
-    """Draws views in the 3D scene.
-
-    Args:
-        server: the server of the page.
-        model: the robot's model; it is modified.
-        robot: its description.
-        terrain: ground of the model.
-    """
+    """Draws views in the 3D scene, with a model of the robot and its ground, which is modified."""
 
     def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel, robot: Robot, terrain: Terrain) -> None:
-        from mjviser import ViserMujocoScene
-
         self.visible = dict.fromkeys(OVERLAYS, True)
         self.follow = True
         self.abreast = True
@@ -86,14 +80,8 @@ class Scene:
         self._size = size_of(robot)
         self._metres_per_newton = self._size * _METRES_PER_WEIGHT / (robot.total_mass * GRAVITY)
         self._leg_colours = [np.array(scene_rgb(colour), np.uint8) for colour in leg_colours(robot).values()]
-        # Drawn by `set_ground`: the robots' scene would draw a height field again with every robot.
-        model.geom(GROUND).rgba[3] = 0.0
-        plane = GROUND if HeightField.of(model) is None else SURROUNDINGS
-        self._floor_name = f"/fixed_bodies/world/{plane}"
-        use_film_colours(model)
-        self._robots = ViserMujocoScene(server, model, num_envs=1)
-        self._robots.camera_tracking_enabled = False
-        set_up_scene(server)
+        self._robots = robot_scene(server, model)
+        self._floor_name = floor_plane(model).name
         self._offsets = np.zeros((1, 3))
         self._drawn_at = -math.inf
         self._drawn: tuple[Points, ...] = (np.empty(0),) * 3
@@ -134,8 +122,8 @@ class Scene:
         if self._field is not None:
             mesh = ground_mesh(self._field)
             self._uneven = self._server.scene.add_mesh_trimesh("/fixed_bodies/terrain", mesh, cast_shadow=False)
-        self._floor_height = float(model.geom(GROUND if self._field is None else SURROUNDINGS).pos[2])
-        self._add_floor()
+        self._floor_height = float(floor_plane(model).pos[2])
+        add_floor(self._server, self._floor_name, self._floor_height)
         self._drawn = (np.empty(0),) * 3
 
     def show_push(self, direction: float, strength: float) -> None:
@@ -183,15 +171,11 @@ class Scene:
         """Set the initial camera of browsers that connect from now on."""
         self._server.initial_camera.position = tuple(self._size * value for value in _CAMERAS[robots - 1])
 
-    def _add_floor(self) -> None:
-        # In place of the grid of mjviser, which has this name.
-        add_floor(self._server, self._floor_name, self._floor_height)
-
     def _draw_robots(self, robots: tuple[RobotView, ...], shift: Points, ground: Points) -> None:
         if self._robots.num_envs != len(robots):
             self._robots.num_envs = len(robots)
             self._robots.rebuild_visual_handles()
-            self._add_floor()
+            add_floor(self._server, self._floor_name, self._floor_height)
             self._aim(len(robots))
         positions = np.stack([robot.body_position + shift[i] for i, robot in enumerate(robots)])
         rotations = np.stack([robot.body_rotation for robot in robots])

@@ -7,7 +7,7 @@ import inspect
 import pytest
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.cli.reading_options import add_reading_options, reading_options
+from quadruped_env.cli.common_options import add_reading_options, reading_options
 from quadruped_env.trajectory import JointRule
 from quadruped_env.trajectory.read_options import FLAGS, ReadOptions
 

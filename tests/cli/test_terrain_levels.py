@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from quadruped_env.cli.common_options import add_evaluation_options, named_terrain, terrain_option
+from quadruped_env.cli.common_options import add_evaluation_options, evaluation_options, named_terrain
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare
@@ -19,16 +19,19 @@ from quadruped_env.task import TaskConfig
 def parsed(arguments):
     parser = argparse.ArgumentParser()
     add_evaluation_options(parser, "")
+    parser.set_defaults(suite=False)
     return parser.parse_args(arguments)
 
 
 def test_level_option_gives_the_terrain_at_this_level_and_is_typed_again():
     chosen = parsed(["--terrain", "stairs", "--level", "4"])
     assert named_terrain(chosen) == find_terrain("stairs").variant(level=4)
-    assert terrain_option(chosen) == "--terrain stairs --level 4 "
-    plain = parsed(["--terrain", "stairs"])
-    assert (named_terrain(plain), terrain_option(plain)) == ("stairs", "--terrain stairs ")
-    assert (named_terrain(parsed([])), terrain_option(parsed([]))) == (None, "")
+    assert evaluation_options(chosen) == "--terrain stairs --level 4 --seeds 8 --seconds 20"
+    hard = parsed(["--terrain", "stairs", "--randomization", "hard"])
+    assert named_terrain(hard) == "stairs"
+    assert evaluation_options(hard) == "--terrain stairs --randomization hard --seeds 8 --seconds 20"
+    assert named_terrain(parsed([])) is None
+    assert evaluation_options(parsed([])) == "--seeds 8 --seconds 20"
 
 
 def test_comparison_and_baseline_on_a_level_run_on_its_ground():

@@ -15,9 +15,9 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.common_options import add_evaluation_options, named_terrain
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.recorded_episode import record
 from quadruped_env.evaluation.rollout import roll_out
-from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.node_options import chosen_terrain, robot_of
@@ -88,7 +88,7 @@ def test_built_in_policy_is_compared_on_a_terrain_of_a_file(tmp_path):
     add_evaluation_options(parser, "")
     ridges = named_terrain(parser.parse_args(arguments[2:]))
     assert ridges == find_terrain("ridges", load_task_file(file).terrains)
-    comparison = compare(find_subject("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=ridges)
+    comparison = compare(find_policy("flat", None, file).policy, 1, 2.0, [(0.4, 0.0)], terrain=ridges)
     assert {rollout.terrain for rollout in comparison.rollouts.values()} == {ridges}
     assert comparison.config.terrain.name == "ridges"
     assert comparison.config.to_dict()["terrain_file"] == load_task_file(file).file.to_dict()

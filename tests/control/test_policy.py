@@ -14,10 +14,9 @@ from policies import TASK, make_policy, observations
 from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
-from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.control.policy_files import CHECKPOINTS, SHIPPED
-from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies import load_policy
 
 # --- saving and loading ---
 
@@ -110,35 +109,6 @@ def test_an_observation_of_another_width_is_refused(shape):
         QuadrupedError, match=rf"policy: expected observations of shape \(\.\.\., {OBSERVATION_WIDTH}\)"
     ):
         make_policy().predict(np.zeros(shape))
-
-
-@pytest.mark.parametrize("symmetric", [True, False])
-@pytest.mark.parametrize("activation", ACTIVATIONS)
-def test_an_exported_policy_predicts_what_stable_baselines3_does(activation, symmetric, tmp_path):
-    import torch
-    from networks import perturb
-
-    from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training import TrainConfig
-    from quadruped_env.training.sb3_models import make_model
-
-    torch.manual_seed(0)
-    config = TrainConfig(
-        activation=activation, symmetric=symmetric, num_envs=4, n_steps=16, batch_size=64, hidden=(32, 24, 16)
-    )
-    env = make_sb3_vec_env(4, seed=0, config=TASK)
-    model = make_model(config, env)
-    # At initialization, the last layer is almost zero and the biases are zero.
-    perturb(model, 0.3)
-    Policy.from_sb3(model, {"seed": 0}).save(tmp_path)
-    policy = load_policy(tmp_path)
-    assert [weight.shape[1] for weight in policy.weights] == [32, 24, 16, ACTION_WIDTH]
-    assert policy.activation == activation
-    observation = np.concatenate([env.reset(), 3.0 * observations((200,))])
-    expected, _ = model.predict(observation, deterministic=True)
-    np.testing.assert_allclose(policy.predict(observation), expected, atol=1e-5)
-    inside = abs(expected) < 1.0
-    assert inside.any(axis=1).mean() > 0.5, "most actions must not be clipped"
 
 
 # --- failed saves and unknown policies ---

@@ -173,15 +173,6 @@ class TestRecorder:
         readings[0].joint_position[:] = 0.0
         np.testing.assert_array_equal(recorder.trace(timestep=0.02).joint_position[0], before)
 
-    @pytest.mark.parametrize(
-        "scores", [numbers(TERMS), numbers(1, TERMS), numbers(ENVS, TERMS, 1), numbers(ENVS, TERMS + 1), 0.0], ids=str
-    )
-    def test_later_sample_of_another_shape_is_refused(self, readings, scores):
-        recorder = Recorder(Scored, MINI_QUADRUPED, 2)
-        recorder.write(readings[0], **self.extras(0))
-        with pytest.raises(QuadrupedError, match=r"scores must have shape \(3, 2\)"):
-            recorder.write(readings[1], **self.extras(1) | {"scores": scores})
-
     def test_quantity_that_is_always_known_is_required(self):
         # `Scored` requires `velocity`, which `Trace` may leave out.
         poses = {"base_pose": numbers(2, 1, 7), "joint_position": numbers(2, 1, JOINTS)}

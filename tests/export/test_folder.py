@@ -17,7 +17,7 @@ from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
 from quadruped_env.control import CommandedFrequency
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.subject import Subject, find_subject
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.folder import export_policy
@@ -75,14 +75,14 @@ print(json.dumps({"standing": path[49].tolist(), "begin": path[99].tolist(), "en
 
 def save_run(directory, policy):
     policy.save(directory)
-    return find_subject(str(directory))
+    return find_policy(str(directory))
 
 
 @pytest.fixture(scope="module")
 def flat(tmp_path_factory):
     """The shipped policy, exported."""
     folder = tmp_path_factory.mktemp("exports") / "flat"
-    return export_policy(find_subject("flat", tmp_path_factory.mktemp("none")), folder)
+    return export_policy(find_policy("flat", tmp_path_factory.mktemp("none")), folder)
 
 
 @pytest.fixture
@@ -154,7 +154,7 @@ def test_manifest_lists_every_file_with_its_checksum(flat):
     for name, entry in document["files"].items():
         content = (flat.folder / name).read_bytes()
         assert entry == {"sha256": hashlib.sha256(content).hexdigest(), "bytes": len(content)}
-    shipped = json.loads((find_subject("flat").directory / "policy.json").read_text())
+    shipped = json.loads((find_policy("flat").directory / "policy.json").read_text())
     assert document["weights_sha256"] == shipped["weights_sha256"]
     assert document == flat.manifest
     loaded, policy = load_policy(flat.folder), load_policy("flat")
@@ -265,9 +265,9 @@ def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, mo
     comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
     write_report(run, comparison, "python evaluate/policy.py", with_video=False)
     other = run.policy.with_card({**run.policy.card, "seed": 7})
-    subject = Subject(run.name, other, run.directory, run.output)
+    evaluated = EvaluatedPolicy(run.name, other, run.directory, run.output)
     with pytest.warns(QuadrupedWarning, match=r"metrics\.json: is the evaluation of another policy"):
-        export = export_policy(subject, tmp_path / "export")
+        export = export_policy(evaluated, tmp_path / "export")
     assert export.manifest["evaluation"] is None
     (run.output / "metrics.json").write_text("{}")
     with pytest.warns(QuadrupedWarning, match=r"metrics\.json: lacks the fields of an evaluation"):
@@ -333,7 +333,7 @@ def test_program_exports_into_the_run_and_names_what_it_wrote(run, capsys):
     assert "--overwrite" in capsys.readouterr().err
     assert main(["export", str(run.directory), "--overwrite"]) == 0
     # The run is as it was, and its export can be evaluated and exported like a run.
-    assert find_subject(str(folder)).policy.card.keys() == run.policy.card.keys()
+    assert find_policy(str(folder)).policy.card.keys() == run.policy.card.keys()
     assert main(["export", str(folder), "-o", str(run.directory / "again")]) == 0
     one, other = ((place / "policy.onnx").read_bytes() for place in (folder, run.directory / "again"))
     assert one == other

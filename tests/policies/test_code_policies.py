@@ -7,9 +7,9 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy_files import read_policy
-from quadruped_env.evaluation.comparison import compare, compare_policies
-from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.evaluated_policy import find_policy
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.export.folder import export_policy
 from quadruped_env.policies import PolicyController, as_policy, find_controllers, load_policy
 from quadruped_env.viewer.viewed_robot import TaskRobot
@@ -59,10 +59,10 @@ def test_object_is_compared_in_its_env_and_told_where_episodes_begin(path):
     assert comparison.rollouts["policy"].valid.shape[1] == 4
     assert set(agent.widths) == {(4, 34)}
     assert [begun.tolist() for begun in agent.resets] == [[True] * 4]
-    again = compare_policies({"code": agent, "flat": load_policy("flat")}, 1, 3.0, [(0.3, 0.0)])
+    again = compare({"code": agent, "flat": load_policy("flat")}, 1, 3.0, [(0.3, 0.0)])
     assert set(again.rollouts) == {"code", "flat", "tuned", "article", "zero"}
     assert [begun.tolist() for begun in agent.resets[1:]] == [[True]]
-    assert Contender.of_policy(agent, "code").config.action.mode == "residual"
+    assert MeasuredController.of_policy(agent, "code").config.action.mode == "residual"
 
 
 def test_file_defines_a_policy_with_its_name_hash_and_env(path):
@@ -75,9 +75,9 @@ def test_file_defines_a_policy_with_its_name_hash_and_env(path):
     actions = policy.predict(np.zeros((3, 34)))
     assert actions.dtype == np.float32
     np.testing.assert_allclose(actions, min(1.0, 3.0 * np.sin(0.3)), atol=1e-6)
-    subject = find_subject(str(path))
-    assert (subject.name, subject.source, str(subject.output)) == ("swinging", "swinging.py", "results/swinging")
-    assert (subject.progress_file, subject.task_file, subject.recipe) == (None, None, "swinging")
+    evaluated = find_policy(str(path))
+    assert (evaluated.name, evaluated.source, str(evaluated.output)) == ("swinging", "swinging.py", "results/swinging")
+    assert (evaluated.progress_file, evaluated.task_file, evaluated.recipe) == (None, None, "swinging")
 
 
 def test_class_in_a_file_is_made_for_each_use(path):
@@ -142,7 +142,7 @@ def test_uses_that_need_a_file_say_so(path, tmp_path):
     with pytest.raises(QuadrupedError, match=rf"save: \S+{message}"):
         policy.save(tmp_path / "saved")
     with pytest.raises(QuadrupedError, match=rf"export: \S+{message}"):
-        export_policy(find_subject(str(path)), tmp_path / "exported")
+        export_policy(find_policy(str(path)), tmp_path / "exported")
     with pytest.raises(QuadrupedError, match=rf"live controller: \S+{message}"):
         LiveController(PolicyController(policy))
     with pytest.raises(QuadrupedError, match=r"swinging.py: is Python code, and a robot's controller runs policies of"):

@@ -6,7 +6,7 @@ import matplotlib.figure
 import pytest
 from comparisons import random_policy
 
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.reporting.pages import evaluation_report
 
 
@@ -36,7 +36,7 @@ def written(tmp_path_factory, comparison):
     patch.setattr(matplotlib.figure.Figure, "savefig", keep)
     line = "python evaluate/policy.py runs/<name>"
     page, numbers, missing = evaluation_report.write_report(
-        find_subject(str(directory)), comparison, line, with_video=False
+        find_policy(str(directory)), comparison, line, with_video=False
     )
     patch.undo()
     assert not missing

@@ -6,7 +6,7 @@ import pytest
 from waiting import wait_until
 
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.reporting.pages import pictures
 from quadruped_env.reporting.pages.evaluation_report import write_report
 
@@ -16,9 +16,9 @@ def report(tmp_path_factory):
     patch = pytest.MonkeyPatch()
     patch.setattr(pictures, "CLIP_SECONDS", 0.8)
     patch.setattr(pictures, "SCENE_SECONDS", 2.0)
-    subject = find_subject("flat", tmp_path_factory.mktemp("report"))
-    comparison = compare(subject.policy, 1, 4.0, [(0.4, 0.0), (0.0, 0.5)])
-    path, _, missing = write_report(subject, comparison, "python evaluate/policy.py flat")
+    evaluated = find_policy("flat", tmp_path_factory.mktemp("report"))
+    comparison = compare(evaluated.policy, 1, 4.0, [(0.4, 0.0), (0.0, 0.5)])
+    path, _, missing = write_report(evaluated, comparison, "python evaluate/policy.py flat")
     patch.undo()
     return path, missing
 

@@ -59,7 +59,9 @@ def test_no_text_covers_another_or_leaves_the_figure(written):
 def test_legend_of_runs_stays_within_the_figure(name):
     def draw(axes):
         names = [f"{name}{i}" for i in range(6)]
-        legend_above(axes[0, 0].figure, [axes[0, 0].plot([0, 1], label=name)[0] for name in names], names, 3)
+        for each in names:
+            axes[0, 0].plot([0, 1], label=each)
+        legend_above(axes[0, 0].figure, 3)
         figure = axes[0, 0].figure
         FigureCanvasAgg(figure).draw()
         box = figure.legends[-1].get_window_extent()

@@ -16,8 +16,8 @@ from matplotlib.axes import Axes
 from report_page import Page
 
 from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.metrics import METRICS
-from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import pictures
@@ -119,7 +119,7 @@ def test_without_viser_the_report_is_made_and_names_the_extra(
     run_directory, comparison, tmp_path, monkeypatch, without_figures
 ):
     monkeypatch.setitem(sys.modules, "viser", None)
-    page, _, missing = write_report(find_subject(str(run_directory), tmp_path), comparison, "", with_video=False)
+    page, _, missing = write_report(find_policy(str(run_directory), tmp_path), comparison, "", with_video=False)
     assert missing == ["No 3D replay: The 3D replay needs the 'viewer' extra: pip install 'mini-quadruped[viewer]'"]
     assert "<iframe" not in page.read_text()
     assert "script-src" not in page.read_text()
@@ -134,7 +134,7 @@ def test_table_has_a_row_for_every_motion(comparison):
 def test_report_with_a_video_is_small(run_directory, comparison, tmp_path, monkeypatch):
     monkeypatch.setattr(pictures, "CLIP_SECONDS", 0.4)
     told = []
-    page, _, _ = write_report(find_subject(str(run_directory), tmp_path), comparison, "", progress=told.append)
+    page, _, _ = write_report(find_policy(str(run_directory), tmp_path), comparison, "", progress=told.append)
     html = page.read_text()
     if "No video" in html:
         pytest.skip("no OpenGL")

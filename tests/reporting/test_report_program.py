@@ -11,22 +11,24 @@ from comparisons import random_policy
 from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.evaluation import subject
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation import evaluated_policy
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.reporting import report_directory
 
 
 def test_default_is_the_latest_run_then_the_shipped_policy(run_directory, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     asked = []
-    monkeypatch.setattr(subject, "load_policy", lambda name, *_, **__: asked.append(name) or random_policy("position"))
-    assert find_subject(None).output == Path("results/flat")
+    monkeypatch.setattr(
+        evaluated_policy, "load_policy", lambda name, *_, **__: asked.append(name) or random_policy("position")
+    )
+    assert find_policy(None).output == Path("results/flat")
     assert asked == ["flat"]
     Path("runs").mkdir()
     Path("runs/latest").symlink_to(run_directory)
-    found = find_subject(None)
+    found = find_policy(None)
     assert (found.name, found.output) == ("20260101-000000-ppo", Path("runs/latest/evaluation"))
-    assert find_subject("flat", Path("there")).output == Path("there")
+    assert find_policy("flat", Path("there")).output == Path("there")
 
 
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch):

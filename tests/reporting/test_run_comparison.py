@@ -10,7 +10,7 @@ from report_page import Page
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.control.task_file import KEPT_FILE
-from quadruped_env.evaluation.comparison import compare, compare_policies
+from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting.pages import run_comparison
 from quadruped_env.task import load_task_file
@@ -49,16 +49,15 @@ def test_runs_are_ranked_by_paired_differences(comparison):
 def test_runs_are_compared_on_one_page(run_directory, tmp_path):
     second = tmp_path / "second"
     random_policy("position").save(second)
-    subjects = run_comparison.find_subjects([str(run_directory), str(second)], tmp_path / "out")
-    policies = {name: found.policy for name, found in subjects.items()}
-    compared = compare_policies(policies, 1, 2.0, TINY)
+    policies = run_comparison.find_policies([str(run_directory), str(second)], tmp_path / "out")
+    compared = compare({name: found.policy for name, found in policies.items()}, 1, 2.0, TINY)
     assert list(compared.values) == ["20260101-000000-ppo", "second", "tuned", "article", "zero"]
-    page, numbers, _ = run_comparison.write_comparison(subjects, compared, tmp_path / "out", "", with_video=False)
+    page, numbers, _ = run_comparison.write_comparison(policies, compared, tmp_path / "out", "", with_video=False)
     text = " ".join(Page(page.read_text()).text)
-    for name in subjects:
+    for name in policies:
         assert name in text
     assert "script-src" not in page.read_text()
-    assert set(json.loads(numbers.read_text())["policies"]) == set(subjects)
+    assert set(json.loads(numbers.read_text())["policies"]) == set(policies)
     alone = compare(random_policy("position"), 1, 2.0, TINY)
     np.testing.assert_array_equal(alone.values["policy"]["distance"], compared.values["second"]["distance"])
     assert verdict(compared.seen_as("second")) == verdict(alone)
@@ -84,9 +83,9 @@ def test_runs_of_two_versions_of_a_task_file_are_compared_with_every_term_and_a_
         curve = "timesteps,seconds,return,reward_hip_usage\n1000,1,2.0,-0.1\n2000,2,5.5,-0.2\n"
         (run / "progress.csv").write_text(curve)
     runs = [str(tmp_path / name) for name in ("one", "two")]
-    subjects = run_comparison.find_subjects(runs, tmp_path / "out", trust_task=True)
-    compared = compare_policies({name: found.policy for name, found in subjects.items()}, 1, 2.0, TINY)
-    page, numbers, _ = run_comparison.write_comparison(subjects, compared, tmp_path / "out", "", with_video=False)
+    policies = run_comparison.find_policies(runs, tmp_path / "out", trust_task=True)
+    compared = compare({name: found.policy for name, found in policies.items()}, 1, 2.0, TINY)
+    page, numbers, _ = run_comparison.write_comparison(policies, compared, tmp_path / "out", "", with_video=False)
     text, html = " ".join(Page(page.read_text()).text), page.read_text()
     assert "hip_usage" in text
     assert "Learning curves by reward term" in text
@@ -100,14 +99,14 @@ def test_runs_of_two_versions_of_a_task_file_are_compared_with_every_term_and_a_
     assert two["per_second"] == pytest.approx(4.0 * one["per_second"]), "the policies are the same"
     # All runs with one version: the same reward for both, and what differs is said.
     with pytest.warns(QuadrupedWarning, match=r"one: .*reward.weights.hip_usage -2.0 \(the run: -0.5\)"):
-        subjects = run_comparison.find_subjects(runs, tmp_path / "out", tmp_path / "two" / KEPT_FILE)
-    assert [found.policy.config.reward.weights["hip_usage"] for found in subjects.values()] == [-2.0, -2.0]
+        policies = run_comparison.find_policies(runs, tmp_path / "out", tmp_path / "two" / KEPT_FILE)
+    assert [found.policy.config.reward.weights["hip_usage"] for found in policies.values()] == [-2.0, -2.0]
 
 
 def test_runs_that_cannot_be_compared_are_named(run_directory, tmp_path):
     with pytest.raises(QuadrupedError, match="at least two runs"):
-        run_comparison.find_subjects(["flat"], tmp_path)
+        run_comparison.find_policies(["flat"], tmp_path)
     with pytest.raises(QuadrupedError, match="'flat' is named before"):
-        run_comparison.find_subjects(["flat", "flat"], tmp_path)
+        run_comparison.find_policies(["flat", "flat"], tmp_path)
     with pytest.raises(QuadrupedError, match="'tuned' is the name of a scripted controller"):
-        compare_policies({"tuned": random_policy("position")}, 1, 2.0)
+        compare({"tuned": random_policy("position")}, 1, 2.0)

@@ -5,7 +5,7 @@ import json
 import pytest
 from report_page import Page
 
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.sim2sim import MuJoCo, run_transfer, transfer_results
 
@@ -13,13 +13,15 @@ TITLE = "In a second physics engine"
 
 
 @pytest.fixture(scope="module")
-def subject(run_directory):
-    return find_subject(str(run_directory))
+def evaluated(run_directory):
+    return find_policy(str(run_directory))
 
 
 @pytest.fixture(scope="module")
-def transfer(subject):
-    return run_transfer(subject.policy, [(0.3, 0.0), (0.0, 0.0)], 2, 2.0, there=MuJoCo(cone="elliptic", friction=0.35))
+def transfer(evaluated):
+    return run_transfer(
+        evaluated.policy, [(0.3, 0.0), (0.0, 0.0)], 2, 2.0, there=MuJoCo(cone="elliptic", friction=0.35)
+    )
 
 
 def text_of(report):
@@ -27,10 +29,10 @@ def text_of(report):
 
 
 def test_report_shows_the_results_of_the_policy_and_leaves_out_those_of_another(
-    subject, transfer, comparison, without_figures
+    evaluated, transfer, comparison, without_figures
 ):
-    path = transfer_results.save(transfer, subject, "python evaluate/sim2sim.py runs/<name> --seeds 2")
-    report, _, _ = write_report(subject, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
+    path = transfer_results.save(transfer, evaluated, "python evaluate/sim2sim.py runs/<name> --seeds 2")
+    report, _, _ = write_report(evaluated, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
     shown = text_of(report)
     section = shown[shown.index(TITLE) : shown.index("The worst episodes")]
     for sentence in (*transfer_results.verdict(transfer), *transfer_results.conditions(transfer)):
@@ -46,5 +48,5 @@ def test_report_shows_the_results_of_the_policy_and_leaves_out_those_of_another(
     document["policy"]["weights_sha256"] = "0" * 64
     path.write_text(json.dumps(document))
     with pytest.warns(UserWarning, match=r"sim2sim\.json: is of another policy"):
-        report, _, _ = write_report(subject, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
+        report, _, _ = write_report(evaluated, comparison, "python evaluate/policy.py runs/<name>", with_video=False)
     assert TITLE not in text_of(report)

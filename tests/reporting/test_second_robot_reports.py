@@ -16,11 +16,11 @@ from quadruped_env import JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.main import main
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.task_file import load_robot
-from quadruped_env.evaluation.comparison import compare, compare_policies
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.metrics import GRAVITY, METRICS, joints_at_limit, measure
 from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
-from quadruped_env.evaluation.subject import Subject
 from quadruped_env.identification import identify
 from quadruped_env.identification.fit import joint_spec
 from quadruped_env.identification.fitted_parameters import with_values
@@ -100,7 +100,9 @@ def report(policy, tmp_path_factory):
     """The page of an evaluation without no-break spaces, and its numbers."""
     comparison = compare(policy, num_seeds=2, seconds=2.5, commands=COMMANDS)
     output = tmp_path_factory.mktemp("report")
-    page, numbers, missing = write_report(Subject("second", policy, output, output), comparison, "", with_video=False)
+    page, numbers, missing = write_report(
+        EvaluatedPolicy("second", policy, output, output), comparison, "", with_video=False
+    )
     assert not missing
     return page.read_text().replace("\N{NO-BREAK SPACE}", " "), json.loads(numbers.read_text())
 
@@ -174,7 +176,7 @@ class TestReport:
 
     def test_policies_of_different_robots_are_not_compared(self, policy):
         with pytest.raises(QuadrupedError, match=r"flat: is a policy for Robot\('mini_quadruped'.* for one robot"):
-            compare_policies({"second": policy, "flat": load_policy("flat")}, 1, 2.0, COMMANDS)
+            compare({"second": policy, "flat": load_policy("flat")}, 1, 2.0, COMMANDS)
 
 
 class TestFigures:

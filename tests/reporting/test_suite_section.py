@@ -9,12 +9,12 @@ import pytest
 from comparisons import random_policy
 from report_page import Page
 
+from benchmarks.shipping import reference_row
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.findings import suite_findings
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.references import reference_row
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 from quadruped_env.reporting.pages import run_comparison, suite_section
@@ -25,8 +25,8 @@ from quadruped_env.reporting.plots import suite_plots as plots
 @pytest.fixture(scope="module")
 def suite_result(run_directory):
     """Quick results of the policy of `run_directory`."""
-    subject = find_subject(str(run_directory))
-    return run_suite(Contender.of_policy(subject.policy, subject.name), quick_suite())
+    evaluated = find_policy(str(run_directory))
+    return run_suite(MeasuredController.of_policy(evaluated.policy, evaluated.name), quick_suite())
 
 
 def text_of(path):
@@ -39,8 +39,8 @@ def test_report_holds_the_suite_and_its_numbers(
     row = copy.deepcopy(reference_row(suite_result))
     row["name"], row["score"]["total"] = "reference", 0.987
     monkeypatch.setattr(suite_section, "read_references", lambda: [row])
-    subject = find_subject(str(run_directory), tmp_path)
-    page, numbers, _ = write_report(subject, comparison, "the command", with_video=False, suite=suite_result)
+    evaluated = find_policy(str(run_directory), tmp_path)
+    page, numbers, _ = write_report(evaluated, comparison, "the command", with_video=False, suite=suite_result)
     text = text_of(page)
     for words in (
         "mq-eval 1 (quick)",
@@ -58,12 +58,12 @@ def test_report_holds_the_suite_and_its_numbers(
     ):
         assert words in text
     # The reference has the better score and comes first.
-    assert text.index("reference 0.987") < text.index(f"{subject.name} {suite_result['score']['total']:.3f}")
+    assert text.index("reference 0.987") < text.index(f"{evaluated.name} {suite_result['score']['total']:.3f}")
     for topic, words in suite_findings(suite_result):
         assert f"{topic} {words[0].upper()}" in text
     stored = json.loads((tmp_path / "suite.json").read_text())
     assert {name: stored[name] for name in suite_result} == suite_result
-    assert stored["policy"]["name"] == subject.name
+    assert stored["policy"]["name"] == evaluated.name
     assert stored["command_line"] == "the command"
     document = json.loads(numbers.read_text())
     assert {name: document["suite"][name] for name in suite_result["suite"]} == suite_result["suite"]
@@ -155,17 +155,17 @@ def two_runs(run_directory, suite_result, tmp_path, monkeypatch):
             result["score"]["components"][component] = 0.25 * (i + 1)
         result["score"]["total"] = 0.25 * (i + 1)
         result["name"] = name
-        subject = find_subject(name, tmp_path / name / "evaluation")
-        suite_section.write_results(subject, result, "")
+        evaluated = find_policy(name, tmp_path / name / "evaluation")
+        suite_section.write_results(evaluated, result, "")
     return tmp_path
 
 
-def subjects(*names):
-    return {name: find_subject(name, None) for name in names}
+def policies(*names):
+    return {name: find_policy(name, None) for name in names}
 
 
 def test_policies_are_ranked_by_their_score_and_training_seeds_aggregated(two_runs):
-    found = suite_section.ranking(subjects("one", "two"))
+    found = suite_section.ranking(policies("one", "two"))
     assert [(entry["name"], entry["total"]) for entry in found["policies"]] == [("two", 0.5), ("one", 0.25)]
     (recipe,) = found["recipes"]
     assert [run["name"] for run in recipe["runs"]] == ["one", "two"]
@@ -180,18 +180,18 @@ def test_ranking_needs_comparable_results_of_these_policies(two_runs):
     stored = json.loads(path.read_text())
     path.write_text(json.dumps({**stored, "suite": full_suite().identity}))
     with pytest.raises(QuadrupedError, match=r"one and two cannot be compared: suite\.quick"):
-        suite_section.ranking(subjects("one", "two"))
+        suite_section.ranking(policies("one", "two"))
     path.write_text(json.dumps({**stored, "policy": {"name": "two", "card": {"seed": 7}}}))
     with pytest.raises(QuadrupedError, match=r"results of another policy than two; evaluate it first: .*runs/two"):
-        suite_section.ranking(subjects("one", "two"))
+        suite_section.ranking(policies("one", "two"))
     path.unlink()
     with pytest.raises(QuadrupedError, match=r"no results of the suite for two; evaluate it first"):
-        suite_section.ranking(subjects("one", "two"))
+        suite_section.ranking(policies("one", "two"))
 
 
 def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
     names = ["one", "two"]
-    found = {**subjects(*names)}
+    found = {**policies(*names)}
     several = comparison.seen_as("policy")
     for name in names:
         several.rollouts[name], several.values[name] = several.rollouts["policy"], several.values["policy"]
@@ -210,8 +210,8 @@ def test_evaluate_prints_scores_and_writes_results(
     """The program with the comparison and the suite that were made before."""
     asked = []
 
-    def run(contender, suite, progress):
-        asked.append((contender.name, suite.quick))
+    def run(measured, suite, progress):
+        asked.append((measured.name, suite.quick))
         return suite_result
 
     monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)

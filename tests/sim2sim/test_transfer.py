@@ -11,8 +11,8 @@ import pytest
 
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.rollout import roll_out
-from quadruped_env.evaluation.subject import find_subject
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.sim2sim import Drake, MuJoCo, run_transfer, transfer_results
 from quadruped_env.sim2sim.transfer import COMMANDS, Transfer
@@ -214,24 +214,24 @@ def test_missing_drake_is_an_error_that_names_the_extra(monkeypatch, tmp_path, c
 
 
 def test_results_survive_their_file(transfer, tmp_path):
-    subject = find_subject("flat", tmp_path)
-    path = transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
+    evaluated = find_policy("flat", tmp_path)
+    path = transfer_results.save(transfer, evaluated, "mini-quadruped sim2sim flat")
     document = json.loads(path.read_text())
     assert document["verdict"] == list(transfer_results.verdict(transfer))
-    loaded, _ = transfer_results.load(subject)
+    loaded, _ = transfer_results.load(evaluated)
     assert transfer_results.tables(loaded) == transfer_results.tables(transfer)
     assert loaded.to_dict() == transfer.to_dict()
-    assert transfer_results.load(find_subject("flat", tmp_path / "elsewhere")) is None
+    assert transfer_results.load(find_policy("flat", tmp_path / "elsewhere")) is None
 
 
 def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer, tmp_path):
-    subject = find_subject("flat", tmp_path)
-    path = transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
-    other = subject.policy
+    evaluated = find_policy("flat", tmp_path)
+    path = transfer_results.save(transfer, evaluated, "mini-quadruped sim2sim flat")
+    other = evaluated.policy
     weights = tuple(weight + 1.0 for weight in other.weights)
     changed = dataclasses.replace(other, weights=weights)
     with pytest.warns(UserWarning, match=r"sim2sim\.json: is of another policy.*again"):
-        assert transfer_results.load(dataclasses.replace(subject, policy=changed)) is None
+        assert transfer_results.load(dataclasses.replace(evaluated, policy=changed)) is None
     for name, value in (
         ("format_version", 0),
         ("seeds", [0]),
@@ -243,5 +243,5 @@ def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer,
         document = {**json.loads(path.read_text()), name: value}
         path.write_text(json.dumps({key: entry for key, entry in document.items() if entry is not None}))
         with pytest.warns(UserWarning, match=r"sim2sim\.json: .*left out"):
-            assert transfer_results.load(subject) is None
-        transfer_results.save(transfer, subject, "mini-quadruped sim2sim flat")
+            assert transfer_results.load(evaluated) is None
+        transfer_results.save(transfer, evaluated, "mini-quadruped sim2sim flat")

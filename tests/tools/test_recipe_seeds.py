@@ -9,8 +9,8 @@ from comparisons import random_policy
 
 import recipe_seeds
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.evaluated_policy import find_policy
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.policies import CommandedGaitController, load_policy
 from quadruped_env.task import TaskConfig
 
@@ -31,7 +31,7 @@ def trained(tmp_path):
         random_policy("residual").with_card(card).save(directory)
         lines = "".join(f"{100 * i},{i},{10.0 * i},{0.1 * seed},0.2,0.3\n" for i in range(1, 11))
         (directory / "progress.csv").write_text(HEADER + lines)
-        return find_subject(str(directory), tmp_path)
+        return find_policy(str(directory), tmp_path)
 
     return make
 
@@ -63,7 +63,7 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
         entry([0.0, 0.5], [0.010, 0.020], [1.3, 1.4]),
         entry([0.3, -0.5], [0.015, 0.011], [1.0, 1.0]),
     ]
-    monkeypatch.setattr(recipe_seeds.suite_gait, "run", lambda part, contender, progress: {"commands": commands})
+    monkeypatch.setattr(recipe_seeds.suite_gait, "run", lambda part, measured, progress: {"commands": commands})
     assert recipe_seeds.gait(None, say_nothing) == pytest.approx(
         {
             "clearance forwards, mm": 9.0,
@@ -79,7 +79,9 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
 
 
 def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
-    row = recipe_seeds.errors(Contender("tuned", CommandedGaitController(), TaskConfig()), say_nothing, episodes=2)
+    row = recipe_seeds.errors(
+        MeasuredController("tuned", CommandedGaitController(), TaskConfig()), say_nothing, episodes=2
+    )
     assert len(row) == len(recipe_seeds.STRAIGHT_COMMANDS) + len(recipe_seeds.TURN_COMMANDS)
     assert row["0 m/s"] == pytest.approx(0.0, abs=0.01)
     assert row["0.3 m/s"] == pytest.approx(0.0, abs=0.02)
@@ -100,7 +102,7 @@ def test_falls_in_the_own_env_are_counted_once_an_episode_with_their_interval(mo
         return env
 
     monkeypatch.setattr(type(policy), "make_vec_env", lambda self, num_envs: scripted(num_envs))
-    row = recipe_seeds.own_env(Contender.of_policy(policy, "flat"), say_nothing, episodes=4, seconds=seconds)
+    row = recipe_seeds.own_env(MeasuredController.of_policy(policy, "flat"), say_nothing, episodes=4, seconds=seconds)
     assert row == {
         "episodes": 4,
         "falls": 2,
@@ -123,7 +125,7 @@ def test_runs_of_a_recipe_differ_in_the_seed_only(trained):
 
 
 def test_program_prints_tables_and_draws_curves(trained, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(recipe_seeds, "MEASURES", {"length": lambda contender, progress: {"mm": len(contender.name)}})
+    monkeypatch.setattr(recipe_seeds, "MEASURES", {"length": lambda measured, progress: {"mm": len(measured.name)}})
     runs = [str(trained(recipe, seed).directory) for recipe in ("flat", "robust") for seed in (0, 1)]
     picture = tmp_path / "new" / "curves.svg"
     assert recipe_seeds.run(argparse.Namespace(runs=runs, only=None, picture=picture)) == 0

@@ -13,21 +13,20 @@ from benchmarks import shipping
 from quadruped_env import QuadrupedError
 from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.suite.findings import suite_findings
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.references import read_references
-from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.suite import COMPONENTS, read_references, run_suite
 from quadruped_env.evaluation.suite.suite_definition import quick_suite
 from quadruped_env.policies import load_policy
 
 
-def result_of(contender, suite, progress):
+def result_of(measured, suite, progress):
     """Results of a controller that is as good as its name is long."""
-    score = len(contender.name) / 10.0
+    score = len(measured.name) / 10.0
     estimate = {"mean": score, "low": score, "high": score, "count": 1}
     return {
         "suite": suite.identity,
-        "conditions": {"robot": contender.robot.identity},
-        "name": contender.name,
+        "conditions": {"robot": measured.robot.identity},
+        "name": measured.name,
         "score": {"total": score, "components": dict.fromkeys(COMPONENTS, score)},
         "commands": {"met": estimate, "dead_zone": {"forwards": 0.0}},
         "pushes": {"half_survival": [estimate]},
@@ -100,7 +99,7 @@ def shipped(tmp_path, monkeypatch):
 @functools.cache
 def quick_result():
     """Results of the policy of `shipped`."""
-    return run_suite(Contender.of_policy(random_policy("position"), "flat"), quick_suite())
+    return run_suite(MeasuredController.of_policy(random_policy("position"), "flat"), quick_suite())
 
 
 def finished(directory, **changes):

@@ -19,7 +19,7 @@ from waiting import wait_until
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.control.policy_files import CHECKPOINTS
-from quadruped_env.evaluation.subject import find_subject
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent, _difference
@@ -236,11 +236,11 @@ def test_killed_run_is_resumed_and_evaluated_from_its_last_checkpoint_with_a_war
     with pytest.warns(QuadrupedWarning, match=r"killed: the training was killed .*: checkpoints/00002s$"):
         assert Parent.load(killed).name == "killed/checkpoints/00002s"
     with pytest.warns(QuadrupedWarning, match=r"last checkpoint is used"):
-        subject = find_subject(str(killed))
-    assert subject.name == "killed/checkpoints/00002s"
-    assert subject.output == killed / "evaluation"
-    assert subject.progress_file == killed.resolve() / CHECKPOINTS / "00002s" / PROGRESS_FILE
-    assert subject.policy.card["timesteps"] == 4 * STEPS
+        evaluated = find_policy(str(killed))
+    assert evaluated.name == "killed/checkpoints/00002s"
+    assert evaluated.output == killed / "evaluation"
+    assert evaluated.progress_file == killed.resolve() / CHECKPOINTS / "00002s" / PROGRESS_FILE
+    assert evaluated.policy.card["timesteps"] == 4 * STEPS
 
 
 @pytest.mark.slow

@@ -74,7 +74,7 @@ def test_help_states_of_every_field_its_meaning_and_the_defaults_that_a_training
 
 
 def in_words(value):
-    words = {"True": "yes", "False": "no", "None": "none"}
+    words = {"True": "yes", "False": "no", "None": "none", "": "none"}
     return " ".join(map(str, value)) if isinstance(value, tuple) else words.get(str(value), str(value))
 
 

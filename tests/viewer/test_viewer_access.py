@@ -1,7 +1,6 @@
 """The viewer's server against foreign pages and foreign names."""
 
 import functools
-import gzip
 import http.server
 import re
 import threading
@@ -13,7 +12,7 @@ from waiting import wait_until
 from websockets.exceptions import InvalidStatus
 
 from quadruped_env import QuadrupedError
-from quadruped_env.viewer.guard import MAX_CLIENTS, Guard
+from quadruped_env.viewer.guard import Guard
 
 
 def test_a_websocket_of_this_servers_page_is_accepted(show):
@@ -53,23 +52,10 @@ def test_a_page_under_a_foreign_name_is_refused(show):
     assert get(show, Origin="http://evil.example")[0].status == 403
 
 
-def test_the_page_has_this_projects_title_and_may_not_be_framed(show):
-    for encoding in ("identity", "gzip"):
-        response, body = get(show, **{"Accept-Encoding": encoding})
-        assert response.status == 200
-        assert response.headers["Content-Security-Policy"] == "frame-ancestors 'self'"
-        page = gzip.decompress(body) if encoding == "gzip" else body
-        assert re.findall(rb"<title>(.*?)</title>", page) == [b"MiniQuadruped"]
-
-
-def test_more_clients_than_the_limit_are_refused(show, monkeypatch):
-    monkeypatch.setattr("quadruped_env.viewer.guard.MAX_CLIENTS", 2)
-    assert MAX_CLIENTS > 2
-    with client(show), client(show):
-        with pytest.raises(InvalidStatus) as refused:
-            client(show)
-        assert refused.value.response.status_code == 503
-        assert get(show)[0].status == 200
+def test_the_page_may_not_be_framed(show):
+    response, _ = get(show)
+    assert response.status == 200
+    assert response.headers["Content-Security-Policy"] == "frame-ancestors 'self'"
 
 
 def test_viser_with_an_unknown_server_is_refused():

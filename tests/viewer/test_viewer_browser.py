@@ -10,8 +10,8 @@ from viewing import showing
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.policies import load_policy
-from quadruped_env.viewer.legend import OVERLAYS
-from quadruped_env.viewer.pushes_and_forces import MAX_PUSH
+from quadruped_env.viewer.view_controller import MAX_PUSH
+from quadruped_env.viewer.viewer_scene import OVERLAYS
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
@@ -139,7 +139,7 @@ def test_a_push_in_its_direction_and_strength(stage, paused):
     fill(page, "To, degrees", -90)
     fill(page, "Strength, m/s", MAX_PUSH)
     until(lambda: (panel._direction.value, panel._strength.value) == (-90, MAX_PUSH))
-    data = controller._lineup.slots[0].robot.data
+    data = controller._robots.slots[0].robot.data
     page.get_by_role("button", name="Push", exact=True).click()
     until(lambda: data.qvel[1] < -0.5)
     np.testing.assert_allclose(data.qvel[:3], [0.0, -MAX_PUSH, 0.0], atol=1e-9)

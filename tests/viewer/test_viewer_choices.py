@@ -15,9 +15,10 @@ from quadruped_env.gait import COMMANDED
 from quadruped_env.reporting import palette
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain, flat
-from quadruped_env.viewer.legend import OVERLAYS, legend
-from quadruped_env.viewer.pushes_and_forces import MAX_FORCE_SECONDS, MAX_FORCE_SHARE
+from quadruped_env.viewer.panel_text import legend
+from quadruped_env.viewer.view_controller import MAX_FORCE_SECONDS, MAX_FORCE_SHARE
 from quadruped_env.viewer.viewed_robot import Offered
+from quadruped_env.viewer.viewer_scene import OVERLAYS
 
 SHOWN = dict.fromkeys(OVERLAYS, True)
 
@@ -54,7 +55,7 @@ def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control)
     for change in (("stand still", 2), (None, 1), ("gait trot", 2)):
         controller.set_source(change[1], change[0])
         controller.set_terrain("stairs", 8)
-        robots = [slot.robot for slot in controller._lineup.slots]
+        robots = [slot.robot for slot in controller._robots.slots]
         places = [one.data.qpos[:2] for one in robots]
         for one, other in itertools.combinations(places, 2):
             assert np.linalg.norm(one - other) > 0.59
@@ -63,7 +64,7 @@ def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control)
             feet = one.history[-1].foot_position
             assert (feet[:, 2] - one.robot.foot_radius >= field.at(feet) - 1e-6).all()
         controller.set_terrain("flat")
-        assert all((slot.robot.data.qpos[:2] == 0.0).all() for slot in controller._lineup.slots)
+        assert all((slot.robot.data.qpos[:2] == 0.0).all() for slot in controller._robots.slots)
 
 
 def test_an_unknown_terrain_or_level_changes_nothing(control):

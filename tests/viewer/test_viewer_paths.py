@@ -11,7 +11,7 @@ from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.policies import find_controllers, load_policy
 from quadruped_env.utils.files import shown_path
-from quadruped_env.viewer.paths import without_directories
+from quadruped_env.viewer.panel_text import without_directories
 
 
 @pytest.mark.parametrize(

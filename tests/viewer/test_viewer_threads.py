@@ -5,7 +5,7 @@ import threading
 
 from viewer_clients import connected_browser
 
-from quadruped_env.viewer.thread_messages import WakeUp
+from quadruped_env.viewer.guard import ThreadSafeEvent
 
 
 def set_elsewhere(event):
@@ -16,7 +16,7 @@ def set_elsewhere(event):
 
 def test_another_thread_leaves_the_waiting_tasks_to_the_event_loop():
     async def run():
-        event = WakeUp(asyncio.get_running_loop())
+        event = ThreadSafeEvent(asyncio.get_running_loop())
         first, second = (asyncio.create_task(event.wait()) for _ in range(2))
         await asyncio.sleep(0)
         set_elsewhere(event)
@@ -34,7 +34,7 @@ def test_another_thread_leaves_the_waiting_tasks_to_the_event_loop():
 
 def test_setting_it_after_the_loop_has_ended_is_no_error():
     loop = asyncio.new_event_loop()
-    event = WakeUp(loop)
+    event = ThreadSafeEvent(loop)
     loop.close()
     set_elsewhere(event)
     event.set()
@@ -46,4 +46,4 @@ def test_drawing_reaches_connected_browsers_through_such_events(show):
         server = show._server._websock_server
         (client,) = server._client_state_from_id.values()
         for buffer in (server._broadcast_buffer, client.message_buffer):
-            assert isinstance(buffer.message_event, WakeUp)
+            assert isinstance(buffer.message_event, ThreadSafeEvent)

@@ -16,7 +16,6 @@ from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.suite.command_map import envelope
 from quadruped_env.evaluation.suite.findings import suite_findings
-from quadruped_env.evaluation.suite.references import reference_row
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Policy, PolicyController, load_policy
 from quadruped_env.reporting.pages.page import without_nan
@@ -155,3 +154,16 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
         # The curve of the policy that was here before is not this one's.
         (directory / PROGRESS_FILE).unlink(missing_ok=True)
     return directory, card
+
+
+def reference_row(result: Mapping[str, Any]) -> dict[str, Any]:
+    """The part of a controller's results that ships: what identifies them, the score, and the main measures."""
+    terrain = {kind: entry["highest_level"] for kind, entry in result["terrain"].items()}
+    return {
+        **{field: result[field] for field in ("suite", "conditions", "name", "score")},
+        "met": result["commands"]["met"],
+        "dead_zone": result["commands"]["dead_zone"],
+        "half_survival": result["pushes"]["half_survival"],
+        "terrain": terrain,
+        "recovery": {name: entry["recovered"] for name, entry in result["recovery"].items()},
+    }

@@ -11,8 +11,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quadruped_env.evaluation.confidence import CONFIDENCE, Estimate
-from quadruped_env.evaluation.suite.plain_numbers import estimate
+from quadruped_env.evaluation.confidence import Estimate, percentile_interval
 from quadruped_env.evaluation.suite.suite import COMPONENTS, check_comparable
 
 Floats = NDArray[np.float64]
@@ -34,13 +33,10 @@ def interquartile_mean(values: ArrayLike) -> Floats:
 
 
 def stratified_interquartile_mean(scores: ArrayLike) -> Estimate:
-    """Interquartile mean of scores of all runs and tasks, with its percentile bootstrap interval.
+    """Interquartile mean of scores (runs, tasks), with its percentile bootstrap interval.
 
     Each resample draws the runs of every task with replacement, independently of the other tasks. The interval is NaN
     for a single run, which says nothing about the others.
-
-    Args:
-        scores: (runs, tasks).
     """
     values = np.asarray(scores, dtype=np.float64)
     runs, tasks = values.shape
@@ -49,8 +45,7 @@ def stratified_interquartile_mean(scores: ArrayLike) -> Estimate:
         return Estimate(middle, math.nan, math.nan, 1)
     chosen = np.random.default_rng(_SEED).integers(0, runs, (RESAMPLES, runs, tasks))
     resampled = interquartile_mean(values[chosen, np.arange(tasks)].reshape(RESAMPLES, runs * tasks))
-    low, high = np.quantile(resampled, [0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE])
-    return Estimate(middle, float(low), float(high), runs)
+    return Estimate(middle, *percentile_interval(resampled), runs)
 
 
 def aggregate(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -68,9 +63,9 @@ def aggregate(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     scores = np.array([[document["score"]["components"][name] for name in COMPONENTS] for document in documents])
     return {
         "runs": [{"name": document["name"], **document["score"]} for document in documents],
-        "score": estimate(stratified_interquartile_mean(scores)),
+        "score": stratified_interquartile_mean(scores).to_dict(),
         "components": {
-            name: estimate(stratified_interquartile_mean(scores[:, [i]])) for i, name in enumerate(COMPONENTS)
+            name: stratified_interquartile_mean(scores[:, [i]]).to_dict() for i, name in enumerate(COMPONENTS)
         },
         "terrain": {
             kind: min(document["terrain"][kind]["highest_level"] for document in documents)

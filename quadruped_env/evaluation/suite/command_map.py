@@ -6,17 +6,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.suite.measured_controller import Contender, mean_velocities
-from quadruped_env.evaluation.suite.plain_numbers import mean_of, number, share
+from quadruped_env.evaluation.confidence import mean_of, number, proportion
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
 from quadruped_env.evaluation.suite.suite_definition import CommandMap
 from quadruped_env.utils.progress import Progress
 
 Floats = NDArray[np.float64]
 
 
-def run(part: CommandMap, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
-    """The map and its summary, as plain values. Arrays have the shape (forward velocities, yaw rates)."""
-    rollout = contender.run(part.commands, part.seeds, part.seconds, progress)
+def run(part: CommandMap, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
+    """The map and its summary, as plain values. Arrays have the shape (forward velocities V, yaw rates W)."""
+    rollout = measured.run(part.commands, part.seeds, part.seconds, progress)
     shape = len(part.forward_velocity), len(part.yaw_rate), part.num_seeds
     achieved = mean_velocities(rollout).reshape(*shape, 2)
     fallen = rollout.fallen.reshape(shape)
@@ -29,17 +29,15 @@ def run(part: CommandMap, contender: Contender, progress: Progress | None = None
 
 
 def summary(part: CommandMap, achieved: Floats, fallen: NDArray[np.bool_]) -> dict[str, Any]:
-    """Map, errors, share of met commands and dead zones of episodes.
+    """Map, errors, share of met commands and dead zones of S episodes per command.
 
-    Args:
-        part: commands V x W of the map.
-        achieved: mean forward velocity in m/s and yaw rate in rad/s of each episode (V, W, S, 2); NaN if unknown.
-        fallen: True for episodes that fell (V, W, S).
+    `achieved` are the mean velocities of each episode (V, W, S, 2), NaN if unknown; `fallen` is True for episodes that
+    fell (V, W, S).
     """
     error = achieved - np.array(part.commands).reshape(len(part.forward_velocity), len(part.yaw_rate), 1, 2)
     # A comparison with NaN is false: an episode without a mean velocity does not meet its command.
     met = (np.abs(error) <= part.tolerance).all(axis=-1) & ~fallen
-    result: dict[str, Any] = {"met": share(met), "falls": share(fallen)}
+    result: dict[str, Any] = {"met": proportion(met).to_dict(), "falls": proportion(fallen).to_dict()}
     for column, name in enumerate(("forward_velocity", "yaw_rate")):
         signed = np.array([[mean_of(episodes) for episodes in line] for line in error[..., column]], dtype=np.float64)
         known = np.abs(signed[np.isfinite(signed)])
@@ -56,11 +54,8 @@ def dead_zones(part: CommandMap, achieved: Floats) -> dict[str, float | None]:
     """Dead zone of each direction: forwards and backwards in m/s, left and right in rad/s.
 
     The largest command on the half axis, with the other velocity 0, of which less than `dead_share` is reached; 0 if
-    there is none, None if the map has no command on the half axis.
-
-    Args:
-        part: commands V x W of the map.
-        achieved: mean velocities (V, W, 2), m/s and rad/s; NaN if unknown, which counts as not reached.
+    there is none, None if the map has no command on the half axis. NaN among the mean velocities (V, W, 2) counts as
+    not reached.
     """
     forward, turning = np.array(part.forward_velocity), np.array(part.yaw_rate)
     zones: dict[str, float | None] = {}
@@ -87,15 +82,10 @@ def _half_axes(
 
 
 def envelope(result: Mapping[str, Any], tolerance: Sequence[float]) -> dict[str, float | None]:
-    """Largest command of each direction, with the other velocity 0, up to which every one is met.
+    """Largest command of each direction, with the other velocity 0, up to which every one is met, for `run`'s result.
 
-    Args:
-        result: the map, as `run` returns it.
-        tolerance: largest errors of the mean velocities, m/s and rad/s.
-
-    Returns:
-        Forwards and backwards in m/s, left and right in rad/s: 0 if not even the smallest command is met, None if the
-        map has none.
+    Forwards and backwards in m/s, left and right in rad/s: 0 if not even the smallest command is met, None if the map
+    has none. The tolerance is in m/s and rad/s.
     """
     forward, turning = np.array(result["forward_velocity"]), np.array(result["yaw_rate"])
     met = np.array(result["fall_share"]) == 0.0
@@ -107,8 +97,3 @@ def envelope(result: Mapping[str, Any], tolerance: Sequence[float]) -> dict[str,
         missed = size[~kept].min(initial=np.inf)
         found[name] = float(size[size < missed].max(initial=0.0)) if len(size) else None
     return found
-
-
-def score(result: dict[str, Any]) -> float:
-    """Score in [0, 1] of the part: share of the episodes that meet their command."""
-    return float(result["met"]["mean"])

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any, Final
 
+from quadruped_env.evaluation.comparison import words
 from quadruped_env.evaluation.suite.command_map import envelope
 
 CLEAN_CLEARANCE: Final = 0.008
@@ -70,20 +71,15 @@ def _gait(gait: Mapping[str, Any]) -> str:
     fast = max(steps, key=lambda entry: entry["speed_limit_share"])
     clearance, touchdowns = min(low["clearance"]), max(worst["touchdowns_per_stride"])
     clean = clearance >= CLEAN_CLEARANCE and touchdowns <= CLEAN_TOUCHDOWNS and not missing
-    words = (
+    text = (
         f"{'clean' if clean else 'not clean'}: the lowest foot clears the ground by {1000.0 * clearance:.0f} mm "
-        f"({_command(low)}), and a foot touches down up to {touchdowns:.1f} times per stride ({_command(worst)})"
+        f"({words(low['command'])}), and a foot touches down up to {touchdowns:.1f} times per stride "
+        f"({words(worst['command'])})"
     )
     if fast["speed_limit_share"] >= 0.01:
-        words += f"; some joint is at its speed limit {100.0 * fast['speed_limit_share']:.0f} % of the time"
-        words += f" ({_command(fast)})"
-    return f"{words}{f'; it does not step at {missing} of the commands' if missing else ''}."
-
-
-def _command(entry: Mapping[str, Any]) -> str:
-    forward, yaw_rate = entry["command"]
-    parts = [f"{forward:g} m/s"] if forward or not yaw_rate else []
-    return " and ".join([*parts, *([f"{yaw_rate:g} rad/s"] if yaw_rate else [])])
+        text += f"; some joint is at its speed limit {100.0 * fast['speed_limit_share']:.0f} % of the time"
+        text += f" ({words(fast['command'])})"
+    return f"{text}{f'; it does not step at {missing} of the commands' if missing else ''}."
 
 
 def _robustness(result: Mapping[str, Any]) -> str:

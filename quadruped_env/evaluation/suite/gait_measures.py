@@ -1,4 +1,4 @@
-"""Measures of the gait: clearance, touchdowns, slip, limits, smoothness and attitude."""
+"""Measures of the gait: clearance, touchdowns, slip, limits, smoothness, attitude. Axes and masks as in `metrics`."""
 
 import itertools
 from typing import Any, Final
@@ -6,18 +6,10 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.metrics import (
-    counted_samples,
-    duty_factor,
-    joints_at_limit,
-    masked_mean,
-    measure,
-    slip_of_feet,
-    stride_frequency,
-)
+from quadruped_env.evaluation import metrics
+from quadruped_env.evaluation.confidence import mean_of
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.plain_numbers import mean_of
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import GaitPart
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.rotations import up_in_body
@@ -30,30 +22,16 @@ CLEARANCE_QUANTILE: Final = 0.05
 
 PER_FOOT: Final = ("clearance", "touchdowns_per_stride", "slip", "duty_factor")
 """Measures with one value per foot."""
-UNITS: Final = {
-    "clearance": "m",
-    "touchdowns_per_stride": "1",
-    "slip": "m/s",
-    "duty_factor": "1",
-    "stride_frequency": "Hz",
-    "joint_limit_share": "1",
-    "speed_limit_share": "1",
-    "torque_rate": "N m/s",
-    "roll": "rad",
-    "pitch": "rad",
-    "electrical_cost_of_transport": "1",
-}
-"""Measure -> unit."""
 
 
-def run(part: GaitPart, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
+def run(part: GaitPart, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
     """Measures of each command, means over the episodes, as plain values."""
-    rollout = contender.run(part.commands, part.seeds, part.seconds, progress)
+    rollout = measured.run(part.commands, part.seeds, part.seconds, progress)
     values = measures(rollout, part)
     shape = len(part.commands), part.num_seeds
     grouped = {name: value.reshape(*shape, *value.shape[1:]) for name, value in values.items()}
     return {
-        "feet": list(contender.robot.leg_names),
+        "feet": list(measured.robot.leg_names),
         "commands": [
             {
                 "command": list(command),
@@ -66,37 +44,31 @@ def run(part: GaitPart, contender: Contender, progress: Progress | None = None) 
 
 
 def measures(rollout: Rollout, part: GaitPart) -> dict[str, Floats]:
-    """Every measure of `UNITS` of each episode: name -> (N,), or (N, L) for those `PER_FOOT`."""
-    r, dt, counted = rollout, rollout.timestep, counted_samples(rollout)
+    """Every measure of each episode, in SI units: name -> (N,), or (N, L) for those `PER_FOOT`."""
+    r, dt, counted = rollout, rollout.timestep, metrics.counted_samples(rollout)
     hips = [joints[0] for joints in r.robot.leg_joints]
-    frequency = stride_frequency(r.joint_position[..., hips], counted, dt)
+    frequency = metrics.stride_frequency(r.joint_position[..., hips], counted, dt)
     strides = frequency * counted.sum(axis=0) * dt
     roll, pitch = roll_and_pitch(r.orientation)
     return {
         "clearance": clearance(r.foot_height, r.contact, counted, strides, dt, part.shortest_swing),
         "touchdowns_per_stride": touchdowns(r.contact, counted) / strides[:, None],
-        "slip": slip_of_feet(r.slip_speed, r.contact, counted),
-        "duty_factor": duty_factor(r.contact, counted),
+        "slip": metrics.slip_of_feet(r.slip_speed, r.contact, counted),
+        "duty_factor": metrics.duty_factor(r.contact, counted),
         "stride_frequency": frequency,
-        "joint_limit_share": joints_at_limit(r.joint_position, counted, r.robot),
+        "joint_limit_share": metrics.joints_at_limit(r.joint_position, counted, r.robot),
         "speed_limit_share": speed_limit_share(r.joint_velocity, counted, part.speed_share * r.robot.velocity_limit),
-        "torque_rate": rate(r.joint_torque, counted, dt),
+        "torque_rate": metrics.rms_rate(r.joint_torque, counted, dt),
         "roll": root_mean_square(roll, counted),
         "pitch": root_mean_square(pitch, counted),
-        "electrical_cost_of_transport": measure(r)["electrical_cost_of_transport"],
+        "electrical_cost_of_transport": metrics.measure(r)["electrical_cost_of_transport"],
     }
 
 
 def swing_apexes(height: NDArray[Any], contact: Mask, dt: float, shortest: float) -> Floats:
-    """Largest height of each whole swing of one foot, m.
+    """Largest height of each whole swing of one foot, m, from the height of its sole over the ground (T,).
 
-    A swing is an unbroken time in the air of at least `shortest`, with the lift-off before and the touchdown after it.
-
-    Args:
-        height: height of the sole over the ground (T,), m.
-        contact: True on the ground (T,).
-        dt: time between samples, s.
-        shortest: shortest swing, s.
+    A swing is an unbroken time in the air of at least `shortest` s, with the lift-off before and the touchdown after.
     """
     edges = np.flatnonzero(np.diff(contact.astype(np.int8)))
     apexes = []
@@ -112,15 +84,8 @@ def clearance(
     """Clearance of each foot (N, L), m: the quantile `CLEARANCE_QUANTILE` of the apexes of its swings.
 
     A stride in which a foot does not swing counts as an apex of 0; at both ends of an episode one stride may be cut.
-    NaN for an episode without counted samples; 0 for a robot that does not stride.
-
-    Args:
-        foot_height: m over the ground (T, N, L).
-        contact: (T, N, L).
-        counted: (T, N); each episode's True samples are contiguous.
-        strides: number of strides in the counted time (N,); NaN for a robot that does not stride.
-        dt: s.
-        shortest: shortest swing, s.
+    NaN for an episode without counted samples; 0 for a robot that does not stride, whose number of strides in the
+    counted time (N,) is NaN.
     """
     result = np.full(contact.shape[1:], np.nan)
     for episode, foot in np.ndindex(*result.shape):
@@ -145,13 +110,7 @@ def touchdowns(contact: Mask, counted: Mask) -> Floats:
 
 def speed_limit_share(joint_velocity: NDArray[Any], counted: Mask, limit: Floats) -> Floats:
     """Share of time with any joint faster than its limit (J,) in rad/s, (N,)."""
-    return masked_mean((np.abs(joint_velocity) > limit).any(axis=-1), counted)
-
-
-def rate(values: NDArray[Any], counted: Mask, dt: float) -> Floats:
-    """RMS over time and joints of the change between samples per time (N,), for values (T, N, J)."""
-    change = np.diff(values.astype(np.float64), axis=0) / dt
-    return np.sqrt(masked_mean((change**2).mean(axis=-1), counted[1:] & counted[:-1]))
+    return metrics.masked_mean((np.abs(joint_velocity) > limit).any(axis=-1), counted)
 
 
 def roll_and_pitch(orientation: NDArray[Any]) -> tuple[Floats, Floats]:
@@ -165,7 +124,7 @@ def roll_and_pitch(orientation: NDArray[Any]) -> tuple[Floats, Floats]:
 
 def root_mean_square(values: Floats, counted: Mask) -> Floats:
     """Root mean square over time (N,), for values (T, N)."""
-    return np.sqrt(masked_mean(values**2, counted))
+    return np.sqrt(metrics.masked_mean(values**2, counted))
 
 
 def score(result: dict[str, Any], part: GaitPart) -> float:

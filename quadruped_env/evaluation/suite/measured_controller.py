@@ -3,7 +3,7 @@
 import dataclasses
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,17 +14,7 @@ from quadruped_env.evaluation.comparison import evaluation_task
 from quadruped_env.evaluation.metrics import counted_samples, masked_mean
 from quadruped_env.evaluation.rollout import BeforeStep, Rollout, roll_out
 from quadruped_env.evaluation.suite.suite_definition import Command
-from quadruped_env.gait import SinusoidalGait
-from quadruped_env.policies import (
-    Agent,
-    CommandedGaitController,
-    Controller,
-    GaitController,
-    Policy,
-    PolicyController,
-    ZeroController,
-    as_policy,
-)
+from quadruped_env.policies import Agent, Controller, Policy, PolicyController, as_policy
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.simulation.height_field import GROUND
@@ -34,7 +24,7 @@ from quadruped_env.utils.progress import Progress
 
 
 @dataclass(frozen=True)
-class Contender:
+class MeasuredController:
     """A controller and the task that it was made for."""
 
     name: str
@@ -42,27 +32,21 @@ class Contender:
     config: TaskConfig
 
     @classmethod
-    def of_policy(cls, policy: Policy | Agent, name: str) -> "Contender":
+    def of_policy(cls, policy: Policy | Agent, name: str) -> "MeasuredController":
         """A trained policy, or one that is code, in its own task."""
         policy = as_policy(policy, name)
         return cls(name, PolicyController(policy, name), policy.config)
 
     def task(
-        self,
-        commands: Iterable[Command],
-        randomization: Mapping[str, Any] | None = None,
-        terrain: Terrain = flat,
+        self, commands: Iterable[Command], randomization: Mapping[str, Any] | None = None, terrain: Terrain = flat
     ) -> TaskConfig:
         """Task of the suite: physics, falls and randomization are the same for all controllers of a robot.
 
         The observation, the action, the control rate and the gait clock are the controller's own. Motors and
         terminations are the robot's and the built-in ones, whatever the controller's task has.
 
-        Args:
-            commands: commands that its ranges must include.
-            randomization: values of the config's section on top of the preset `none`; masses, forces and lengths are
-                those of the built-in robot, and scaled to another one.
-            terrain: the ground.
+        Its ranges include the commands. `randomization` holds values of the config's section on top of the preset
+        `none`; masses, forces and lengths are those of the built-in robot, and scaled to another one.
 
         Raises:
             QuadrupedError: if the controller's task replaces a built-in termination.
@@ -103,20 +87,6 @@ class Contender:
         return self.config.robot
 
 
-STANDING: Final = "standing"
-
-
-def reference_contenders(policies: Mapping[str, Policy], robot: Robot) -> tuple[Contender, ...]:
-    """Contenders of the reference rows: standing, the tutorial's gait, the tuned gait, and policies by name."""
-    config = TaskConfig().for_robot(robot)
-    return (
-        Contender(STANDING, ZeroController(), config),
-        Contender("article", GaitController(SinusoidalGait.preset("article", robot), "article"), config),
-        Contender("tuned", CommandedGaitController(), config),
-        *(Contender.of_policy(policy, name) for name, policy in policies.items()),
-    )
-
-
 def mean_velocities(rollout: Rollout) -> NDArray[np.float64]:
     """Mean forward velocity in m/s and yaw rate in rad/s of each episode (N, 2), after the start-up.
 
@@ -125,9 +95,9 @@ def mean_velocities(rollout: Rollout) -> NDArray[np.float64]:
     return masked_mean(rollout.velocity, counted_samples(rollout))
 
 
-def conditions(contender: Contender) -> dict[str, Any]:
-    """Robot and physics of a contender's task, which must be the same in results that are compared."""
-    config = contender.task([(0.0, 0.0)])
+def conditions(measured: MeasuredController) -> dict[str, Any]:
+    """Robot and physics of a controller's task, which must be the same in results that are compared."""
+    config = measured.task([(0.0, 0.0)])
     model = config.compiled_model()
     option = model.opt
     return {

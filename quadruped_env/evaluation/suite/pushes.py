@@ -5,9 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.confidence import CONFIDENCE
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.plain_numbers import share
+from quadruped_env.evaluation.confidence import percentile_interval, proportion
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Pushes
 from quadruped_env.task import Task
 from quadruped_env.utils.progress import Progress
@@ -19,7 +18,7 @@ RESAMPLES = 2_000
 _HALF = 0.5
 
 
-def run(part: Pushes, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
+def run(part: Pushes, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
     """Survival of every size and direction, as plain values."""
     size, angle = (values.ravel() for values in np.meshgrid(part.sizes, np.radians(part.directions), indexing="ij"))
     size, angle = (np.repeat(values, part.num_seeds) for values in (size, angle))
@@ -32,7 +31,7 @@ def run(part: Pushes, contender: Contender, progress: Progress | None = None) ->
             task.simulation.push(pushed, size[pushed, None] * velocity)
 
     conditions = len(part.sizes) * len(part.directions)
-    rollout = contender.run(
+    rollout = measured.run(
         [part.command] * conditions, part.seeds, part.before + part.after, progress, before_step=push
     )
     return summary(part, ~rollout.fallen.reshape(len(part.sizes), len(part.directions), part.num_seeds))
@@ -41,16 +40,14 @@ def run(part: Pushes, contender: Contender, progress: Progress | None = None) ->
 def summary(part: Pushes, survived: NDArray[np.bool_]) -> dict[str, Any]:
     """Survival by size and direction, and the size of 50 % survival per direction, as plain values.
 
-    Args:
-        part: sizes and directions.
-        survived: True for episodes without a fall (sizes, directions, seeds).
+    `survived` is True for episodes without a fall (sizes, directions, seeds).
     """
     return {
         "sizes": list(part.sizes),
         "directions": list(part.directions),
         "survived": survived.mean(axis=-1).tolist(),
-        "by_size": [share(episodes) for episodes in survived],
-        "all": share(survived[np.array(part.sizes) > 0.0]),
+        "by_size": [proportion(episodes).to_dict() for episodes in survived],
+        "all": proportion(survived[np.array(part.sizes) > 0.0]).to_dict(),
         "half_survival": [half_survival(np.array(part.sizes), survived[:, i]) for i in range(len(part.directions))],
     }
 
@@ -59,24 +56,16 @@ def half_survival(sizes: Floats, survived: NDArray[np.bool_]) -> dict[str, Any]:
     """Size of the push that half of the robots survive, with its bootstrap interval over the seeds, m/s.
 
     Survival is fitted by a function that does not increase with the size (isotonic regression), and interpolated
-    linearly between the sizes. If more than half survive the largest push, the value is that size and `censored` is
-    true.
-
-    Args:
-        sizes: increasing sizes (K,), m/s.
-        survived: True for episodes without a fall (K, S); a seed has the same start for all sizes.
+    linearly between the increasing sizes (K,). If more than half survive the largest push, the value is that size and
+    `censored` is true. `survived` is (K, S); a seed has the same start for all sizes.
     """
     generator = np.random.default_rng(0)
     chosen = generator.integers(0, survived.shape[1], (RESAMPLES, survived.shape[1]))
     resampled = survived.T[chosen].mean(axis=1)  # (RESAMPLES, K)
-    low, high = np.quantile(half_point(sizes, resampled), [0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE])
-    fitted = non_increasing(survived.mean(axis=1)[None])[0]
-    return {
-        "mean": float(half_point(sizes, survived.mean(axis=1)[None])[0]),
-        "low": float(low),
-        "high": float(high),
-        "censored": bool(fitted[-1] >= _HALF),
-    }
+    low, high = percentile_interval(half_point(sizes, resampled))
+    all_seeds = survived.mean(axis=1)[None]
+    censored = bool(non_increasing(all_seeds)[0, -1] >= _HALF)
+    return {"mean": float(half_point(sizes, all_seeds)[0]), "low": low, "high": high, "censored": censored}
 
 
 def non_increasing(shares: Floats) -> Floats:
@@ -106,8 +95,3 @@ def half_point(sizes: Floats, shares: Floats) -> Floats:
     drop = np.where(high > low, high - low, 1.0)
     crossing = sizes[previous] + (sizes[first] - sizes[previous]) * (high - _HALF) / drop
     return np.where(below.any(axis=1), np.where(first == 0, sizes[0], crossing), sizes[-1])
-
-
-def score(result: dict[str, Any]) -> float:
-    """Score in [0, 1] of the part: share of the pushes that the robot survives."""
-    return float(result["all"]["mean"])

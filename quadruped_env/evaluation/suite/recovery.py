@@ -10,8 +10,8 @@ from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.plain_numbers import mean, share
+from quadruped_env.evaluation.confidence import bootstrap_mean, proportion
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Recovery, Release
 from quadruped_env.robot import Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
@@ -28,20 +28,24 @@ _MAX_TRUNK_FORCE: Final = 1.0
 """Force on the trunk above which a robot is not on its feet, N, as in the built-in terminations."""
 
 
-def run(part: Recovery, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
+def run(part: Recovery, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
     """Recoveries of every release: name -> plain values.
 
     A controller that no real robot can run recovers nowhere; `refused` then holds the reason.
     """
-    robot = contender.robot
+    robot = measured.robot
     starts = np.concatenate([start_poses(robot, release, part.seeds) for release in part.releases])
     refused: dict[str, str] = {}
     try:
-        times = recover(part, contender, starts, progress)
+        times = recover(part, measured, starts, progress)
     except QuadrupedError as error:
         times, refused = np.full(len(starts), np.nan), {"refused": str(error)}
     return {
-        release.name: {"recovered": share(np.isfinite(seconds)), "time": mean(seconds), **refused}
+        release.name: {
+            "recovered": proportion(np.isfinite(seconds)).to_dict(),
+            "time": bootstrap_mean(seconds).to_dict(),
+            **refused,
+        }
         for release, seconds in zip(part.releases, times.reshape(-1, part.num_seeds), strict=True)
     }
 
@@ -68,27 +72,21 @@ def start_poses(robot: Robot, release: Release, seeds: range) -> Floats:
 
 
 def recover(
-    part: Recovery, contender: Contender, starts: Floats, progress: Progress | None = None
+    part: Recovery, measured: MeasuredController, starts: Floats, progress: Progress | None = None
 ) -> NDArray[np.float64]:
     """Time from the start of the live controller until each robot (N,) is on its feet and stays there, s.
 
-    NaN for a robot that does not recover.
-
-    Args:
-        part: times and command.
-        contender: controller that follows the command when the robot stands.
-        starts: initial `qpos` (N, 7 + J).
-        progress: called with the fraction done.
+    NaN for a robot that does not recover. `starts` are the initial `qpos` (N, 7 + J).
 
     Raises:
         QuadrupedError: if the controller observes something that a real robot does not measure.
     """
-    config = contender.task([part.command])
+    config = measured.task([part.command])
     robot, dt, substeps = config.robot, config.control_timestep, config.decimation
     simulation = BatchSimulation(config.compiled_model(), len(starts), robot=robot)
     everyone = np.arange(len(starts))
     simulation.reset(everyone, starts, np.zeros((len(starts), robot.num_velocities)))
-    controller = contender.controller
+    controller = measured.controller
     control = None if isinstance(controller, PolicyController) else config.control
     robots = [LiveController(controller, control, robot=robot) for _ in starts]
     readings = simulation.readings
@@ -153,8 +151,3 @@ def _act(
         limp[i] = answer.target is LIMP
         if answer.target is not LIMP:
             targets[i] = answer.target
-
-
-def score(result: dict[str, Any]) -> float:
-    """Score in [0, 1] of the part: share of the robots that recover, mean over the releases."""
-    return float(np.mean([release["recovered"]["mean"] for release in result.values()]))

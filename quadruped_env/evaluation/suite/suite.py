@@ -1,9 +1,12 @@
 """The suite from a controller to its results, the files of results, and the check that two can be compared."""
 
+import os
 import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any, Final
+
+import numpy as np
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.suite import (
@@ -15,13 +18,16 @@ from quadruped_env.evaluation.suite import (
     terrains,
     transients,
 )
-from quadruped_env.evaluation.suite.measured_controller import Contender, conditions
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, conditions
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.progress import Progress, part_of
+from quadruped_env.utils.text_table import text_table
 
 RESULTS_FILE: Final = "suite.json"
+REFERENCE_FILE: Final = Path(__file__).with_name("references.json")
+"""Written by `tools/suite_references.py`; a package without it has no reference rows."""
 
 COMPONENTS: Final = {
     "commands": "share of the episodes on the rectangle of commands that meet their command",
@@ -34,15 +40,21 @@ COMPONENTS: Final = {
 }
 """Component of the score, which is a part of the suite -> meaning."""
 
-_RUN: Final[dict[str, Callable[[Any, Contender, Progress | None], dict[str, Any]]]] = {
-    "commands": command_map.run,
-    "gait": gait_measures.run,
-    "transients": transients.run,
-    "pushes": pushes.run,
-    "disturbances": suite_disturbances.run,
-    "terrain": terrains.run,
-    "recovery": recovery.run,
+_Run = Callable[[Any, MeasuredController, Progress | None], dict[str, Any]]
+_Score = Callable[[Any, Any], float]
+PARTS: Final[dict[str, tuple[_Run, _Score]]] = {
+    "commands": (command_map.run, lambda result, part: float(result["met"]["mean"])),
+    "gait": (gait_measures.run, gait_measures.score),
+    "transients": (transients.run, lambda result, part: _mean(change["score"] for change in result.values())),
+    "pushes": (pushes.run, lambda result, part: float(result["all"]["mean"])),
+    "disturbances": (suite_disturbances.run, suite_disturbances.score),
+    "terrain": (terrains.run, terrains.score),
+    "recovery": (
+        recovery.run,
+        lambda result, part: _mean(release["recovered"]["mean"] for release in result.values()),
+    ),
 }
+"""Component -> function that runs the part, and the component in [0, 1] of its result."""
 _TERRAIN_COST: Final = 1.6
 """Time of an episode on tiles relative to that on a plane."""
 _RECOVERY_COST: Final = 10.0
@@ -70,13 +82,10 @@ def episode_seconds(suite: Suite) -> dict[str, float]:
     }
 
 
-def run_suite(contender: Contender, suite: Suite | None = None, progress: Progress | None = None) -> dict[str, Any]:
-    """Measure a controller with the suite.
-
-    Args:
-        contender: controller and its task.
-        suite: the suite; None: the full one.
-        progress: called with the fraction done, in proportion to the simulated time.
+def run_suite(
+    measured: MeasuredController, suite: Suite | None = None, progress: Progress | None = None
+) -> dict[str, Any]:
+    """Measure a controller with the suite; None: the full one.
 
     Returns:
         Results as plain values: `suite` (name, version and hash), `conditions` (robot and physics), `definition`,
@@ -91,16 +100,16 @@ def run_suite(contender: Contender, suite: Suite | None = None, progress: Progre
     weights["recovery"] *= _RECOVERY_COST
     total, done, began = sum(weights.values()), 0.0, time.perf_counter()
     parts: dict[str, Any] = {}
-    for name, part_run in _RUN.items():
+    for name, (run, _) in PARTS.items():
         part = part_of(progress, done / total, (done + weights[name]) / total)
-        parts[name] = part_run(getattr(suite, name), contender, part)
+        parts[name] = run(getattr(suite, name), measured, part)
         done += weights[name]
     if progress is not None:
         progress(1.0)
     return {
         "suite": suite.identity,
-        "conditions": conditions(contender),
-        "name": contender.name,
+        "conditions": conditions(measured),
+        "name": measured.name,
         "seconds": round(time.perf_counter() - began, 1),
         "definition": suite.to_dict(),
         "score": scores(suite, parts),
@@ -109,25 +118,17 @@ def run_suite(contender: Contender, suite: Suite | None = None, progress: Progre
 
 
 def scores(suite: Suite, parts: Mapping[str, Any]) -> dict[str, Any]:
-    """Score and its components, in [0, 1]: `total`, the mean of the components, and `components`."""
-    components = {
-        "commands": command_map.score(parts["commands"]),
-        "gait": gait_measures.score(parts["gait"], suite.gait),
-        "transients": transients.score(parts["transients"]),
-        "pushes": pushes.score(parts["pushes"]),
-        "disturbances": suite_disturbances.score(parts["disturbances"], suite.disturbances),
-        "terrain": terrains.score(parts["terrain"], suite.terrain),
-        "recovery": recovery.score(parts["recovery"]),
-    }
+    """Score in [0, 1]: `total`, the mean of the components, and `components`."""
+    components = {name: score(parts[name], getattr(suite, name)) for name, (_, score) in PARTS.items()}
     return {"total": sum(components.values()) / len(components), "components": components}
 
 
-def read_results(path: Path) -> dict[str, Any]:
-    """Results of the suite from a file.
+def _mean(values: Iterable[float]) -> float:
+    return float(np.mean(list(values)))
 
-    Raises:
-        QuadrupedError: if the file cannot be read or does not hold results of the suite.
-    """
+
+def read_results(path: Path) -> dict[str, Any]:
+    """Results of the suite from a file; a QuadrupedError if it cannot be read or holds none."""
     document = read_json(path, "evaluate the policy with --suite to make it")
     check_results(document, str(path))
     missing = [name for name in COMPONENTS if not isinstance(document.get(name), dict)]
@@ -149,11 +150,7 @@ def read_results(path: Path) -> dict[str, Any]:
 
 
 def check_results(document: Any, where: str) -> None:
-    """Check that a document holds results of the suite; `where` names it in errors.
-
-    Raises:
-        QuadrupedError: if it does not.
-    """
+    """Raise a QuadrupedError, which names `where`, if a document does not hold results of the suite."""
     try:
         identity = document["suite"]
         known = {name: identity[name] for name in ("name", "version", "quick", "sha256")}
@@ -171,42 +168,56 @@ def check_results(document: Any, where: str) -> None:
 
 
 def check_comparable(documents: Mapping[str, Mapping[str, Any]]) -> None:
-    """Check that results may be compared: the same suite, version and definition, robot and physics.
-
-    Args:
-        documents: name -> results, as `run_suite` returns them.
-
-    Raises:
-        QuadrupedError: if two of them differ; the message names both, the field and the fix.
-    """
-    first, *others = documents.items()
-    for name, document in others:
-        _check_pair(first[0], first[1], name, document)
-
-
-def _check_pair(one: str, a: Mapping[str, Any], other: str, b: Mapping[str, Any]) -> None:
-    for field in ("name", "version", "quick", "sha256"):
-        x, y = a["suite"][field], b["suite"][field]
-        if x != y:
-            fix = {
-                "quick": "a quick result is never comparable with a full one; evaluate without --quick",
-                "sha256": "the definitions of the suite differ; evaluate both with the same version of the package",
-            }.get(field, "evaluate both with the same version of the package")
-            raise QuadrupedError(
-                f"{one} and {other} cannot be compared: suite.{field} is {short(x)} in one and {short(y)} in the "
-                f"other; {fix}"
-            )
-    if a.get("terrain", {}).keys() != b.get("terrain", {}).keys():
-        raise QuadrupedError(f"{one} and {other} cannot be compared: their terrains differ; evaluate both again")
-    for field in sorted({*a["conditions"], *b["conditions"]}):
-        x, y = a["conditions"].get(field), b["conditions"].get(field)
-        if x != y:
-            raise QuadrupedError(
-                f"{one} and {other} cannot be compared: conditions.{field} is {short(x)} in one and {short(y)} in the "
-                f"other; evaluate both on the same robot and with the same version of the package"
-            )
+    """Raise a QuadrupedError if results (by name) differ in suite, version, definition, robot or physics."""
+    (one, a), *others = documents.items()
+    same_version = "evaluate both with the same version of the package"
+    fixes = {
+        **dict.fromkeys(("suite.name", "suite.version"), same_version),
+        "suite.quick": "a quick result is never comparable with a full one; evaluate without --quick",
+        "suite.sha256": f"the definitions of the suite differ; {same_version}",
+    }
+    for other, b in others:
+        for field in sorted({*a["conditions"], *b["conditions"]}):
+            fixes[f"conditions.{field}"] = f"{same_version}, and on the same robot"
+        for name, fix in fixes.items():
+            section, field = name.split(".")
+            x, y = a[section].get(field), b[section].get(field)
+            if x != y:
+                raise QuadrupedError(
+                    f"{one} and {other} cannot be compared: {name} is {short(x)} in one and {short(y)} in the other; "
+                    f"{fix}"
+                )
+        if a.get("terrain", {}).keys() != b.get("terrain", {}).keys():
+            raise QuadrupedError(f"{one} and {other} cannot be compared: their terrains differ; evaluate both again")
 
 
 def ranked(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> list[tuple[str, Mapping[str, Any]]]:
     """Results by their score, the best first; equal scores keep their order."""
     return sorted(documents, key=lambda entry: -entry[1]["score"]["total"])
+
+
+def read_references(path: Path = REFERENCE_FILE) -> list[dict[str, Any]]:
+    """All reference rows; none if the file does not exist, a QuadrupedError if it is damaged."""
+    if not os.path.lexists(path):
+        return []
+    fix = "write it again with tools/suite_references.py"
+    document = read_json(path, fix)
+    rows = document.get("rows") if isinstance(document, dict) else None
+    if not isinstance(rows, list):
+        raise QuadrupedError(f"{path}: expected a list 'rows'; found {short(rows)}; {fix}")
+    for i, row in enumerate(rows):
+        check_results(row, f"{path.name}: row {i + 1}")
+    return rows
+
+
+def references_for(result: Mapping[str, Any], rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Reference rows that may be compared with a result: the same suite, robot and physics."""
+    return [row for row in rows if row["suite"] == result["suite"] and row["conditions"] == result["conditions"]]
+
+
+def score_table(results: list[Mapping[str, Any]]) -> str:
+    """Scores and their components of several results as plain text, in the given order."""
+    scores = (result["score"] for result in results)
+    numbers = [[f"{score['total']:.3f}", *(f"{score['components'][c]:.2f}" for c in COMPONENTS)] for score in scores]
+    rows = [[result["name"], *cells] for result, cells in zip(results, numbers, strict=True)]
+    return text_table([["", "score", *COMPONENTS], *rows])

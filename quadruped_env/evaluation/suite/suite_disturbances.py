@@ -4,13 +4,13 @@ from typing import Any
 
 import numpy as np
 
-from quadruped_env.evaluation.suite.measured_controller import Contender, mean_velocities
-from quadruped_env.evaluation.suite.plain_numbers import mean_of, share
+from quadruped_env.evaluation.confidence import mean_of, proportion
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
 from quadruped_env.evaluation.suite.suite_definition import Disturbances, Factor
 from quadruped_env.utils.progress import Progress, part_of
 
 
-def run(part: Disturbances, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
+def run(part: Disturbances, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
     """Falls and errors of each factor and of all together: name -> plain values."""
     result = {}
     entries = [(factor, part.seeds, part.seconds) for factor in (Factor("nominal", {}), *part.factors)]
@@ -19,19 +19,24 @@ def run(part: Disturbances, contender: Contender, progress: Progress | None = No
     steps = [len(seeds) * seconds for _, seeds, seconds in entries]
     for i, (factor, seeds, seconds) in enumerate(entries):
         share_done = part_of(progress, sum(steps[:i]) / sum(steps), sum(steps[: i + 1]) / sum(steps))
-        result[factor.name] = _measured(part, contender, factor, seeds, seconds, share_done)
+        result[factor.name] = _measured(part, measured, factor, seeds, seconds, share_done)
     return result
 
 
 def _measured(
-    part: Disturbances, contender: Contender, factor: Factor, seeds: range, seconds: float, progress: Progress | None
+    part: Disturbances,
+    measured: MeasuredController,
+    factor: Factor,
+    seeds: range,
+    seconds: float,
+    progress: Progress | None,
 ) -> dict[str, Any]:
-    rollout = contender.run(part.commands, seeds, seconds, progress, randomization=factor.randomization)
+    rollout = measured.run(part.commands, seeds, seconds, progress, randomization=factor.randomization)
     error = mean_velocities(rollout) - rollout.command[0]
     held = (np.abs(error) <= part.tolerance).all(axis=-1) & ~rollout.fallen
     return {
-        "falls": share(rollout.fallen),
-        "held": share(held),
+        "falls": proportion(rollout.fallen).to_dict(),
+        "held": proportion(held).to_dict(),
         "forward_velocity_error": mean_of(np.abs(error[:, 0])),
         "yaw_rate_error": mean_of(np.abs(error[:, 1])),
     }

@@ -7,15 +7,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
+from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.evaluation.rollout import run_episodes
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.plain_numbers import share
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import TerrainPart
 from quadruped_env.simulation import TERRAINS, Tiles, find_terrain
 from quadruped_env.utils.progress import Progress, part_of
 
 
-def run(part: TerrainPart, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
+def run(part: TerrainPart, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
     """Share of crossings by kind and level, as plain values.
 
     Levels are tried in their order. A kind is not tried any further after the first level that is not passed.
@@ -24,9 +24,9 @@ def run(part: TerrainPart, contender: Contender, progress: Progress | None = Non
     left = list(part.kinds)
     for level in range(1, part.levels + 1):
         done = part_of(progress, (level - 1) / part.levels, level / part.levels)
-        crossed = crossings(part, contender, left, level, done)
+        crossed = crossings(part, measured, left, level, done)
         for kind in tuple(left):
-            passed[kind].append(share(crossed[kind]))
+            passed[kind].append(proportion(crossed[kind]).to_dict())
             if crossed[kind].mean() < part.pass_share:
                 left.remove(kind)
         if not left:
@@ -37,11 +37,7 @@ def run(part: TerrainPart, contender: Contender, progress: Progress | None = Non
 
 
 def crossings(
-    part: TerrainPart,
-    contender: Contender,
-    kinds: Sequence[str],
-    level: int,
-    progress: Progress | None = None,
+    part: TerrainPart, measured: MeasuredController, kinds: Sequence[str], level: int, progress: Progress | None = None
 ) -> dict[str, NDArray[np.bool_]]:
     """True for each episode that leaves its tile on its feet and in time: kind -> (S,).
 
@@ -50,7 +46,7 @@ def crossings(
     tiles = find_terrain("tiles", TERRAINS)
     assert isinstance(tiles, Tiles)
     ground = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, part.terrain_seed)
-    config = task_config(contender.controller.action_mode, contender.task([part.command], terrain=ground))
+    config = task_config(measured.controller.action_mode, measured.task([part.command], terrain=ground))
     seeds = np.tile(np.array(part.seeds), len(kinds))
     on = np.repeat([[part.kinds.index(kind), level] for kind in kinds], part.num_seeds, axis=0)
     centre = ground.centres()[on[:, 0], on[:, 1] - 1]
@@ -58,7 +54,7 @@ def crossings(
     crossed, fallen = np.zeros(len(seeds), dtype=np.bool_), np.zeros(len(seeds), dtype=np.bool_)
     command = np.tile(np.array(part.command), (len(seeds), 1))
     for step, (task, transition) in enumerate(
-        run_episodes(contender.controller, command, seeds, steps, config, tiles=on)
+        run_episodes(measured.controller, command, seeds, steps, config, tiles=on)
     ):
         fallen |= transition.terminated & ~crossed
         away = np.abs(task.simulation.readings.base_position[:, :2] - centre).max(axis=1)

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.evaluation.confidence import bootstrap_mean, proportion
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.plain_numbers import mean, share
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Change, Transients
 from quadruped_env.task import Task
 from quadruped_env.utils.progress import Progress
@@ -17,7 +17,7 @@ from quadruped_env.utils.rotations import yaw
 Floats = NDArray[np.float64]
 
 
-def run(part: Transients, contender: Contender, progress: Progress | None = None) -> dict[str, Any]:
+def run(part: Transients, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
     """Measures of each change: name -> plain values."""
     seeds = part.num_seeds
 
@@ -26,7 +26,7 @@ def run(part: Transients, contender: Contender, progress: Progress | None = None
             for i, change in enumerate(part.changes):
                 task.set_command(np.arange(i * seeds, (i + 1) * seeds), change.then)
 
-    rollout = contender.run(
+    rollout = measured.run(
         [change.first for change in part.changes],
         part.seeds,
         part.before + part.after,
@@ -58,14 +58,16 @@ def measures(rollout: Rollout, change: Change, part: Transients) -> dict[str, An
     result = {
         "first": list(change.first),
         "then": list(change.then),
-        "falls": share(rollout.fallen),
-        "followed": share(followed),
-        "settling_time": mean(settling),
-        "overshoot": mean(overshoot),
+        "falls": proportion(rollout.fallen).to_dict(),
+        "followed": proportion(followed).to_dict(),
+        "settling_time": bootstrap_mean(settling).to_dict(),
+        "overshoot": bootstrap_mean(overshoot).to_dict(),
         "score": float(np.where(followed, 1.0 - settling / part.after, 0.0).mean()),
     }
     if not any(change.then):
-        result["stopping_distance"] = mean(np.where(rollout.fallen, np.nan, stopping_distance(rollout, part)))
+        result["stopping_distance"] = bootstrap_mean(
+            np.where(rollout.fallen, np.nan, stopping_distance(rollout, part))
+        ).to_dict()
     return result
 
 
@@ -84,15 +86,10 @@ class StepResponse:
 def step_response(
     velocity: NDArray[Any], wanted: float, part: Transients, dt: float, narrowest: float = 0.0
 ) -> StepResponse:
-    """Settling time and overshoot of a velocity.
+    """Settling time and overshoot of a velocity (T, N) after a commanded change (`wanted`), in the same unit.
 
-    Args:
-        velocity: (T, N), from `before` before the change to `after` after it, m/s or rad/s. The last half window
-            counts only within the means before it.
-        wanted: commanded change, in the same unit.
-        part: times, window and band.
-        dt: time between samples, s.
-        narrowest: least half width of the band, in the unit of the velocity.
+    The velocity is from `part.before` before the change to `part.after` after it, every `dt` seconds; the last half
+    window counts only within the means before it. `narrowest` is the least half width of the band.
     """
     change, half, tail = (round(seconds / dt) for seconds in (part.before, 0.5 * part.window, part.final))
     smooth = centred_mean(velocity, half)
@@ -122,11 +119,3 @@ def stopping_distance(rollout: Rollout, part: Transients) -> Floats:
     heading = yaw(rollout.orientation[change])
     x, y = np.moveaxis((rollout.base_position[-1] - rollout.base_position[change]).astype(np.float64)[..., :2], -1, 0)
     return x * np.cos(heading) + y * np.sin(heading)
-
-
-def score(result: dict[str, Any]) -> float:
-    """Score in [0, 1] of the part: mean over the changes of 1 - settling time / `after`.
-
-    It is 0 for an episode that falls or does not follow.
-    """
-    return float(np.mean([change["score"] for change in result.values()]))

@@ -46,23 +46,12 @@ shadows on itself."""
 
 _UNIT_HEIGHT: Final = 0.184
 """Height of the base in the stance of a robot of size 1, m."""
-_VIEW_AZIMUTH: Final = 115.0
-"""Azimuth of the camera, degrees: the robot walks slightly towards the viewer, and no leg hides another."""
-_VIEW_ELEVATION: Final = -17.0
-"""Elevation of the camera, degrees."""
-_VIEW_DISTANCE: Final = 0.95
-"""Distance of the camera from the point that it looks at, m, for a robot of size 1."""
-_VIEW_HEIGHT: Final = 0.08
-"""Height over the ground of the point that the camera looks at, m, for a robot of size 1: it leaves room for the
-overlay."""
-_FEET_AZIMUTH: Final = 102.0
-"""Azimuth of the camera in a close-up of the feet, degrees."""
-_FEET_ELEVATION: Final = -6.0
-"""Its elevation, degrees."""
-_FEET_DISTANCE: Final = 0.58
-"""Its distance from the point that it looks at, m, for a robot of size 1."""
-_FEET_HEIGHT: Final = 0.05
-"""Height of that point over the ground, m, for a robot of size 1."""
+_VIEW: Final = (115.0, -17.0, 0.95, 0.08)
+"""Azimuth and elevation of the camera in degrees, its distance from the point that it looks at in m, and the height of
+this point over the ground in m, for a robot of size 1. The robot walks slightly towards the viewer, no leg hides
+another, and there is room for the overlay."""
+_FEET_VIEW: Final = (102.0, -6.0, 0.58, 0.05)
+"""The same for a close-up of the feet."""
 _SMOOTHING: Final = 0.25
 """Half the window over which the camera's position is averaged, s: it follows the robot without shaking with each
 stride."""
@@ -141,15 +130,9 @@ def check_opengl() -> None:
 
 
 class Camera:
-    """Renders clips with a camera that follows the robot.
+    """Renders clips with a camera that follows the robot; a QuadrupedError if OpenGL is not available.
 
-    Args:
-        robot: robot of the clips.
-        shadow_size: side of the shadow map, pixels; 0 for no shadow.
-        multisamples: samples per pixel.
-
-    Raises:
-        QuadrupedError: if OpenGL is not available.
+    The shadow map's side is in pixels, 0 for no shadow.
     """
 
     def __init__(self, robot: Robot, shadow_size: int = SHADOW_SIZE, multisamples: int = MULTISAMPLES) -> None:
@@ -189,13 +172,7 @@ class Camera:
         self._renderer.close()
 
     def picture(self, trace: Trace, sample: int, feet: bool = False) -> Picture:
-        """Picture of the robot at one sample (HEIGHT, WIDTH, 3) of a trace of one env, without overlays.
-
-        Args:
-            trace: trace of one env.
-            sample: index of the sample.
-            feet: True for a close-up of the feet.
-        """
+        """Picture of the robot (HEIGHT, WIDTH, 3) at a sample (its index) of a trace of one env, or of its feet."""
         if trace.terrain != self._terrain:
             self.close()
             self._set_up(trace.terrain)
@@ -207,10 +184,9 @@ class Camera:
         mujoco.mj_forward(self._model, self._data)
         centre = smoothed_position(trace, sample)
         size = size_of(self._robot)
-        self._view.elevation = _FEET_ELEVATION if feet else _VIEW_ELEVATION
-        self._view.distance = size * (_FEET_DISTANCE if feet else _VIEW_DISTANCE)
-        self._view.lookat[:] = *centre, size * (_FEET_HEIGHT if feet else _VIEW_HEIGHT)
-        self._view.azimuth = _FEET_AZIMUTH if feet else _VIEW_AZIMUTH
+        self._view.azimuth, self._view.elevation, distance, height = _FEET_VIEW if feet else _VIEW
+        self._view.distance = size * distance
+        self._view.lookat[:] = *centre, size * height
         if self._height_field is not None:
             self._view.lookat[2] += self._height_field.at(centre)
             # The robot of a trace on uneven ground begins with any heading.
@@ -220,21 +196,13 @@ class Camera:
         return picture
 
     def film(self, clip: Clip) -> Iterator[Picture]:
-        """Pictures (HEIGHT, WIDTH, 3) of a clip at `FRAME_RATE`, with overlays.
-
-        Raises:
-            MissingExtraError: if Pillow is not installed.
-        """
+        """Pictures (HEIGHT, WIDTH, 3) of a clip at `FRAME_RATE`, with overlays."""
         overlay = Overlay(clip.title, clip.trace)
         for sample in clip.frame_samples():
             yield overlay.draw(self.picture(clip.trace, sample, clip.feet), sample)
 
     def stills(self, clips: Sequence[Clip], count: int) -> Iterator[Picture]:
-        """Pictures (HEIGHT, WIDTH, 3) that represent a film of clips, with overlays: see `stills`.
-
-        Raises:
-            MissingExtraError: if Pillow is not installed.
-        """
+        """Pictures (HEIGHT, WIDTH, 3) that represent a film of clips, with overlays: see `stills`."""
         for clip, sample in stills(clips, count):
             yield Overlay(clip.title, clip.trace).draw(self.picture(clip.trace, sample, clip.feet), sample)
 

@@ -42,11 +42,7 @@ _QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0))
 
 
 class Overlay:
-    """Draws the overlays on pictures of one clip.
-
-    Args:
-        title: title of the clip.
-        trace: trace of one env; its velocity and contact are drawn if they are known.
+    """Draws the overlays on pictures of one clip: of the quantities that its trace knows.
 
     Raises:
         MissingExtraError: if Pillow is not installed.
@@ -151,12 +147,9 @@ def _bands(robot: Robot) -> list[tuple[int, int]]:
 
 
 def gait_strip(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]:
-    """The gait diagram of a whole trace as a picture: one band per foot, coloured while the foot is on the ground.
+    """The gait diagram of a trace as a picture: one band per foot, coloured while it is on the ground (T, L).
 
-    Args:
-        robot: robot that moves.
-        contact: True for each foot on the ground (T, L).
-        timestep: time between samples, s; `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
+    `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
     """
     columns = max(1, round(len(contact) * timestep / GAIT_SECONDS * _GAIT_WIDTH))
     samples = np.arange(columns) * len(contact) // columns

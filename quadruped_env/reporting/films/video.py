@@ -26,7 +26,7 @@ _OPTIONS: Final = {"crf": "25", "preset": "superfast", "movflags": "+faststart"}
 
 
 def prepare_video(path: Path | None, overwrite: bool = False) -> None:
-    """Check that a video can be written, before any long computation; does nothing without a path.
+    """Check that a video can be written, before any long computation.
 
     Raises:
         MissingExtraError: if a library of the `report` extra is not installed.
@@ -71,12 +71,7 @@ def save_video(path: Path, pictures: Iterable[Picture]) -> None:
 
 
 def encode_mp4(pictures: Iterable[Picture]) -> bytes:
-    """Encode pictures (H, W, 3) with even sides as an H.264 video, which every browser plays.
-
-    Raises:
-        MissingExtraError: if PyAV is not installed.
-        QuadrupedError: if there is no picture, or PyAV was built without the encoder.
-    """
+    """Encode pictures (H, W, 3) with even sides as an H.264 video, which every browser plays."""
     av = _pyav()
     first, pictures = _first(pictures)
     file = io.BytesIO()
@@ -96,25 +91,10 @@ def encode_mp4(pictures: Iterable[Picture]) -> bytes:
     return file.getvalue()
 
 
-def encode_png(picture: Picture) -> bytes:
-    """Encode a picture (H, W, 3) as PNG.
-
-    Raises:
-        MissingExtraError: if Pillow is not installed.
-    """
+def encode_picture(picture: Picture, kind: str, **options: Any) -> bytes:
+    """Encode a picture (H, W, 3) as a kind of file that Pillow writes, with its options."""
     file = io.BytesIO()
-    _pillow().fromarray(picture).save(file, "PNG", optimize=True)
-    return file.getvalue()
-
-
-def encode_webp(picture: Picture) -> bytes:
-    """Encode a picture (H, W, 3) as WebP.
-
-    Raises:
-        MissingExtraError: if Pillow is not installed.
-    """
-    file = io.BytesIO()
-    _pillow().fromarray(picture).save(file, "WEBP", quality=80)
+    _pillow().fromarray(picture).save(file, kind, **options)
     return file.getvalue()
 
 
@@ -153,7 +133,7 @@ def _page_images(pictures: Iterable[Picture]) -> list[Any]:
 def _encode_stills(pictures: Iterable[Picture]) -> bytes:
     """All pictures at half size, side by side."""
     _, pictures = _first(pictures)
-    return encode_png(np.concatenate([halved(picture) for picture in pictures], axis=1))
+    return encode_picture(np.concatenate([halved(picture) for picture in pictures], axis=1), "PNG", optimize=True)
 
 
 def halved(picture: Picture) -> Picture:

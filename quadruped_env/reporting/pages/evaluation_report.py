@@ -4,50 +4,38 @@ import dataclasses
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.comparison import Comparison, words
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.failures import Failure, worst_episodes
 from quadruped_env.evaluation.metrics import WINDOW
-from quadruped_env.evaluation.subject import Subject
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
-from quadruped_env.reporting.pages.page import (
-    circumstances,
-    data_url,
-    figure,
-    leg_legend,
-    tables,
-    task_of,
-    without_nan,
-    words,
-    write_page,
-)
+from quadruped_env.reporting.pages import page
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import section, summary, write_results
 from quadruped_env.reporting.report_directory import prepare_output
 from quadruped_env.sim2sim import transfer_results as sim2sim
 from quadruped_env.utils.progress import Progress
 
-_EPISODE: Final = "The episode is the first one without a fall, or else the longest."
-
 
 def write_report(
-    subject: Subject,
+    evaluated: EvaluatedPolicy,
     comparison: Comparison,
     command_line: str,
     with_video: bool = True,
     progress: Progress | None = None,
     suite: Mapping[str, Any] | None = None,
 ) -> tuple[Path, Path, list[str]]:
-    """Write the report and the numbers into the subject's output directory; existing files are replaced.
+    """Write the report and the numbers into the policy's output directory; existing files are replaced.
 
     Args:
-        subject: policy that was evaluated.
+        evaluated: policy that was evaluated.
         comparison: results of the evaluation.
         command_line: command that reproduces the report.
         with_video: True to render a film, if OpenGL is available.
@@ -61,12 +49,12 @@ def write_report(
         MissingExtraError: if a library of the `report` extra is not installed.
         QuadrupedError: if a file cannot be written, or the run's learning curve cannot be read.
     """
-    prepare_output(subject.output)
+    prepare_output(evaluated.output)
     failures = worst_episodes(comparison)
     rollout = comparison.rollouts["policy"]
     # Rendering and encoding leave the interpreter to another thread, which draws the figures on another core.
     with ThreadPoolExecutor(1) as executor:
-        drawn = executor.submit(_figures, subject, comparison)
+        drawn = executor.submit(_figures, evaluated, comparison)
         of_failures = [executor.submit(plots.episode, comparison, "policy", failure.row) for failure in failures]
         if with_video:
             moments = [(Clip.of_rollout(rollout, failure.row, "").trace, failure) for failure in failures]
@@ -77,35 +65,39 @@ def write_report(
         replay = scene(comparison)
     judged = verdict(comparison, suite)
     if suite is not None:
-        write_results(subject, suite, command_line)
+        write_results(evaluated, suite, command_line)
     document = {
-        **circumstances(command_line),
-        "policy": {"name": subject.name, "card": without_nan(subject.policy.card), "task_file": task_of(subject)},
+        **page.provenance(command_line),
+        "policy": {
+            "name": evaluated.name,
+            "card": page.without_nan(evaluated.policy.card),
+            "task_file": page.task_of(evaluated),
+        },
         "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
-        "worst_episodes": [without_nan(dataclasses.asdict(failure)) for failure in failures],
+        "worst_episodes": [page.without_nan(dataclasses.asdict(failure)) for failure in failures],
         "suite": None if suite is None else summary(suite),
         "config": comparison.config.to_dict(),
         **comparison.to_dict(),
     }
     context = {
-        "name": subject.name,
+        "name": evaluated.name,
         "verdict": judged,
         "video": pictures.video,
         "scene": replay,
         "figures": drawn.result(),
         "suite": None if suite is None else section(suite),
-        "second_engine": _second_engine(subject),
+        "second_engine": _second_engine(evaluated),
         "failures": [_failure(f, pictures, svg.result()) for f, svg in zip(failures, of_failures, strict=True)],
-        **tables(comparison),
+        **page.tables(comparison),
     }
-    report, numbers = write_page(subject.output, "report.html", document, context)
+    report, numbers = page.write_page(evaluated.output, "report.html", document, context)
     missing = [part["missing"] for part in (pictures.video, replay) if "missing" in part]
     return report, numbers, missing if with_video else missing[1:]
 
 
-def _second_engine(subject: Subject) -> dict[str, Any] | None:
+def _second_engine(evaluated: EvaluatedPolicy) -> dict[str, Any] | None:
     """Template variables of the results in a second engine; None if there are none of this policy."""
-    found = sim2sim.load(subject)
+    found = sim2sim.load(evaluated)
     if found is None:
         return None
     transfer, command_line = found
@@ -136,51 +128,29 @@ def _failure(failure: Failure, pictures: Pictures, svg: str) -> dict[str, Any]:
         "stills": pictures.stills.get(failure.row),
         "moment": failure.moment,
         "fell": failure.fell_at is not None,
-        "figure": data_url("image/svg+xml", svg.encode()),
+        "figure": page.data_url("image/svg+xml", svg.encode()),
     }
 
 
-def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
+def _figures(evaluated: EvaluatedPolicy, comparison: Comparison) -> list[dict[str, str]]:
     shown = shown_commands(comparison)
     main, robot = shown.get("forwards", 0), comparison.robot
     command = words(comparison.commands[main])
-    figures = [
-        figure(
-            "Following the command",
-            plots.tracking(comparison),
-            "Mean velocity that each controller reaches, over the commanded velocity. On the dashed line the two are "
-            "equal. Hollow marks are turns while walking. Bars are 95 % confidence intervals; most are smaller than "
-            "the marks.",
-        )
-    ]
+    tracking, cost, gait = page.shared_figures(comparison, main)
+    figures = [tracking]
     if shown.keys() & {"forwards", "turning"}:
         figures.append(
-            figure(
+            page.figure(
                 "Velocity over time",
                 plots.velocity_over_time(comparison, shown.get("forwards"), shown.get("turning")),
-                f"{_EPISODE} Thick lines are means over {WINDOW:g} s; the thin line is the policy's instantaneous "
-                f"velocity, with the oscillation within each stride.",
+                f"The episode is the first one without a fall, or else the longest. Thick lines are means over "
+                f"{WINDOW:g} s; the thin line is the policy's instantaneous velocity, with the oscillation within each "
+                f"stride.",
             )
         )
-    figures.append(
-        figure(
-            "Gait: which feet are on the ground",
-            plots.gait_diagram(comparison, main),
-            f"Bars show when a foot is on the ground. Command: {command}.{leg_legend(robot)}",
-        )
-    )
-    if comparison.conditions("forwards"):
-        figures.append(
-            figure(
-                "Cost of transport over speed",
-                plots.cost_over_speed(comparison),
-                "Energy of the motors per weight and distance (left), and per time (right). Above: electrical, that is "
-                "mechanical energy and heat in the windings; below: mechanical. Each mark is a command; hollow marks "
-                "are backwards. Below 0.05 m/s the cost of transport is undefined.",
-            )
-        )
+    figures += [gait, cost] if comparison.conditions("forwards") else [gait]
     figures += [
-        figure(
+        page.figure(
             "Torque and speed against the motors' limits",
             plots.motor_limits(comparison),
             "The policy, all commands. Above: distribution of torque and speed. Red lines are the motor's limits; a "
@@ -188,18 +158,18 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
             f"maximum (diamond) of each joint, relative to {_span(robot.effort_limit)} N m and "
             f"{_span(robot.velocity_limit)} rad/s.",
         ),
-        figure(
+        page.figure(
             "Joints over time",
             plots.joint_traces(comparison, main),
             f"Position, speed and torque of the policy's joints. Command: {command}. Red lines are the limits.",
         ),
-        figure(
+        page.figure(
             "Foot clearance and slip",
             plots.feet(comparison, main),
             f"Command: {command}. Above: height of the policy's soles over time. Below: the height that a sole exceeds "
             f"5 % of the time, and its sliding speed while it is on the ground.",
         ),
-        figure(
+        page.figure(
             "Reward terms",
             plots.reward_terms(comparison),
             "Weighted terms of the policy's reward, per second. Above: positive terms. Below, on separate scales: "
@@ -207,13 +177,13 @@ def _figures(subject: Subject, comparison: Comparison) -> list[dict[str, str]]:
             "The tuned gait steps with the reward's clock; the tutorial's gait does not.",
         ),
     ]
-    if subject.progress_file is not None:
-        columns = plots.read_progress(subject.progress_file)
+    if evaluated.progress_file is not None:
+        columns = plots.read_progress(evaluated.progress_file)
         if len(columns["timesteps"]) > 1 and any(name in columns for name, _ in plots.LEARNING_CURVES):
             figures.append(
-                figure(
+                page.figure(
                     "Learning curve",
-                    plots.learning_curve({subject.name: columns}),
+                    plots.learning_curve({evaluated.name: columns}),
                     "Measured during training, with exploration noise.",
                 )
             )

@@ -1,7 +1,6 @@
 """Common parts of the HTML pages: templates, tables of numbers, and embedded files."""
 
 import base64
-import datetime
 import json
 import math
 import re
@@ -10,16 +9,18 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.evaluation.comparison import MOTIONS, Command, Comparison
+from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
 from quadruped_env.evaluation.confidence import Estimate
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
-from quadruped_env.evaluation.subject import Subject
 from quadruped_env.policies import task_differences
+from quadruped_env.reporting import plots
 from quadruped_env.reporting.plots.canvas import label
 from quadruped_env.reporting.report_directory import REPORT_FILE
 from quadruped_env.robot import Robot
 from quadruped_env.utils.files import write_json, write_whole
-from quadruped_env.utils.provenance import git_commit, machine, versions
+from quadruped_env.utils.provenance import circumstances
+from quadruped_env.utils.text_table import text_table
 
 METRICS_FILE: Final = "metrics.json"
 FORMAT_VERSION: Final = 3
@@ -45,10 +46,7 @@ def summary_table(comparison: Comparison) -> str:
         cells = [_cell(metric, comparison.estimate(name, metric, motion)) for name in comparison.values]
         texts = [c["mean"] if c["mean"] == "-" else f"{c['mean']} [{c['low']}, {c['high']}]" for c in cells]
         rows.append([f"{title} ({unit})" if unit else title, *texts])
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    return "\n".join(
-        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
-    )
+    return text_table(rows, left=len(rows[0]))
 
 
 def _summary_rows(comparison: Comparison) -> list[tuple[str, str, str | None]]:
@@ -90,17 +88,6 @@ def _cell(metric: str, estimate: Estimate) -> dict[str, str]:
     return {"mean": show(estimate.mean), "low": show(estimate.low), "high": show(estimate.high)}
 
 
-def words(command: Command) -> str:
-    """A velocity command in words, such as `0.4 m/s and 0.2 rad/s`."""
-    forward, yaw_rate = command
-    if not forward and not yaw_rate:
-        return "stand"
-    parts = [f"{forward:g} m/s"] if forward or not yaw_rate else []
-    if yaw_rate:
-        parts.append(f"{yaw_rate:g} rad/s")
-    return " and ".join(parts)
-
-
 def _description(robot: Robot) -> str:
     """A sentence that introduces a robot and its task."""
     return (
@@ -110,36 +97,51 @@ def _description(robot: Robot) -> str:
     )
 
 
-def task_of(subject: Subject) -> dict[str, Any] | None:
+def task_of(evaluated: EvaluatedPolicy) -> dict[str, Any] | None:
     """The user's file that a policy was trained with: name, hash, text, differences of the task here; None without."""
-    file = subject.task_file
+    file = evaluated.task_file
     if file is None:
         return None
     text = file.content.decode(errors="replace")
-    return {**file.to_dict(), "text": text, "differences": task_differences(subject.policy)}
+    return {**file.to_dict(), "text": text, "differences": task_differences(evaluated.policy)}
 
 
-def leg_legend(robot: Robot) -> str:
-    """A sentence that explains names of legs made of a letter for the side and one for the end; empty for others."""
-    known = all(len(name) == 2 and name[0] in "LR" and name[1] in "FH" for name in robot.leg_names)
-    return " L and R: left and right; F and H: front and hind." if known else ""
-
-
-def circumstances(command_line: str) -> dict[str, Any]:
-    """Provenance of a document: command line, time, machine, versions and commit."""
-    return {
-        "format_version": FORMAT_VERSION,
-        "command_line": command_line,
-        "time": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
-        "machine": machine(),
-        "versions": versions(),
-        "commit": git_commit(),
-    }
+def provenance(command_line: str) -> dict[str, Any]:
+    """First fields of a document of numbers: its format, and where it comes from."""
+    return {"format_version": FORMAT_VERSION, **circumstances(command_line)}
 
 
 def figure(title: str, svg: str, caption: str, text: str = "") -> dict[str, str]:
     """Template variables of a figure: title, SVG document as a data URL, caption, and introductory text."""
     return {"title": title, "source": data_url("image/svg+xml", svg.encode()), "caption": caption, "text": text}
+
+
+def shared_figures(comparison: Comparison, command: int) -> list[dict[str, str]]:
+    """Figures of all controllers: tracking, cost of transport, and the gait under one command (its index)."""
+    names = comparison.robot.leg_names
+    known = all(len(name) == 2 and name[0] in "LR" and name[1] in "FH" for name in names)
+    legs = " L and R: left and right; F and H: front and hind." if known else ""
+    return [
+        figure(
+            "Following the command",
+            plots.tracking(comparison),
+            "Mean velocity that each controller reaches, over the commanded velocity. On the dashed line the two are "
+            "equal. Hollow marks are turns while walking. Bars are 95 % confidence intervals; most are smaller than "
+            "the marks.",
+        ),
+        figure(
+            "Cost of transport over speed",
+            plots.cost_over_speed(comparison),
+            "Energy of the motors per weight and distance (left), and per time (right). Above: electrical, that is "
+            "mechanical energy and heat in the windings; below: mechanical. Each mark is a command; hollow marks are "
+            "backwards. Below 0.05 m/s the cost of transport is undefined.",
+        ),
+        figure(
+            "Gait: which feet are on the ground",
+            plots.gait_diagram(comparison, command),
+            f"Bars show when a foot is on the ground. Command: {words(comparison.commands[command])}.{legs}",
+        ),
+    ]
 
 
 def data_url(kind: str, content: bytes) -> str:
@@ -157,19 +159,9 @@ def without_nan(value: Any) -> Any:
 
 
 def write_page(output: Path, template: str, document: dict[str, Any], context: dict[str, Any]) -> tuple[Path, Path]:
-    """Write a report and its numbers into a directory; existing files are replaced.
+    """Write a report and its numbers into a directory, and return both files; existing ones are replaced.
 
-    Args:
-        output: directory.
-        template: file name of the template.
-        document: JSON-serializable numbers, also passed to the template as `document`.
-        context: other template variables.
-
-    Returns:
-        The paths of the report and of the numbers.
-
-    Raises:
-        QuadrupedError: if a file cannot be written.
+    The document of JSON-serializable numbers is also the template's variable `document`.
     """
     report, numbers = output / REPORT_FILE, output / METRICS_FILE
     write_json(numbers, document)
@@ -178,12 +170,7 @@ def write_page(output: Path, template: str, document: dict[str, Any], context: d
 
 
 def write_html(path: Path, template: str, context: dict[str, Any]) -> None:
-    """Render a template to a file; an existing file is replaced.
-
-    Raises:
-        MissingExtraError: if jinja2 is not installed.
-        QuadrupedError: if the file cannot be written.
-    """
+    """Render a template to a file; an existing file is replaced. A MissingExtraError if jinja2 is not installed."""
     try:
         from jinja2 import Environment, FileSystemLoader, StrictUndefined
     except ImportError as error:

@@ -7,14 +7,14 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison
+from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
 from quadruped_env.evaluation.failures import Failure
 from quadruped_env.evaluation.metrics import START_UP
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.films.film import Camera, Clip, Picture
 from quadruped_env.reporting.films.overlay import AVERAGED
-from quadruped_env.reporting.films.video import encode_mp4, encode_webp, halved
-from quadruped_env.reporting.pages.page import data_url, words
+from quadruped_env.reporting.films.video import encode_mp4, encode_picture, halved
+from quadruped_env.reporting.pages.page import data_url
 from quadruped_env.reporting.pages.replay_scene import scene_html
 from quadruped_env.utils.progress import Progress
 
@@ -84,10 +84,7 @@ def _episode(comparison: Comparison, command: int, seconds: float, controller: s
 
 
 def take_pictures(
-    clips: Sequence[Clip],
-    shown: str,
-    failures: Sequence[tuple[Trace, Failure]] = (),
-    progress: Progress | None = None,
+    clips: Sequence[Clip], shown: str, failures: Sequence[tuple[Trace, Failure]] = (), progress: Progress | None = None
 ) -> Pictures:
     """Render a film of clips, which `shown` describes in the caption, and stills of failures, if OpenGL works."""
     try:
@@ -114,7 +111,7 @@ def still_samples(trace: Trace, failure: Failure) -> list[int]:
 def _stills(camera: Camera, trace: Trace, failure: Failure) -> str:
     """Pictures before a fall, or around the largest error, side by side at half size."""
     strip: list[Picture] = [halved(camera.picture(trace, s)[_STILL_CROP]) for s in still_samples(trace, failure)]
-    return data_url("image/webp", encode_webp(np.concatenate(strip, axis=1)))
+    return data_url("image/webp", encode_picture(np.concatenate(strip, axis=1), "WEBP", quality=80))
 
 
 def scene(comparison: Comparison) -> dict[str, Any]:

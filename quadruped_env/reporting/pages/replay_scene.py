@@ -12,15 +12,9 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.reporting.films.film import FRAME_RATE, Clip, size_of, smoothed_position
-from quadruped_env.reporting.ground_mesh import (
-    add_floor,
-    floor_offset,
-    ground_mesh,
-    set_up_scene,
-    use_film_colours,
-)
+from quadruped_env.reporting.ground_mesh import floor_offset, ground_mesh, robot_scene
 from quadruped_env.simulation import build_model
-from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS, HeightField
+from quadruped_env.simulation.height_field import HeightField
 
 _CAMERA: Final = (0.65, -0.85, 0.42)
 """Camera position relative to a robot of size 1, m: the robot walks slightly towards the viewer."""
@@ -38,27 +32,20 @@ def scene_html(clip: Clip) -> str:
         MissingExtraError: if viser or mjviser is not installed.
     """
     try:
+        import mjviser  # noqa: F401
         import viser
-        from mjviser import ViserMujocoScene
     except ImportError as error:
         raise MissingExtraError("The 3D replay", "viewer") from error
 
     trace = clip.trace
     model = build_model(terrain=trace.terrain, robot=trace.robot)
     field = HeightField.of(model)
-    if field is not None:
-        model.geom(GROUND).rgba[3] = 0.0  # drawn as a mesh of its part around the robot's path
     data = mujoco.MjData(model)
     # Suppress viser's banner: its URL is of no use, because the server stops at once.
     with contextlib.redirect_stdout(io.StringIO()):
         server = viser.ViserServer(host="127.0.0.1", port=_PORT, verbose=False)
     try:
-        use_film_colours(model)
-        scene = ViserMujocoScene(server, model, num_envs=1)
-        scene.camera_tracking_enabled = False
-        set_up_scene(server)
-        plane = model.geom(GROUND if field is None else SURROUNDINGS)
-        add_floor(server, f"/fixed_bodies/world/{plane.name}", float(plane.pos[2]))  # in place of the grid of mjviser
+        scene = robot_scene(server, model)
         size = size_of(trace.robot)
         server.initial_camera.position = tuple(size * value for value in _CAMERA)
         server.initial_camera.look_at = tuple(size * value for value in _LOOK_AT)

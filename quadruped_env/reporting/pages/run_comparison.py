@@ -8,44 +8,35 @@ from typing import Any
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
-from quadruped_env.evaluation.subject import Subject, find_subject
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
-from quadruped_env.reporting.pages.page import (
-    circumstances,
-    figure,
-    leg_legend,
-    tables,
-    task_of,
-    without_nan,
-    words,
-    write_page,
-)
+from quadruped_env.reporting.pages import page
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
 from quadruped_env.reporting.report_directory import prepare_output
 from quadruped_env.utils.progress import Progress
 
 
-def find_subjects(
+def find_policies(
     runs: Sequence[str], output: Path, task_file: Path | None = None, trust_task: bool = False
-) -> dict[str, Subject]:
+) -> dict[str, EvaluatedPolicy]:
     """Find policies by name or directory: name -> policy.
 
     Raises:
         QuadrupedError: if there are fewer than two, two have the same name, or one is missing or damaged.
     """
-    subjects: dict[str, Subject] = {}
+    policies: dict[str, EvaluatedPolicy] = {}
     for run in runs:
-        subject = find_subject(run, output, task_file, trust_task)
-        if subject.name in subjects:
-            raise QuadrupedError(f"{run}: a policy called {subject.name!r} is named before; name each one once")
-        subjects[subject.name] = subject
-    if len(subjects) < 2:
-        raise QuadrupedError(f"expected at least two runs to compare; found {len(subjects)}")
-    return subjects
+        evaluated = find_policy(run, output, task_file, trust_task)
+        if evaluated.name in policies:
+            raise QuadrupedError(f"{run}: a policy called {evaluated.name!r} is named before; name each one once")
+        policies[evaluated.name] = evaluated
+    if len(policies) < 2:
+        raise QuadrupedError(f"expected at least two runs to compare; found {len(policies)}")
+    return policies
 
 
 def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[str]:
@@ -94,7 +85,7 @@ def _agreed(names: Sequence[str], one: str, many: str) -> str:
 
 
 def write_comparison(
-    subjects: Mapping[str, Subject],
+    policies: Mapping[str, EvaluatedPolicy],
     comparison: Comparison,
     output: Path,
     command_line: str,
@@ -110,27 +101,27 @@ def write_comparison(
         MissingExtraError, QuadrupedError: as `evaluation_report.write_report`.
     """
     prepare_output(output)
-    names = list(subjects)
+    names = list(policies)
     judged = {name: verdict(comparison.seen_as(name)) for name in names}
     head = headline(comparison, names)
-    terms = reward_terms(subjects, comparison)
+    terms = reward_terms(policies, comparison)
     if with_video:
         shown = f"{', then '.join(names)}, each under the same commands"
         video = take_pictures(films(comparison, names), shown, progress=progress).video
     else:
         video = {"missing": "No video: it was switched off."}
     document = {
-        **circumstances(command_line),
+        **page.provenance(command_line),
         "headline": head,
         "suite": ranked,
         "policies": {
             name: {
-                "card": without_nan(subject.policy.card),
-                "task_file": task_of(subject),
-                "reward_terms": without_nan(terms[name]),
+                "card": page.without_nan(evaluated.policy.card),
+                "task_file": page.task_of(evaluated),
+                "reward_terms": page.without_nan(terms[name]),
                 "verdict": {"level": judged[name].level, "headline": judged[name].headline},
             }
-            for name, subject in subjects.items()
+            for name, evaluated in policies.items()
         },
         **comparison.to_dict(),
     }
@@ -139,13 +130,13 @@ def write_comparison(
         "headline": head,
         "verdicts": judged,
         "reward_terms": _term_rows(terms),
-        "diffs": _diffs(subjects),
+        "diffs": _diffs(policies),
         "ranking": None if ranked is None else _ranking(ranked),
         "video": video,
-        "figures": _figures(subjects, comparison),
-        **tables(comparison),
+        "figures": _figures(policies, comparison),
+        **page.tables(comparison),
     }
-    report, numbers = write_page(output, "comparison.html", document, context)
+    report, numbers = page.write_page(output, "comparison.html", document, context)
     return report, numbers, [video["missing"]] if with_video and "missing" in video else []
 
 
@@ -154,9 +145,7 @@ def _ranking(found: Mapping[str, Any]) -> dict[str, Any]:
     return {
         "words": ranking_in_words(found),
         "components": COMPONENTS,
-        "scores": score_rows(
-            [(entry["name"], {"score": entry}) for entry in found["policies"]],
-        ),
+        "scores": score_rows([(entry["name"], {"score": entry}) for entry in found["policies"]]),
         "recipes": [
             {
                 "names": listed([run["name"] for run in recipe["runs"]]),
@@ -170,11 +159,13 @@ def _ranking(found: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def reward_terms(subjects: Mapping[str, Subject], comparison: Comparison) -> dict[str, dict[str, dict[str, float]]]:
+def reward_terms(
+    policies: Mapping[str, EvaluatedPolicy], comparison: Comparison
+) -> dict[str, dict[str, dict[str, float]]]:
     """Policy -> reward term of its task -> weight, and weighted mean per second over all commands (NaN: it falls)."""
     means, found = plots.mean_terms(comparison, None), {}
-    for name, subject in subjects.items():
-        weights, names = subject.policy.config.reward.weights, comparison.rollouts[name].term_names
+    for name, evaluated in policies.items():
+        weights, names = evaluated.policy.config.reward.weights, comparison.rollouts[name].term_names
         values = means[name].tolist() if name in means else [math.nan] * len(names)
         found[name] = {
             term: {"weight": weights[term], "per_second": value} for term, value in zip(names, values, strict=True)
@@ -195,12 +186,12 @@ def _term_rows(terms: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[d
     return [{"label": term, "cells": [cell(own.get(term)) for own in terms.values()]} for term in every]
 
 
-def _diffs(subjects: Mapping[str, Subject]) -> list[dict[str, str]]:
+def _diffs(policies: Mapping[str, EvaluatedPolicy]) -> list[dict[str, str]]:
     """Unified differences of the task files that the runs keep, each from that of the first such run."""
     texts = {
         f"{name}/{file.name}": file.content.decode(errors="replace").splitlines()
-        for name, subject in subjects.items()
-        if (file := subject.task_file) is not None and file.content
+        for name, evaluated in policies.items()
+        if (file := evaluated.task_file) is not None and file.content
     }
     found = []
     for name in list(texts)[1:]:
@@ -215,47 +206,23 @@ def films(comparison: Comparison, names: Sequence[str]) -> list[Clip]:
     return [clip for name in names for clip in filmed(comparison, name)]
 
 
-def _figures(subjects: Mapping[str, Subject], comparison: Comparison) -> list[dict[str, str]]:
-    shown = shown_commands(comparison)
-    main = shown.get("forwards", 0)
-    figures = [
-        figure(
-            "Following the command",
-            plots.tracking(comparison),
-            "Mean velocity that each controller reaches, over the commanded velocity. On the dashed line the two are "
-            "equal. Hollow marks are turns while walking. Bars are 95 % confidence intervals.",
-        ),
-        figure(
-            "Cost of transport over speed",
-            plots.cost_over_speed(comparison),
-            "Energy of the motors per weight and distance (left), and per time (right). Above: electrical, that is "
-            "mechanical energy and heat in the windings; below: mechanical. Each mark is a command; hollow marks are "
-            "backwards.",
-        ),
-        figure(
-            "Gait: which feet are on the ground",
-            plots.gait_diagram(comparison, main),
-            f"Bars show when a foot is on the ground. Command: {words(comparison.commands[main])}."
-            f"{leg_legend(comparison.robot)}",
-        ),
-    ]
+def _figures(policies: Mapping[str, EvaluatedPolicy], comparison: Comparison) -> list[dict[str, str]]:
+    figures = page.shared_figures(comparison, shown_commands(comparison).get("forwards", 0))
     curves = {
-        name: plots.read_progress(subject.progress_file)
-        for name, subject in subjects.items()
-        if subject.progress_file is not None
+        name: plots.read_progress(evaluated.progress_file)
+        for name, evaluated in policies.items()
+        if evaluated.progress_file is not None
     }
     if curves:
         figures.append(
-            figure(
-                "Learning curves",
-                plots.learning_curve(curves),
-                "Measured during training, with exploration noise.",
+            page.figure(
+                "Learning curves", plots.learning_curve(curves), "Measured during training, with exploration noise."
             )
         )
         by_term = plots.term_curves(curves)
         if by_term is not None:
             figures.append(
-                figure(
+                page.figure(
                     "Learning curves by reward term",
                     by_term,
                     "Weighted terms of the reward per second, each with the weight of its run, during training.",

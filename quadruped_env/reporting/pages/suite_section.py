@@ -5,13 +5,20 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.subject import Subject
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.suite.aggregate import aggregate
 from quadruped_env.evaluation.suite.findings import direction_in_words
-from quadruped_env.evaluation.suite.gait_measures import PER_FOOT, UNITS
-from quadruped_env.evaluation.suite.references import read_references, references_for
-from quadruped_env.evaluation.suite.suite import COMPONENTS, RESULTS_FILE, check_comparable, ranked, read_results
-from quadruped_env.reporting.pages.page import circumstances, figure, without_nan
+from quadruped_env.evaluation.suite.gait_measures import PER_FOOT
+from quadruped_env.evaluation.suite.suite import (
+    COMPONENTS,
+    RESULTS_FILE,
+    check_comparable,
+    ranked,
+    read_references,
+    read_results,
+    references_for,
+)
+from quadruped_env.reporting.pages.page import figure, provenance, without_nan
 from quadruped_env.reporting.plots import suite_plots as plots
 from quadruped_env.utils.files import write_json
 
@@ -35,39 +42,33 @@ _OF_FEET: Final[dict[str, Callable[[list[float]], float]]] = {
 }
 """Measure -> value of all feet; for the others it is the largest."""
 
-assert _GAIT_ROWS.keys() == UNITS.keys()
-
 
 def summary(result: Mapping[str, Any]) -> dict[str, Any]:
     """The part of a result that is stored in metrics.json: suite, conditions and score."""
     return {**result["suite"], "conditions": result["conditions"], "score": result["score"], "file": RESULTS_FILE}
 
 
-def write_results(subject: Subject, result: Mapping[str, Any], command_line: str) -> Path:
-    """Write a policy's results of the suite into the subject's output directory.
-
-    Raises:
-        QuadrupedError: if the file cannot be written.
-    """
-    path = subject.output / RESULTS_FILE
-    policy = {"name": subject.name, "card": without_nan(subject.policy.card)}
-    write_json(path, {**circumstances(command_line), "policy": policy, **result})
+def write_results(evaluated: EvaluatedPolicy, result: Mapping[str, Any], command_line: str) -> Path:
+    """Write a policy's results of the suite into the policy's output directory."""
+    path = evaluated.output / RESULTS_FILE
+    policy = {"name": evaluated.name, "card": without_nan(evaluated.policy.card)}
+    write_json(path, {**provenance(command_line), "policy": policy, **result})
     return path
 
 
-def results_of(subject: Subject) -> dict[str, Any]:
+def results_of(evaluated: EvaluatedPolicy) -> dict[str, Any]:
     """A policy's results of the suite, from the default directory of its evaluation.
 
     Raises:
         QuadrupedError: if there are no results, or they are those of another policy.
     """
-    path = subject.evaluation / RESULTS_FILE
-    fix = f"evaluate it first: mini-quadruped evaluate {subject.source} --suite"
+    path = evaluated.evaluation / RESULTS_FILE
+    fix = f"evaluate it first: mini-quadruped evaluate {evaluated.source} --suite"
     if not path.is_file():
-        raise QuadrupedError(f"{path}: there are no results of the suite for {subject.name}; {fix}")
+        raise QuadrupedError(f"{path}: there are no results of the suite for {evaluated.name}; {fix}")
     result = read_results(path)
-    if result.get("policy", {}).get("card") != without_nan(subject.policy.card):
-        raise QuadrupedError(f"{path}: holds the results of another policy than {subject.name}; {fix}")
+    if result.get("policy", {}).get("card") != without_nan(evaluated.policy.card):
+        raise QuadrupedError(f"{path}: holds the results of another policy than {evaluated.name}; {fix}")
     return result
 
 
@@ -93,21 +94,19 @@ def section(result: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def ranking(subjects: Mapping[str, Subject]) -> dict[str, Any]:
-    """Ranking of several policies on the suite, as plain values.
+def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
+    """Ranking of several policies on the suite, as plain values: `suite`, `policies` (the best first) and `recipes`.
 
-    Returns:
-        `suite`, `policies` (name, score and components, the best first), and `recipes`, the aggregate of each group of
-        runs that differ in their training seed only.
+    A recipe is the aggregate of a group of runs that differ in their training seed only.
 
     Raises:
         QuadrupedError: if a policy has no results, or they cannot be compared.
     """
-    results = {name: results_of(subject) for name, subject in subjects.items()}
+    results = {name: results_of(evaluated) for name, evaluated in policies.items()}
     check_comparable(results)
     groups: dict[str, list[str]] = {}
-    for name, subject in subjects.items():
-        groups.setdefault(subject.recipe, []).append(name)
+    for name, evaluated in policies.items():
+        groups.setdefault(evaluated.recipe, []).append(name)
     order = ranked(list(results.items()))
     return {
         "suite": order[0][1]["suite"],

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.evaluation.suite.suite import COMPONENTS
-from quadruped_env.reporting.pages.page import circumstances, figure, write_html
+from quadruped_env.reporting.pages.page import figure, provenance, write_html
 from quadruped_env.reporting.pages.suite_section import interval
 from quadruped_env.reporting.plots import sweep_plots as plots
 from quadruped_env.reporting.plots.learning_plots import read_progress
@@ -18,14 +18,7 @@ SHOWN_TRIALS: Final = 200
 
 
 def write_sweep_report(folder: Path, results: Mapping[str, Any]) -> Path:
-    """Write report.html into a sweep's directory; an existing one is replaced.
-
-    Args:
-        folder: the sweep's directory.
-        results: results of the sweep, as in its results.json.
-
-    Returns:
-        The path of the report.
+    """Write report.html for the results of a sweep into its directory, and return it; an existing one is replaced.
 
     Raises:
         MissingExtraError: if a library of the `report` extra is not installed.
@@ -37,7 +30,7 @@ def write_sweep_report(folder: Path, results: Mapping[str, Any]) -> Path:
     scored.sort(key=lambda entry: -float(entry["suite"]["score"]["mean"]))
     definition = results["definition"]
     context = {
-        "document": {**circumstances(results["command"]), "states": results["states"]},
+        "document": {**provenance(results["command"]), "states": results["states"]},
         "name": folder.resolve().name,
         "headline": _headline(results),
         "measure": {"quick": "the quick suite", "suite": "the full suite", "none": "nothing"}[definition["score"]],

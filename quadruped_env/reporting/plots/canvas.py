@@ -45,9 +45,11 @@ def draw_figure(
     return file.getvalue()
 
 
-def legend_above(figure: Any, handles: Iterable[Any], names: Iterable[str], columns: int, **options: Any) -> None:
-    """Draw a legend above the axes, with fewer columns than wanted where long names would leave the figure."""
-    handles, names = list(handles), list(names)
+def legend_above(figure: Any, columns: int, reverse: bool = False, **options: Any) -> None:
+    """Draw the legend of all axes above them, with fewer columns where long names would leave the figure."""
+    entries = [entry for ax in figure.axes for entry in zip(*ax.get_legend_handles_labels(), strict=True)]
+    by_name = {name: handle for handle, name in (reversed(entries) if reverse else entries)}
+    handles, names = list(by_name.values()), list(by_name)
     for count in range(columns, 0, -1):
         legend = figure.legend(handles, names, loc="outside upper center", ncols=count, **options)
         if count == 1 or legend.get_window_extent().width <= figure.bbox.width:
@@ -83,19 +85,8 @@ def controller_styles(controllers: Iterable[str]) -> dict[str, dict[str, Any]]:
     return found
 
 
-def colour_of(controller: str, controllers: Iterable[str]) -> str:
-    """Colour of a controller in a figure of several."""
-    return str(controller_styles(controllers)[controller]["color"])
-
-
 def shown_samples(valid: NDArray[np.bool_], timestep: float, seconds: float) -> NDArray[np.intp]:
-    """Indices of the samples to plot: `seconds` from the end of the start-up, or earlier if the robot falls early.
-
-    Args:
-        valid: True until the fall, of one episode (T, 1).
-        timestep: time between samples, s.
-        seconds: time span to plot, s.
-    """
+    """Indices of the samples to plot of an episode: `seconds` from the end of the start-up, earlier for early falls."""
     alive = int(valid[:, 0].sum())
     length = round(seconds / timestep)
     start = max(0, min(round(START_UP / timestep), alive - length))

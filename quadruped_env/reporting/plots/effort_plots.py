@@ -53,8 +53,7 @@ def cost_over_speed(comparison: Comparison) -> str:
             ax.set(xlabel="speed reached (m/s)" if ax in axes[-1] else "", ylabel=quantity)
             ax.set_ylim(bottom=0.0)
             ax.set_xlim(left=-0.02)
-        handles, names = axes[0, 1].get_legend_handles_labels()
-        legend_above(axes[0, 0].figure, handles, names, columns=3, handletextpad=0.4)
+        legend_above(axes[0, 0].figure, columns=3, handletextpad=0.4)
 
     return draw_figure(2, 2, 4.8, draw)
 
@@ -156,8 +155,7 @@ def reward_terms(comparison: Comparison) -> str:
                 ax.set_xlabel("reward (1/s)")
         for ax, motion in zip(axes[0], motions, strict=True):
             ax.set_title(motion or "")
-        handles, labels = axes[0, 0].get_legend_handles_labels()
-        legend_above(axes[0, 0].figure, handles, labels, columns=3, handletextpad=0.4)
+        legend_above(axes[0, 0].figure, columns=3, handletextpad=0.4)
 
     ratios = [len(group) + 1.5 for group in groups]
     return draw_figure(len(groups), len(motions), 0.9 + 0.24 * sum(ratios), draw, height_ratios=ratios)

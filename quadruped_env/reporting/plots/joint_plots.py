@@ -36,12 +36,7 @@ def joint_panels(
 ) -> str:
     """One panel per joint: one row per leg, with its joints from the base outwards, and a last row of other joints.
 
-    Args:
-        robot: robot of the joints.
-        lines: title -> line.
-        label: label of the vertical axes, with its unit.
-        limits: minimum and maximum of each joint (J,); drawn where they are within the range of the data.
-        mark: time to mark, s.
+    Limits (J,) are drawn where they are within the range of the data; `mark` is a time to mark, s.
     """
     on_legs = {joint for leg in robot.leg_joints for joint in leg}
     others = tuple(joint for joint in range(robot.num_joints) if joint not in on_legs)

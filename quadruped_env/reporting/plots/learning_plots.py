@@ -69,8 +69,7 @@ def term_curves(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> st
         for ax in axes.flat[: len(columns)][-2:]:
             ax.tick_params(labelbottom=True)
             ax.set_xlabel("time steps (millions)")
-        handles = {name: line for ax in axes.flat for line, name in zip(*ax.get_legend_handles_labels(), strict=True)}
-        legend_above(axes[0, 0].figure, handles.values(), handles.keys(), columns=2)
+        legend_above(axes[0, 0].figure, columns=2)
 
     return draw_figure(rows, 2, 0.7 + 0.9 * rows, draw, sharex=True)
 
@@ -98,7 +97,6 @@ def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) ->
                 ax.set_ylim(bottom=0.0)
         axes[-1, 0].set_xlabel("time steps (millions)")
         if len(progress) > 1:
-            handles, labels = axes[0, 0].get_legend_handles_labels()
-            legend_above(axes[0, 0].figure, handles, labels, columns=2)
+            legend_above(axes[0, 0].figure, columns=2)
 
     return draw_figure(len(curves), 1, 0.5 + 1.3 * len(curves), draw, sharex=True)

@@ -95,13 +95,7 @@ def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
 
 
 def joint_traces(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
-    """Position, speed and torque of the policy's joints with their limits, after the start-up: one column per kind.
-
-    Args:
-        comparison: results to plot.
-        command: index of the command.
-        seconds: time span to plot, s.
-    """
+    """Position, speed and torque of the policy's joints with their limits, after the start-up: one column per kind."""
     one = comparison.rollouts["policy"].select([comparison.episode(command)])
     samples = shown_samples(one.valid, one.timestep, seconds)
     time = (samples + 1) * one.timestep

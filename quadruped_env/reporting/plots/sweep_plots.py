@@ -59,12 +59,7 @@ def median_curve(
 
 
 def parallel_coordinates(settings: Sequence[Mapping[str, Any]], space: Mapping[str, Mapping[str, Any]]) -> str:
-    """Settings as lines over the fields that vary and the score.
-
-    Args:
-        settings: each with `values` and `score`.
-        space: field -> `choices`, or `low`, `high` and `log`.
-    """
+    """Settings, each with `values` and `score`, as lines over the fields of a space and the score."""
     names = [*space, "score"]
     scores = np.array([entry["score"] for entry in settings])
     low, high = float(scores.min()), float(scores.max())

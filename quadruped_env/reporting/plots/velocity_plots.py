@@ -49,8 +49,7 @@ def tracking(comparison: Comparison) -> str:
                             label=None if hollow else label(controller),
                         )
             ax.set(title=quantity, xlabel="commanded", ylabel="achieved")
-        handles, names = axes[0, 0].get_legend_handles_labels()
-        legend_above(axes[0, 0].figure, handles, names, columns=3, handletextpad=0.4)
+        legend_above(axes[0, 0].figure, columns=3, handletextpad=0.4)
 
     return draw_figure(1, len(panels), 3.1 + 0.18 * (len(styles) // 3), draw)
 
@@ -78,8 +77,7 @@ def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_a
             ax.axhline(target[column], **REFERENCE, label="command")
             ax.set_title(f"command: {target[0]:g} m/s and {target[1]:g} rad/s")
             ax.set_ylabel("yaw rate (rad/s)" if column else "forward velocity (m/s)")
-        handles, labels = axes[0, 0].get_legend_handles_labels()
-        legend_above(axes[0, 0].figure, handles[::-1], labels[::-1], columns=3)
+        legend_above(axes[0, 0].figure, columns=3, reverse=True)
         axes[-1, 0].set_xlabel("time (s)")
 
     return draw_figure(len(panels), 1, 1.0 + 1.9 * len(panels), draw, sharex=True)

@@ -23,6 +23,8 @@ _OUTPUT_GAIN = {"actor": 0.01, "critic": 1.0}
 _VALUE_LOSS = 0.5
 """Weight of the value function's loss, that of Stable-Baselines3."""
 _ADAM_EPS = 1e-5
+_ACTIVATIONS = {"leaky_relu": "lrelu", "silu": "swish"}
+"""Names of activation functions in rsl-rl, where they differ."""
 
 
 class Network(MLPModel):
@@ -146,7 +148,8 @@ def make_ppo(config: TrainConfig, env: WarpVecEnv, group: Group = ALONE) -> Nati
         "init_std": math.exp(config.log_std_init),
         "std_type": "log",
     }
-    common: dict[str, Any] = {"hidden_dims": config.hidden, "activation": config.activation}
+    activation = _ACTIVATIONS.get(config.activation, config.activation)
+    common: dict[str, Any] = {"hidden_dims": config.hidden, "activation": activation}
     own: dict[str, Any] = {"distribution_cfg": gaussian, **common, **_mirror(config, env, False)}
     actor = Network(observations, groups, "actor", env.num_actions, **own)
     critic = Network(observations, groups, "critic", 1, **common, **_mirror(config, env, True))

@@ -91,9 +91,13 @@ class Dimension:
         return f"{self.field}={self.low:g}..{self.high:g}{':log' if self.log else ''}"
 
 
+def _are_widths(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(entry, int) for entry in value)
+
+
 def shown(value: Any) -> str:
     """A value in words and tables: widths of layers as 64x64, other values as JSON."""
-    if isinstance(value, (list, tuple)) and value and all(isinstance(entry, int) for entry in value):
+    if _are_widths(value):
         return "x".join(map(str, value))
     if isinstance(value, float):
         return f"{value:.4g}"
@@ -188,7 +192,7 @@ def _unknown(option: str, name: str, found: str, known: Sequence[str], where: st
 
 def _listed(where: str, text: str, default: Any) -> Sequence[Any]:
     """Choices as typed on the command line, separated by commas."""
-    if not isinstance(default, (str, tuple)):
+    if not isinstance(default, str) and not _are_widths(default):
         with contextlib.suppress(ValueError):
             listed: Sequence[Any] = of_json(json.loads(f"[{text}]"))
             return listed
@@ -200,7 +204,7 @@ def _listed(where: str, text: str, default: Any) -> Sequence[Any]:
 
 def _typed(where: str, text: str, default: Any) -> Any:
     """A value as typed on the command line, as the field's default has it."""
-    if isinstance(default, tuple) and default and all(isinstance(width, int) for width in default):
+    if _are_widths(default):
         try:
             return tuple(int(width) for width in text.split("x"))
         except ValueError:

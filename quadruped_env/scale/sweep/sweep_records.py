@@ -185,6 +185,9 @@ class TrialFolder:
 
     def check(self) -> None:
         """Check all that a sweep goes on from, also the results of the suite."""
+        # Through a link, the training would write elsewhere.
+        if self.path.is_symlink() or (os.path.lexists(self.path) and not self.path.is_dir()):
+            raise QuadrupedError(f"{self.path}: is {'a link' if self.path.is_symlink() else 'no directory'}; {_AGAIN}")
         settings, result = self.settings(), self.result()
         self.scores()
         if result is None:

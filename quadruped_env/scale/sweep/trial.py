@@ -11,10 +11,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.subject import find_subject
-from quadruped_env.evaluation.suite import command_map, gait_measures, pushes, transients
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.suite import run_suite
+from quadruped_env.evaluation.evaluated_policy import find_policy
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.suite import PARTS, run_suite
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.reporting.pages.suite_section import write_results
@@ -162,13 +161,11 @@ class RungObserver:
 
 def rung_score(policy: Policy) -> float:
     """Score in [0, 1] of a policy during its training: mean of four parts of the quick suite, on flat ground."""
-    suite, contender = quick_suite(), Contender.of_policy(policy, "trial")
-    scores = (
-        command_map.score(command_map.run(suite.commands, contender)),
-        gait_measures.score(gait_measures.run(suite.gait, contender), suite.gait),
-        transients.score(transients.run(suite.transients, contender)),
-        pushes.score(pushes.run(suite.pushes, contender)),
-    )
+    suite, measured = quick_suite(), MeasuredController.of_policy(policy, "trial")
+    scores = []
+    for name in ("commands", "gait", "transients", "pushes"):
+        (run, score), part = PARTS[name], getattr(suite, name)
+        scores.append(score(run(part, measured, None), part))
     return sum(scores) / len(scores)
 
 
@@ -186,10 +183,11 @@ def final_score(run: Path, measure: str, command: str, task_file: Path | None = 
     """
     if measure == "none":
         return None
-    subject = find_subject(str(run), None, task_file)
+    evaluated = find_policy(str(run), None, task_file)
     result = run_suite(
-        Contender.of_policy(subject.policy, subject.name), quick_suite() if measure == "quick" else full_suite()
+        MeasuredController.of_policy(evaluated.policy, evaluated.name),
+        quick_suite() if measure == "quick" else full_suite(),
     )
-    write_results(subject, result, command)
+    write_results(evaluated, result, command)
     score: Mapping[str, Any] = result["score"]
     return score

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from quadruped_env.evaluation.suite import pushes
-from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.simulation import BatchSimulation
@@ -89,7 +89,7 @@ def test_summary_by_size_and_direction():
     assert [entry["count"] for entry in result["by_size"]] == [8, 8, 8]
     assert [entry["mean"] for entry in result["half_survival"]] == [0.75, 0.5]
     # Episodes without a push are not part of the score.
-    assert pushes.score(result) == pytest.approx(6 / 16)
+    assert result["all"]["mean"] == pytest.approx(6 / 16)
 
 
 def test_push_has_its_size_and_direction_relative_to_the_heading(monkeypatch):
@@ -101,7 +101,7 @@ def test_push_has_its_size_and_direction_relative_to_the_heading(monkeypatch):
         push(self, env_ids, velocity)
 
     monkeypatch.setattr(BatchSimulation, "push", record)
-    result = pushes.run(part, Contender("standing", ZeroController(), TaskConfig()))
+    result = pushes.run(part, MeasuredController("standing", ZeroController(), TaskConfig()))
     assert np.array(result["survived"]).shape == (2, 3)
     ((env_ids, velocity, orientation),) = pushed
     np.testing.assert_array_equal(env_ids, np.arange(9, 18))  # the first nine are not pushed

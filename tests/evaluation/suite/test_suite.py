@@ -8,20 +8,18 @@ import numpy as np
 import pytest
 from comparisons import random_policy
 
+from benchmarks.shipping import reference_row
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import Contender
-from quadruped_env.evaluation.suite.references import (
-    read_references,
-    reference_row,
-    references_for,
-    score_table,
-)
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import (
     COMPONENTS,
     check_comparable,
     check_results,
+    read_references,
     read_results,
+    references_for,
     run_suite,
+    score_table,
 )
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 from quadruped_env.policies import ZeroController
@@ -35,7 +33,7 @@ QUICK = quick_suite()
 def result():
     """Quick results of a standing robot, and the progress that was reported."""
     done = []
-    return run_suite(Contender("standing", ZeroController(), TaskConfig()), QUICK, done.append), done
+    return run_suite(MeasuredController("standing", ZeroController(), TaskConfig()), QUICK, done.append), done
 
 
 def test_quick_suite_measures_every_part(result):
@@ -66,7 +64,7 @@ def test_a_standing_robot_scores_where_it_should(result):
 
 
 def test_results_are_reproducible(result):
-    again = run_suite(Contender("standing", ZeroController(), TaskConfig()), QUICK)
+    again = run_suite(MeasuredController("standing", ZeroController(), TaskConfig()), QUICK)
     for part in COMPONENTS:
         assert again[part] == result[0][part]
 
@@ -161,10 +159,10 @@ def test_task_of_the_suite_does_not_depend_on_how_a_policy_was_trained():
         clock_frequency=3.0,
     )
     hard = replace(policy.config.randomized("hard").on_terrain("rough"))
-    strange = Contender.of_policy(policy, "strange")
-    plain = Contender.of_policy(random_policy("residual", clock_frequency=3.0), "plain")
-    for contender in (strange, replace(strange, config=hard)):
-        assert contender.task([(0.9, 2.0)]) == plain.task([(0.9, 2.0)])
+    strange = MeasuredController.of_policy(policy, "strange")
+    plain = MeasuredController.of_policy(random_policy("residual", clock_frequency=3.0), "plain")
+    for measured in (strange, replace(strange, config=hard)):
+        assert measured.task([(0.9, 2.0)]) == plain.task([(0.9, 2.0)])
     config = strange.task([(0.9, 2.0)], {"friction": (0.3, 0.3)})
     assert config.action.mode == "residual"
     assert config.clock_frequency == 3.0

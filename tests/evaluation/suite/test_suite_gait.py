@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from synthetic import DT, synthetic_rollout
 
+from quadruped_env.evaluation import metrics
 from quadruped_env.evaluation.suite import gait_measures
 from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.reporting.pages.suite_section import _GAIT_ROWS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
@@ -104,7 +106,7 @@ def test_rate_of_a_ramp_and_of_an_alternation():
     values = np.zeros((100, 2, 2))
     values[:, 0] = 3.0 * DT * np.arange(100)[:, None]
     values[:, 1, 0] = 0.5 * (-1.0) ** np.arange(100)  # changes by 1 in every step; the other joint not at all
-    np.testing.assert_allclose(gait_measures.rate(values, counted, DT), [3.0, math.sqrt(0.5) / DT])
+    np.testing.assert_allclose(metrics.rms_rate(values, counted, DT), [3.0, math.sqrt(0.5) / DT])
 
 
 def test_roll_and_pitch_are_those_of_the_orientation_whatever_the_heading():
@@ -139,7 +141,7 @@ def walking(frequency=2.0, apex=0.02, touchdowns_extra=False):
 
 def test_measures_of_a_synthetic_gait():
     values = gait_measures.measures(walking(), PART)
-    assert list(values) == list(gait_measures.UNITS)
+    assert list(values) == list(_GAIT_ROWS)
     for name in gait_measures.PER_FOOT:
         assert values[name].shape == (1, 4)
     np.testing.assert_allclose(values["stride_frequency"], 2.0, rtol=2e-3)

@@ -8,14 +8,14 @@ from settings import settings
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import terrains
-from quadruped_env.evaluation.suite.measured_controller import Contender
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import CommandedGaitController, ZeroController
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 
 PART = replace(full_suite().terrain, num_seeds=4)
-TUNED = Contender("tuned", CommandedGaitController(), TaskConfig())
+TUNED = MeasuredController("tuned", CommandedGaitController(), TaskConfig())
 
 
 def levels(*shares):
@@ -39,7 +39,7 @@ def test_levels_are_tried_until_the_first_that_is_not_passed(monkeypatch):
     """A robot that passes `rough` up to level 3 and `steps` nowhere."""
     tried = []
 
-    def crossings(part, contender, kinds, level, progress=None):
+    def crossings(part, measured, kinds, level, progress=None):
         tried.append((level, tuple(kinds)))
         return {kind: np.arange(10) < (9 if kind == "rough" and level <= 3 else 8) for kind in kinds}
 
@@ -59,7 +59,7 @@ def test_robots_start_on_their_tiles_and_cross_when_they_leave_them():
     crossed = terrains.crossings(part, TUNED, ["slope"], 1)
     assert list(crossed) == ["slope"]
     assert crossed["slope"].mean() >= 0.75
-    standing = Contender("standing", ZeroController(), TaskConfig())
+    standing = MeasuredController("standing", ZeroController(), TaskConfig())
     short = replace(part, seconds=1.0)
     assert not terrains.crossings(short, standing, ["rough", "slope"], 2)["rough"].any()
     # 0.4 m/s for 4.5 s are 1.8 m: no robot can have left its tile.

@@ -7,6 +7,7 @@ import pytest
 from synthetic import DT, synthetic_rollout
 
 from quadruped_env.evaluation.suite import transients
+from quadruped_env.evaluation.suite.suite import PARTS
 from quadruped_env.evaluation.suite.suite_definition import Change, full_suite
 
 PART = full_suite().transients
@@ -136,4 +137,5 @@ def test_a_change_of_both_velocities_has_settled_when_the_slower_one_has():
 
 
 def test_score_is_the_mean_over_the_changes():
-    assert transients.score({"a": {"score": 0.2}, "b": {"score": 0.6}}) == pytest.approx(0.4)
+    _, score = PARTS["transients"]
+    assert score({"a": {"score": 0.2}, "b": {"score": 0.6}}, PART) == pytest.approx(0.4)

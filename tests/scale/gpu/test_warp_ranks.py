@@ -23,7 +23,7 @@ from quadruped_env.policies import load_policy  # noqa: E402
 from quadruped_env.scale.gpu import warp_training  # noqa: E402
 from quadruped_env.scale.gpu.warp_env import FINAL, OBSERVATION, TIME_OUTS  # noqa: E402
 from quadruped_env.scale.gpu.warp_ppo import make_ppo  # noqa: E402
-from quadruped_env.scale.gpu.warp_statistics import WarpStatistics  # noqa: E402
+from quadruped_env.scale.gpu.warp_training import WarpStatistics  # noqa: E402
 from quadruped_env.scale.ranks.job import Job  # noqa: E402
 from quadruped_env.simulation import BatchSimulation  # noqa: E402
 from quadruped_env.task import Task, TaskConfig  # noqa: E402

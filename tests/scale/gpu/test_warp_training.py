@@ -128,12 +128,13 @@ def test_uneven_ground_is_refused_before_a_run_is_left(tmp_path):
 
 
 @needs_warp
-@pytest.mark.parametrize("symmetric", [True, False])
-def test_policy_file_has_the_networks_mean_actions(tmp_path, symmetric):
+@pytest.mark.parametrize(("symmetric", "activation"), [(True, "elu"), (True, "leaky_relu"), (False, "silu")])
+def test_policy_file_has_the_networks_mean_actions(symmetric, activation):
     from quadruped_env.scale.gpu.warp_env import OBSERVATION, WarpVecEnv
     from quadruped_env.scale.gpu.warp_training import WarpModel
 
-    config = TrainConfig(**{**TINY, "hidden": (16, 8)}, symmetric=symmetric, asymmetric_critic=True)
+    network = {"hidden": (16, 8), "activation": activation}
+    config = TrainConfig(**{**TINY, **network}, symmetric=symmetric, asymmetric_critic=True)
     env = WarpVecEnv(TaskConfig(), 4, DEVICE, 0, True)
     model = WarpModel(config, env)
     with torch.no_grad():

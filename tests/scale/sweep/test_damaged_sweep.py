@@ -48,6 +48,23 @@ def test_damaged_trial_is_put_aside_and_begins_again(tmp_path, what):
     assert not any("begins again" in line for line in resume(folder.path))
 
 
+@pytest.mark.parametrize("what", ["a link", "no directory"])
+def test_trial_whose_folder_is_no_directory_is_put_aside(tmp_path, what):
+    folder = write_sweep(tmp_path / "sweeps")
+    path, elsewhere = folder.trial(1).path, tmp_path / "elsewhere"
+    path.rename(elsewhere)
+    if what == "a link":
+        path.symlink_to(elsewhere)
+        (elsewhere / "result.json").unlink()  # so that the trial would be trained again
+    else:
+        path.write_text("")
+    kept = sorted(elsewhere.rglob("*"))
+    assert f"{path}: is {what}; " in resume(folder.path)[0]
+    assert not path.is_symlink()
+    assert path.is_dir()
+    assert sorted(elsewhere.rglob("*")) == kept
+
+
 def test_trial_that_is_damaged_again_keeps_the_files_of_both_times(tmp_path):
     folder = write_sweep(tmp_path)
     for _ in range(2):

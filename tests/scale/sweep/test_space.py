@@ -24,6 +24,10 @@ SLIP = "task.reward.weights.foot_slip"
         ("gamma=0.98,0.99", Dimension("gamma", choices=(0.98, 0.99))),
         (f"{SLIP}=-1..0", Dimension(SLIP, -1.0, 0.0)),
         (
+            "task.command.yaw_rate=[-0.4,0.4],[-0.8,0.8]",
+            Dimension("task.command.yaw_rate", choices=((-0.4, 0.4), (-0.8, 0.8))),
+        ),
+        (
             "task.randomization.friction=[0.6,1.0],[0.4,1.2],null",
             Dimension("task.randomization.friction", choices=((0.6, 1.0), (0.4, 1.2), None)),
         ),

@@ -18,7 +18,7 @@ _OF_THE_RUN: Final = ("seed", "name", "checkpoint_seconds")
 
 
 @dataclass(frozen=True)
-class Subject:
+class EvaluatedPolicy:
     """A policy to evaluate, and the directory of its results."""
 
     name: str
@@ -44,11 +44,7 @@ class Subject:
 
     @property
     def recipe(self) -> str:
-        """Text that is the same for runs that differ in the training seed only.
-
-        Raises:
-            QuadrupedError: if the run's config is damaged.
-        """
+        """Text that is the same for runs that differ in the training seed only."""
         path = self.directory / CONFIG_FILE
         config = read_json(path, "remove it to compare the run by itself") if path.is_file() else None
         if not isinstance(config, dict) or not isinstance(config.get("training"), dict):
@@ -69,18 +65,14 @@ class Subject:
         return path if path.is_file() else None
 
 
-def find_subject(
+def find_policy(
     run: str | None, output: Path | None = None, task_file: Path | None = None, trust_task: bool = False
-) -> Subject:
+) -> EvaluatedPolicy:
     """Find a policy by name or directory. For a run that was killed, this is its last checkpoint.
 
-    Args:
-        run: directory of a run, name of a shipped policy, or Python file of a policy that is code; None takes the
-            latest run, or else the shipped policy.
-        output: directory of the results; None takes `evaluation` in the run's directory, or `results/<name>`.
-        task_file: the user's Python file of task terms that the run was trained with, or another version of it; it is
-            executed.
-        trust_task: execute the copy of that file that the run keeps.
+    Without a name it is the latest run, or else the default policy; a Python file is a policy that is code. Results go
+    to `output`, or to `evaluation` in the run's directory, or to `results/<name>`. `task_file` is executed, or with
+    `trust_task` the copy that the run keeps.
 
     Raises:
         QuadrupedError: if the policy does not exist or is damaged.
@@ -91,13 +83,13 @@ def find_subject(
     if run is None:
         run = str(LATEST_RUN) if LATEST_RUN.exists() else DEFAULT
     if run in SHIPPED:
-        return Subject(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
+        return EvaluatedPolicy(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
     if is_code(run):
         path = Path(run)
         policy = load_policy(path, task_file, trust_task=trust_task)
-        return Subject(path.stem, policy, path, output or Path("results", path.stem))
+        return EvaluatedPolicy(path.stem, policy, path, output or Path("results", path.stem))
     directory = finished_directory(Path(run))
     # Its errors are this package's, also for names that no file can have.
     policy = load_policy(directory, task_file, trust_task=trust_task)
     directory = directory.resolve()
-    return Subject(run_name(directory), policy, directory, output or Path(run) / "evaluation")
+    return EvaluatedPolicy(run_name(directory), policy, directory, output or Path(run) / "evaluation")
