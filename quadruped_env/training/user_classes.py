@@ -24,6 +24,11 @@ def recorded_name(text: str) -> str:
     return Path(text).name if is_user_class(text) else text
 
 
+def absolute_name(text: str) -> str:
+    """The name of an algorithm or class for processes in other working directories."""
+    return str(Path(text).resolve()) if is_user_class(text) else text
+
+
 def load_class(option: str, text: str) -> tuple[TaskFile, type[Any]]:
     """A file, which is executed, and the class in it that a user names.
 
