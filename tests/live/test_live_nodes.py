@@ -15,14 +15,7 @@ from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.live import Node, Topic
 from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.middleware.topics import (
-    CMD_VEL,
-    IMU,
-    JOINT_COMMANDS,
-    JOINT_POSITIONS,
-    JOINT_STATES,
-    ODOMETRY,
-)
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
