@@ -1,7 +1,6 @@
 """Motors with other parameters than the model file's, as identified on a robot."""
 
 import copy
-import json
 
 import gymnasium
 import mujoco
@@ -148,12 +147,6 @@ def test_targets_that_are_still_delayed_belong_to_the_state():
     for action, expected in zip(actions[10:], ahead, strict=True):
         np.testing.assert_array_equal(env.step(action)[0], expected)
         np.testing.assert_array_equal(twin.step(action)[0], expected)
-
-
-def test_motors_survive_json():
-    config = TaskConfig(motor=OTHER)
-    again = TaskConfig.from_dict(json.loads(json.dumps(config.to_dict())))
-    assert again.motor == OTHER
 
 
 @pytest.mark.parametrize(

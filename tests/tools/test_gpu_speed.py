@@ -46,25 +46,3 @@ def test_goals_apply_to_the_best_number_of_envs():
     assert unreached([slow, fast]) == ["training steps/s: 390,000; goal 400,000"]
     assert len(unreached([slow])) == 2
     assert "| 8,192 | 1,200,000 | 390,000 | 4.00 | 2 |" in table([slow, fast])
-
-
-def test_training_to_walk_has_the_budget_of_a_gpu(monkeypatch):
-    from benchmarks import gpu_speed
-    from quadruped_env.training.train_config import GPU_DEFAULTS
-
-    budgets = []
-
-    class Untrained:
-        num_timesteps = 0
-
-        def learn(self, watcher):
-            pass
-
-    def make(device, num_envs, steps, timesteps, **settings):
-        budgets.append(timesteps)
-        return Untrained()
-
-    monkeypatch.setattr(gpu_speed, "make", make)
-    assert gpu_speed.walk("cuda", 4, 2, 1.0, 1.0).seconds is None
-    gpu_speed.walk("cuda", 4, 2, 1.0, 1.0, timesteps=100)
-    assert budgets == [GPU_DEFAULTS["timesteps"]] * 2 + [100] * 2
