@@ -4,7 +4,6 @@ import argparse
 import dataclasses
 import hashlib
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -157,21 +156,6 @@ def test_ground_mesh_is_the_height_field_and_faces_up():
 # --- the viewer
 
 
-def test_viewer_puts_all_robots_on_one_terrain_and_films_them_there(tmp_path, monkeypatch):
-    filmed = []
-    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: filmed.extend(clips))
-    sources, _ = find_controllers(runs=tmp_path)
-    controller = ViewController(sources, ["policy flat", "gait tuned"], tmp_path / "results", terrain=HILLS.ground)
-    assert HeightField.of(controller.model()) is not None
-    assert {robot(controller, i).terrain for i in range(2)} == {HILLS.ground}
-    controller.set_source(2, "stand still")
-    assert robot(controller, 2).terrain == HILLS.ground
-    controller.start_recording()
-    controller.advance(0.2)
-    controller.close()
-    assert [clip.trace.terrain for clip in filmed] == [HILLS.ground]
-
-
 def test_viewer_shows_a_level_and_the_tiles_of_a_policy(tmp_path, monkeypatch):
     sources, _ = find_controllers(runs=tmp_path)
     stairs = find_terrain("stairs").variant(level=4)
@@ -262,27 +246,3 @@ def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
     assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()
     motion = json.loads((replayed / "tracking.json").read_text())["motion"]
     assert (motion["terrain"], motion["terrain_file"]) == ("ridges", origin)
-
-
-def test_training_on_a_terrain_records_it_in_the_run(tmp_path):
-    pytest.importorskip("stable_baselines3")
-    budget = ["--timesteps", "64", "--num-envs", "8", "--n-steps", "8", "--batch-size", "32", "--hidden", "8"]
-    shape = '{"terrain": {"seed": 5, "name": "rough"}}'
-    assert main(["train", *budget, "--task", shape, "--terrain", "rough", "-o", str(tmp_path / "runs")]) == 0
-    config = json.loads((tmp_path / "runs" / "latest" / "config.json").read_text())
-    assert config["task"]["terrain"] == {"name": "rough", "seed": 5, "level": None, "height": 0.01, "distance": 0.2}
-    policy = load_policy(tmp_path / "runs" / "latest")
-    assert policy.make_env().unwrapped.task.config.ground == find_terrain("rough").variant(5)
-    assert policy.make_env(terrain="hills").unwrapped.task.config.ground == find_terrain("hills").variant(5)
-
-
-@pytest.mark.slow
-def test_report_of_a_built_in_policy_on_a_terrain_of_a_file(tmp_path):
-    pytest.importorskip("matplotlib")
-    file = tmp_path / "my_terrain.py"
-    file.write_text(STEPS)
-    arguments = ["--task", str(file), "--terrain", "ridges", "--seeds", "1", "--seconds", "2", "-o", str(tmp_path)]
-    assert main(["evaluate", "flat", "--no-video", *arguments]) == 0
-    document = json.loads(Path(tmp_path, "metrics.json").read_text())
-    assert document["config"]["terrain"] == {"name": "ridges", "seed": 0, "height": 0.02}
-    assert f"--task {file} --terrain ridges" in json.dumps(document)

@@ -46,7 +46,7 @@ def test_pushes_tip_robust_over_less_often_than_flat():
         policy = load_policy(name)
         config = policy.config.randomized("none")
         config = dataclasses.replace(config, randomization=config.randomization.replace(**pushed))
-        rollout = roll_out(PolicyController(policy), [(0.3, 0.0), (-0.2, 0.0), (0.3, 0.5)], range(14), 8.0, config)
+        rollout = roll_out(PolicyController(policy), [(0.3, 0.0), (-0.2, 0.0), (0.3, 0.5)], range(10), 6.0, config)
         falls[name] = rollout.fallen.mean()
     assert falls["flat"] > 0.15, "the pushes are strong"
     assert falls["robust"] < 0.6 * falls["flat"]

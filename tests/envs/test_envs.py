@@ -96,14 +96,6 @@ def test_asynchronous_vector_environment_equals_the_native_one():
         env.close()
 
 
-@pytest.mark.parametrize("config", [{}, {"randomization": {"observation_noise": 0.5}}], ids=["default", "noise"])
-def test_envs_that_all_time_out_at_once_equal_single_environments(config):
-    kwargs = {"config": SAFE | config, "max_episode_steps": 7}
-    expected = episodes(make_sync(3, **kwargs), 30)
-    assert_same(episodes(make_native(3, **kwargs), 30), expected)
-    assert any(len(entry) == 5 and entry[3].all() for entry in expected)
-
-
 def test_numbers_of_an_env_do_not_depend_on_the_number_of_envs():
     few, many = (make_native(n, config=ROUGH, max_episode_steps=EPISODE_STEPS) for n in (2, 9))
     first_few, first_many = few.reset(seed=5)[0], many.reset(seed=5)[0]

@@ -84,17 +84,6 @@ def test_single_and_vector_environment_are_bit_identical_with_the_curriculum(mod
     assert (changes < 0).any()
 
 
-def test_level_of_an_env_does_not_depend_on_the_number_of_envs():
-    few, many = (make_native(n, config=LIVELY, max_episode_steps=STEPS) for n in (2, 7))
-    few.reset(seed=5), many.reset(seed=5)
-    rng = np.random.default_rng(0)
-    for _ in range(200):
-        action = rng.uniform(-1, 1, (7, 8)).astype(np.float32)
-        one, other = few.step(action[:2]), many.step(action)
-        np.testing.assert_array_equal(one[-1]["terrain_level"], other[-1]["terrain_level"][:2])
-        assert_same(other[0][:2], one[0])
-
-
 def play(env, steps, seed):
     rng = np.random.default_rng(seed)
     return [env.step(rng.uniform(-1.0, 1.0, env.action_space.shape).astype(np.float32)) for _ in range(steps)]

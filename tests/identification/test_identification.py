@@ -232,12 +232,12 @@ class TestIdentify:
         """With wrong values of the others the intervals exclude the truth: nothing in the recording tells."""
         commands, recording = short
         start = with_values(TRUTH, {"hip.kd": 3.0, "knee.kd": 3.0})
-        found = identify(recording, commands, start=start, fitted=["kp", "delay"])
+        found = identify(recording, commands, start=start, fitted=["kp"])
         estimate = found.estimates[0]
         assert abs(estimate.after - TRUTH.hip.kp) > estimate.half_width
         words = (
             "Estimates and intervals hold only if the motors' other values are right, which are those of the start: "
-            "stall_torque, no_load_speed, kd, damping, friction_loss, armature."
+            "stall_torque, no_load_speed, kd, damping, friction_loss, armature, delay."
         )
         assert words in found.table()
         save(found, tmp_path, "")

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from browser import fill
 from live_nodes import joint_state, usable
 from waiting import wait_until
 
@@ -154,58 +153,3 @@ def test_viewer_shows_the_limits_that_a_published_gait_exceeds(nodes, tmp_path):
     assert "real time" not in status(0.1, 6.0)
     wait_until(lambda: "exceeds" not in status(-1.0, 1.0))
     show.close()
-
-
-@pytest.mark.slow
-def test_display_in_the_browser_changes_the_gait_and_offers_nothing_else(start, nodes, page, tmp_path):
-    """The tutorial's last exercise: amplitude, frequency and phases; no physics, and so nothing to push or pause."""
-    pytest.importorskip("viser")
-    states = nodes().subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
-    display = start("display", "--preset", "walk", "--port", "0")
-    address = wait_until(
-        lambda: next((line.split()[-1] for line in display.said.splitlines() if "http://" in line), None),
-        lambda: display.said,
-        alive=display.process,
-    )
-    page.goto(f"{address}/?fixedDpr=1")
-    page.get_by_text("Amplitude", exact=True).wait_for()
-    for label in ("Forward, m/s", "Strength, m/s", "Force, N", "Speed", "Robot", "Terrain", "Randomize"):
-        assert not page.get_by_text(label, exact=True).filter(visible=True).count(), label
-    assert "record" in page.locator("[data-keys]").inner_text()
-    assert not set(page.locator("[data-keys]").inner_text().split()) & {"pause", "push", "turn"}
-    page.get_by_text("Velocity and contacts of the feet are unknown").wait_for()
-    assert not page.get_by_role("tab", name="Reward").count()
-    for reading in ("Feet on the ground, s", "Forward velocity, m/s", "m/s", "contact forces"):
-        assert not page.get_by_text(reading).filter(visible=True).count(), reading
-    for button in ("Pause", "Reset", "Step", "Push", "Apply force"):
-        assert not page.get_by_role("button", name=button, exact=True).filter(visible=True).count(), button
-
-    def amplitude():
-        """Amplitude of the first hip over the last states, rad."""
-        found = [one.positions[0] for _, one in states.messages(pytest.fail)]
-        swing.extend(found)
-        return np.ptp(swing[-40:]) / 2 if len(swing) >= 40 else None
-
-    swing = []
-    full = wait_until(amplitude, alive=display.process)
-    fill(page, "Amplitude", 0.5)
-    wait_until(lambda: abs(amplitude() / full - 0.5) < 0.1, alive=display.process)
-    fill(page, "Amplitude", 2.0)
-    page.get_by_text("The gait exceeds limits: ").wait_for()
-    fill(page, "Frequency, Hz", 2.0)
-    fill(page, "Phase RF, cycles", 0.3)
-    settings = nodes().subscribe(
-        GAIT_SETTINGS, read=lambda data: read_settings(cdr.deserialize(data, GAIT.type_name), MINI_QUADRUPED)
-    )
-    last = []
-    wait_until(
-        lambda: (
-            last.extend(one for _, one in settings.messages(pytest.fail))
-            or (last and (last[-1].frequency, last[-1].phases[1]) == (2.0, 0.3))
-        ),
-        lambda: f"other settings; they are {last}",
-        alive=display.process,
-    )
-    page.screenshot(path=str(tmp_path / "display.png"))
-    assert page.watched.errors == []
-    assert display.interrupt() == 0

@@ -20,7 +20,6 @@ from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
-from quadruped_env.reporting.pages import pictures
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.pages.page import summary_table
 from quadruped_env.task import TaskConfig
@@ -128,20 +127,6 @@ def test_without_viser_the_report_is_made_and_names_the_extra(
 def test_table_has_a_row_for_every_motion(comparison):
     lines = summary_table(comparison).splitlines()
     assert [line.split(":")[0].split()[0] for line in lines[1:6]] == ["Falls", *(m.capitalize() for m in MOTIONS)]
-
-
-@pytest.mark.slow
-def test_report_with_a_video_is_small(run_directory, comparison, tmp_path, monkeypatch):
-    monkeypatch.setattr(pictures, "CLIP_SECONDS", 0.4)
-    told = []
-    page, _, _ = write_report(find_policy(str(run_directory), tmp_path), comparison, "", progress=told.append)
-    html = page.read_text()
-    if "No video" in html:
-        pytest.skip("no OpenGL")
-    assert 'src="data:video/mp4;base64,' in html
-    assert len(html) < 5_000_000
-    assert told == sorted(told)
-    assert told[-1] == 1.0
 
 
 # --- the learning curve

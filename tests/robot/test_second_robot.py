@@ -23,7 +23,6 @@ from quadruped_env.control import ControlInterface
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.policy_files import load_terms, read_policy
 from quadruped_env.control.stand_up import StandUp
-from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import CommandedGaitController, PolicyController, ZeroController, load_policy
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
@@ -133,23 +132,6 @@ class TestEnv:
             observation = env.reset(seed=3)[0]
             assert_same(copied.reset(seed=3)[0], observation)
             assert_same(again.reset(seed=3)[0], observation)
-
-    @pytest.mark.slow
-    def test_workers_get_the_robot(self):
-        vector_kwargs = {"context": "spawn"}  # a fork of a process with threads may hang
-        env = gymnasium.make_vec(
-            "MiniQuadruped-v0", num_envs=2, vectorization_mode="async", vector_kwargs=vector_kwargs, robot=ROBOT
-        )
-        try:
-            observation, info = env.reset(seed=0)
-        finally:
-            env.close()
-        assert_same(observation, make_native(2, robot=ROBOT).reset(seed=0)[0])
-        assert info["joint_position"].shape == (2, 8)
-
-    def test_sb3_env_takes_the_robot(self):
-        env = make_sb3_vec_env(2, seed=0, robot=ROBOT)
-        assert env.task.config.robot == ROBOT
 
     def test_partial_motor_config_starts_from_the_robots_motors(self):
         motor = make(robot=ROBOT, config={"motor": {"hip": {"kp": 50.0}}}).unwrapped.task.config.motor
@@ -263,15 +245,6 @@ class TestGait:
         np.testing.assert_allclose(found[1, :2], 0.0, atol=0.02)
         assert 0.35 < np.median(found[5:8, 1]) < 0.55
         assert -0.55 < np.median(found[8:, 1]) < -0.35
-
-    def test_crouched_gait_walks_and_turns_as_commanded(self):
-        slower = dataclasses.replace(CommandedGait.preset("crouched", ROBOT), angular_frequency=math.tau * 3.2)
-        turns = [(0.0, 0.5)] * 3 + [(0.0, -0.5)] * 3
-        found = walk(CommandedGaitController(slower), [(0.3, 0.0)] * 3 + turns)
-        assert found[:, 2].min() > 0.95  # upright
-        assert 0.22 < np.median(found[:3, 0]) < 0.33
-        assert 0.2 < np.median(found[3:6, 1]) < 0.5
-        assert -0.5 < np.median(found[6:, 1]) < -0.2
 
     def test_straight_legs_are_refused(self):
         straight = QuadrupedDesign(name="straight", knee_range=(-1.0, 1.0), stance_angles=(0.0, 0.0)).robot()

@@ -128,7 +128,7 @@ def test_cost_of_a_step_is_measured_by_rows_and_threads_with_the_share_outside_o
         assert min(measure.value, bound.value) >= 1.0
         costs, shares = zip(*re.findall(r"\d: ([\d.]+) us, (\d+)%", measure.detail), strict=True)
         assert len(costs) == 2
-        assert all(int(share) <= 100 for share in shares)  # of a busy machine, it may be none
+        assert all(int(share) < 200 for share in shares)  # of a busy machine, it may be none or more than all
         ratio = max(map(float, costs)) / min(map(float, costs))
         assert measure.value == pytest.approx(ratio, rel=0.02)
 

@@ -214,20 +214,6 @@ def test_search_with_new_starts_ends_with_its_mean_else_with_the_best(pretend):
 # --- tables ---
 
 
-@ROBOTS
-def test_tables_and_candidates_are_the_same_numbers(robot):
-    gait = CommandedGait.preset("low", robot)
-    own = gait_search.candidates_of(gait)
-    again = gait_search.commanded_gait(robot, own, gait.angular_frequency, gait.largest_yaw_rate)
-    commands = np.array([(0.3, 0.2), (-0.15, -0.5), (0.47, 0.0)])
-    clock = np.full(3, 1.2)
-    np.testing.assert_allclose(again.positions(clock, commands), gait.positions(clock, commands), atol=5e-4)
-    sizes = np.array([math.sqrt(0.2 * 0.8), 0.0])
-    rows = np.stack([own[gait.speeds[-1]]] * 2)
-    expected = gait.positions(clock[:2], [[gait.speeds[-1], 0.2], [gait.speeds[-1], 0.0]])
-    np.testing.assert_allclose(gait_search.gait_targets(robot, rows, sizes, TROT)(1.2), expected, atol=1e-12)
-
-
 def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, capsys):
     """With one generation of three candidates, a start and no time to walk."""
     monkeypatch.setattr(gait_search, "CANDIDATES", 4)

@@ -162,7 +162,7 @@ def test_policy_stays_symmetric(small):
     assert_symmetric(model)
 
 
-@pytest.mark.parametrize("after", [0.0, 0.3, 0.9, 0.96])
+@pytest.mark.parametrize("after", [0.0, 0.9])
 def test_a_training_that_is_to_end_keeps_its_policy(small, after):
     model = walking(**PUSHED)
     weights, envs = parameters(model), copy.deepcopy(states(model))
@@ -190,7 +190,9 @@ def test_later_rounds_take_smaller_steps_in_the_same_direction(monkeypatch):
     assert sizes[0] > sizes[5] > sizes[-1] > 0.0
 
 
-def test_a_single_env_has_nothing_to_compare(small):
+def test_a_single_env_has_nothing_to_compare(small, monkeypatch):
+    for name in ("_FIRST_STEPS", "_ROUND_STEPS", "_LESSON_STEPS"):
+        monkeypatch.setattr(reflex, name, SMALL[name] // ENVS)
     model = walking(num_envs=1, **PUSHED)
     for result in add_reflex(model, 1):
         assert math.isfinite(result.survived)

@@ -2,7 +2,6 @@
 
 import io
 import json
-import re
 import shutil
 import subprocess
 import traceback
@@ -12,8 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import torch
-from stable_baselines3 import PPO
-from trainings import ENDLESS, STEPS, TINY, assert_complete, command, learn, progress, running, scalars, train
+from trainings import ENDLESS, STEPS, assert_complete, command, learn, progress, running, scalars, train
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
@@ -61,16 +59,11 @@ def edit(path, section, **changes):
 @pytest.mark.parametrize(
     ("asked", "message"),
     [
-        (
-            {"action_mode": "position"},
-            r"--action-mode: found 'position'; \S+-first has 'residual', .*leave",
-        ),
+        ({"action_mode": "position"}, r"--action-mode: found 'position'; \S+-first has 'residual', .*leave"),
         ({"hidden": (32, 32)}, r"--hidden: found \(32, 32\); \S+-first has \(8,\)"),
         ({"activation": "tanh"}, r"--activation: found 'tanh'; \S+-first has 'elu'"),
-        ({"symmetric": False}, r"--symmetric: found False; \S+-first has True"),
         ({"log_std_init": -1.0}, r"--log-std-init: found -1.0; \S+-first has -1.5"),
         ({"task": {"decimation": 7}}, r"--task: decimation: found 7; \S+-first has 4,"),
-        ({"task": {"tempo": 1}}, r"--task: tempo: found 1; \S+-first has None"),
         ({"batch_size": 999}, r"--batch-size: 999 is more than the 32 samples"),
     ],
 )
@@ -113,16 +106,6 @@ def test_first_setting_that_differs_is_found_at_any_depth(asked, kept, found):
     assert _difference(asked, kept) == found
 
 
-def test_program_with_a_flag_that_cannot_change_is_refused(run, tmp_path):
-    arguments = command(tmp_path / "runs", "--resume", run, "--action-mode", "position", "--hidden", 8)
-    done = subprocess.run(arguments, capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert re.fullmatch(
-        r"mini-quadruped train: error: --action-mode: found 'position'; .* has 'residual', .*\n", done.stderr
-    )
-    assert not (tmp_path / "runs").exists()
-
-
 def test_train_refuses_a_config_of_another_network(run, tmp_path):
     with pytest.raises(QuadrupedError, match=r"--hidden: found \(64, 64\)"):
         learn(tmp_path, TrainConfig(), resume=run)
@@ -154,32 +137,10 @@ def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, ki
     assert timed.resumed({"timesteps": 99}).seconds is None
 
 
-def test_resumed_training_continues_steps_curve_and_schedules_and_names_its_parent(killed, tmp_path, monkeypatch):
-
-    seen = []
-    collect, update = PPO.collect_rollouts, PPO.train
-
-    def watched_collect(self, *args, **kwargs):
-        seen.append(("noise", self.num_timesteps, self.policy.log_std.max().item()))
-        return collect(self, *args, **kwargs)
-
-    def watched_update(self):
-        update(self)
-        seen.append(("rate", self.num_timesteps, self.policy.optimizer.param_groups[0]["lr"]))
-
-    monkeypatch.setattr(PPO, "collect_rollouts", watched_collect)
-    monkeypatch.setattr(PPO, "train", watched_update)
+def test_resumed_training_continues_steps_and_curve_and_names_its_parent(killed, tmp_path):
     checkpoint = killed / CHECKPOINTS / "00002s"
     parent = Parent.load(checkpoint)
     directory = learn(tmp_path / "runs", parent.resumed({}), checkpoint)
-
-    steps = [number for kind, number, _ in seen if kind == "noise"]
-    assert steps == [(4 + i) * STEPS for i in range(4)]
-    rates = [value for kind, _, value in seen if kind == "rate"]
-    np.testing.assert_allclose(rates, [1e-3 * (0.1 + 0.9 * left) for left in (0.375, 0.25, 0.125, 0.0)])
-    for left, value in zip((0.5, 0.375, 0.25, 0.125), [v for kind, _, v in seen if kind == "noise"], strict=True):
-        assert value <= -4.0 + 2.5 * left + 1e-6
-
     policy = assert_complete(directory)
     assert policy.card["timesteps"] == 8 * STEPS
     assert policy.card["budget_left"] == 0.0
@@ -263,27 +224,6 @@ def test_killed_training_continues_from_its_last_checkpoint(tmp_path):
     assert_complete(resumed)
 
 
-@pytest.mark.slow
-def test_resumed_training_keeps_the_task_and_the_network_of_the_run(tmp_path):
-    task = {"decimation": 5, "reward": {"weights": {"upright": -3.5}}}
-    first = train(
-        tmp_path, *TINY, "--action-mode", "position", "--hidden", 24, "--activation", "relu", "--task", json.dumps(task)
-    )
-    # A learning rate so low that the weights stay those of the first run.
-    resumed = train(tmp_path, *TINY, "--resume", first, "--learning-rate", "1e-12")
-    policy, start = assert_complete(resumed), load_policy(first)
-    assert resumed != first
-    assert policy.config == start.config
-    assert policy.activation == "relu"
-    for one, other in zip(policy.weights + policy.biases, start.weights + start.biases, strict=True):
-        np.testing.assert_allclose(one, other, atol=1e-6)
-    assert policy.card["timesteps"] == 4096
-    learned = train(tmp_path, "--resume", first)
-    assert any(
-        abs(one - other).max() > 1e-5 for one, other in zip(load_policy(learned).weights, start.weights, strict=True)
-    )
-
-
 # --- damaged runs ---
 
 
@@ -300,8 +240,6 @@ def test_an_incomplete_run_is_not_resumed(copy, name):
     ("text", "message"),
     [
         ("{", r"config.json: not valid JSON.*start a new training"),
-        ("{}", r"config.json: field 'training' is missing or not a table of fields; start a new training"),
-        ("[]", r"config.json: field 'training' is missing"),
         ('{"training": [], "task": {}}', r"config.json: field 'training' is missing"),
         ('{"training": {}}', r"config.json: field 'task' is missing"),
         (
@@ -320,12 +258,7 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
     ("file", "section", "changes", "message"),
     [
         (CONFIG_FILE, "training", {"gamma": None}, r"field 'training.gamma' is missing; start a new training"),
-        (
-            CONFIG_FILE,
-            "training",
-            {"hidden": [8.5]},
-            r"training.hidden: expected up to 16 whole numbers",
-        ),
+        (CONFIG_FILE, "training", {"hidden": [8.5]}, r"training.hidden: expected up to 16 whole numbers"),
         (
             CONFIG_FILE,
             "training",
@@ -334,7 +267,6 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
         ),
         (CONFIG_FILE, "training", {"symmetric": 1}, r"training.symmetric: expected true or false; found 1"),
         (CONFIG_FILE, "training", {"num_envs": "4"}, r"training.num_envs: expected a whole number, .*; found '4'"),
-        (CONFIG_FILE, "training", {"gamma": True}, r"training.gamma: expected more than 0, .*; found True"),
         (CONFIG_FILE, "training", {"gamma": 2.0}, r"config.json: training.gamma: .*found 2.0; start a new training"),
         (CONFIG_FILE, "training", {"seconds": "x"}, r"training.seconds: expected .*(or null).*; found 'x'"),
         (CONFIG_FILE, "training", {"tempo": 1}, r"training has the unknown field 'tempo'; start a new training"),
@@ -345,12 +277,7 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
             r"action_mode is 'position' and task.action.mode is 'resi",
         ),
         (CONFIG_FILE, "task", {"tempo": 1}, r"config.json: config: unknown field 'tempo'.*start a new training"),
-        (
-            CARD_FILE,
-            "card",
-            {"timesteps": None},
-            r"policy.json: card.timesteps: expected a whole number, 0 to 1e",
-        ),
+        (CARD_FILE, "card", {"timesteps": None}, r"policy.json: card.timesteps: expected a whole number, 0 to 1e"),
         (CARD_FILE, "card", {"timesteps": 1.5}, r"card.timesteps: expected a whole number, 0 to 1e\+15; found 1.5"),
         (CARD_FILE, "card", {"budget_left": 1.5}, r"card.budget_left: expected a number, 0 to 1; found 1.5"),
         (

@@ -15,9 +15,8 @@ import pytest
 from paths import ROOT
 from ros2_peers import install as ros2_install
 
-from quadruped_env import MissingExtraError, QuadrupedError, __version__
+from quadruped_env import __version__
 from quadruped_env.live.__main__ import main as run_node
-from quadruped_env.policies import load_policy
 from quadruped_env.utils import interpreter
 
 PROGRAMS = [
@@ -174,20 +173,6 @@ def test_no_help_has_a_command_of_another_python(program, monkeypatch, capsys):
         assert ended.code == 0  # noqa: PT017
     _, _, text = capsys.readouterr().out.partition("\n\n")  # without the usage
     assert re.search(r"(?<!/)\b(python (train|evaluate|-m)|mini-quadruped \w)", text) is None
-
-
-@pytest.mark.usefixtures("python_on_path")
-def test_errors_name_commands_of_this_python(monkeypatch):
-    monkeypatch.chdir(ROOT)
-    python = re.escape(interpreter.python_command())
-    with pytest.raises(QuadrupedError, match=r"train one with '\S+/mini-quadruped train'"):
-        load_policy("nowhere")
-    message = str(MissingExtraError("The viewer", "viewer"))
-    assert re.search(f"{python} -m pip install 'mini-quadruped\\[viewer\\]'$", message)
-    # In an interpreter that has its dependencies, but not the checkout's package.
-    monkeypatch.setattr(interpreter, "_DISTRIBUTION", "mini-quadruped-is-not-installed")
-    message = str(MissingExtraError("The viewer", "viewer"))
-    assert re.search(f"{python} -m pip install -e '\\.\\[viewer\\]'$", message)
 
 
 def test_hint_for_an_extra_installs_the_cpu_build_of_torch_first(monkeypatch):

@@ -10,8 +10,6 @@ from viewing import showing
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.policies import load_policy
-from quadruped_env.viewer.view_controller import MAX_PUSH
-from quadruped_env.viewer.viewer_scene import OVERLAYS
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
@@ -59,23 +57,6 @@ def test_scene_is_not_pale_although_viser_has_not_faded_it_in(stage):
     assert page.evaluate(opacity) == "1"
 
 
-@pytest.mark.slow
-def test_hidden_overlays_are_not_drawn(paused):
-    controller, page = paused
-    controller.set_command(0.5, 0.0)
-    for _ in range(20):
-        controller.step()
-    # Sent to the page after the scene.
-    page.get_by_text("0.4 s").first.wait_for()
-    tab(page, "Show")
-    shown = still(page)
-    for overlay in OVERLAYS[:3]:
-        page.get_by_label(overlay.capitalize()).click()
-        until(lambda: not np.array_equal(shot(page), shown))
-        page.get_by_label(overlay.capitalize()).click()
-        until(lambda: np.array_equal(shot(page), shown))
-
-
 # --- controls
 
 
@@ -120,29 +101,6 @@ def test_keys_command_the_robot_and_leave_the_camera_alone(stage, paused):
     until(lambda: controller.view().time == 0.0)
     page.keyboard.press("n")
     until(lambda: controller.view().time == pytest.approx(0.02))
-
-
-@pytest.mark.slow
-def test_a_key_after_a_slider_is_still_one_step(paused):
-    controller, page = paused
-    page.get_by_role("slider").first.focus()
-    page.keyboard.press("ArrowUp")
-    until(lambda: controller.command[0] > 0.0)
-    browser.draw(page, 20)
-    assert controller.command == (0.1, 0.0)
-
-
-@pytest.mark.slow
-def test_a_push_in_its_direction_and_strength(stage, paused):
-    panel = stage[0].panel
-    controller, page = paused
-    fill(page, "To, degrees", -90)
-    fill(page, "Strength, m/s", MAX_PUSH)
-    until(lambda: (panel._direction.value, panel._strength.value) == (-90, MAX_PUSH))
-    data = controller._robots.slots[0].robot.data
-    page.get_by_role("button", name="Push", exact=True).click()
-    until(lambda: data.qvel[1] < -0.5)
-    np.testing.assert_allclose(data.qvel[:3], [0.0, -MAX_PUSH, 0.0], atol=1e-9)
 
 
 @pytest.mark.slow
