@@ -14,6 +14,7 @@ same motions about its stance, as nearly as sinusoids can.
 
 import functools
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
@@ -268,7 +269,7 @@ class CommandedGait:
     """
 
     angular_frequency: float
-    speeds: tuple[float, ...]
+    speeds: Sequence[float]
     largest_yaw_rate: float
     fore: LegTable
     hind: LegTable
@@ -401,12 +402,15 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
             f"{', '.join(COMMANDED)}"
         )
     if name not in gaits:
-        return CommandedGait(**COMMANDED[name], robot=robot)
-    own = gaits[name]
+        return _from_numbers(COMMANDED[name], robot)
     try:
-        tables = {table: LegTable(**own[table]) for table in _TABLES}
-        return CommandedGait(**{**own, **tables}, robot=robot, native=True)
+        return _from_numbers(gaits[name], robot, native=True)
     except (TypeError, KeyError, ValueError) as error:
         raise QuadrupedError(
             f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
         ) from error
+
+
+def _from_numbers(numbers: Mapping[str, Any], robot: Robot, native: bool = False) -> CommandedGait:
+    tables = {table: LegTable(**numbers[table]) for table in _TABLES}
+    return CommandedGait(**{**numbers, **tables}, robot=robot, native=native)
