@@ -60,7 +60,7 @@ class RewardFunction:
 
 
 def checked(what: str, shape: tuple[int, ...], call: Callable[[], object], dtype: np.dtype[Any] | None = None) -> None:
-    """Check that a user's function returns an array of a given shape and, unless it is None, a given dtype.
+    """Check that a user's function returns an array of a given shape, and of a given dtype if there is one.
 
     Raises:
         QuadrupedError: if it raises an error or returns something else.
