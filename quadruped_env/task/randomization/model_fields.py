@@ -262,16 +262,12 @@ def _problem(field: str, low: Floats, high: Floats, model: mujoco.MjModel) -> st
         return f"makes {field} {least:.3g}, which must be positive: raise the lower end"
     if field in _NOT_NEGATIVE and least < 0.0:
         return f"makes {field} {least:.3g}, which must be 0 or more: raise the lower end"
-    longest = buffered_delay(model)
+    # The delay that the buffers of the motors hold.
+    samples = int(model.actuator_history[:, 0].min()) if model.nu else 0
+    longest = max(samples - 1, 0) * float(model.opt.timestep)
     if field == _DELAY and high.max() > longest + 1e-9:
         return (
             f"makes the delay of the motors {high.max():.3g} s, and the model's buffer holds {longest:.3g} s: lower "
             f"the upper end, or build the model with TaskConfig.compiled_model()"
         )
     return ""
-
-
-def buffered_delay(model: mujoco.MjModel) -> float:
-    """Longest delay that the buffers of a model's motors hold, s."""
-    samples = int(model.actuator_history[:, 0].min()) if model.nu else 0
-    return max(samples - 1, 0) * float(model.opt.timestep)
