@@ -179,9 +179,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     return 0
 
 
-def typed_settings(
-    arguments: argparse.Namespace,
-) -> tuple[dict[str, Any], Path | None, TaskDefinition, dict[str, str]]:
+def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path | None, TaskDefinition, dict[str, str]]:
     """The settings of a training that were typed.
 
     Returns:

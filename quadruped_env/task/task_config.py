@@ -33,7 +33,6 @@ from quadruped_env.task.config_sections import (
     parameter_entry,
     range_entry,
     section_entry,
-    weights_entry,
 )
 from quadruped_env.task.randomization.model_fields import ModelField
 from quadruped_env.task.randomization.randomization import ends_of, is_active
@@ -61,8 +60,9 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
         "turning_fraction": parameter_entry(Parameter(low=0.0), 0.1),
         "resample_interval": range_entry((3.0, 6.0), _POSITIVE_SECONDS),
     }
+    weights = {term: Entry(default, number) for term, default in definition.weights.items()}
     reward: dict[str, Entry] = {
-        "weights": weights_entry("reward.weights", definition.weights),
+        "weights": section_entry("reward.weights", weights),
         "velocity_time_constant": parameter_entry(_POSITIVE_SECONDS, 0.4),
         "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
     }

@@ -193,19 +193,10 @@ class _BoundPayload:
 def _joined(
     mass: Floats, added: Floats, offset: Floats, inertia: Floats, axes: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Bodies and their payloads as one body each.
+    """Bodies (R,) and their payloads as one body each: shifts of the centre of mass, moments of inertia and their axes.
 
-    Two bodies about their common centre of mass: parallel axis theorem with the reduced mass.
-
-    Args:
-        mass: mass of each body (R,), kg.
-        added: mass of its payload (R,), kg.
-        offset: position of the payload from the body's centre of mass (R, 3), m.
-        inertia: principal moments of inertia of both together, as if at one point (R, 3), kg m^2.
-        axes: quaternion wxyz of the principal axes (R, 4).
-
-    Returns:
-        Shift of the centre of mass (R, 3), moments of inertia (R, 3), and their axes (R, 4).
+    Two bodies about their common centre of mass: parallel axis theorem with the reduced mass. `offset` (R, 3) is from
+    the body's centre of mass to the payload's; `inertia` (R, 3) is of both as if at one point, about the `axes` (R, 4).
     """
     total = added + mass
     turn, moments, turned = np.empty((len(mass), 3, 3)), np.empty((len(mass), 3)), np.empty((len(mass), 4))
