@@ -71,11 +71,6 @@ def prepare_policy(directory):
     shutil.copytree(shipped_directory("flat"), directory, dirs_exist_ok=True)
 
 
-def prepare_run(directory):
-    for name in (CARD_FILE, TENSORS_FILE, RESUME_FILE, PROGRESS_FILE):
-        (directory / name).touch()
-
-
 def prepare_bag(directory):
     write_bag(directory / "bag", [(0, fields())])
 
@@ -140,7 +135,6 @@ def prepare_subject(directory):
 
 
 TERMS = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    return context.base_height\n"
-MANIFEST = json.dumps({"format": FORMAT})
 MOTORS = json.dumps({"motor": TaskConfig().to_dict()["motor"]})
 COLUMNS = '[columns]\nstamp = "t"\nstamp_unit = "s"\npositions = ["a", "b"]\nmissing = [-1]\n'
 JOINTS = '[joints.LF_hip_joint]\nsource = "a"\nscale = 2.0\noffset = 0.1\nunit = "deg"\n'

@@ -56,9 +56,9 @@ def changes(before: Any, values: Mapping[str, Any]) -> str:
         values: settings of the resumed training.
     """
     known = before if isinstance(before, dict) else {}
-    differing = [
-        file["name"]
+    differing = {  # both classes may be of one file
+        file["name"]: None
         for option, file in recorded(values).items()
         if not isinstance(known.get(option), dict) or known[option].get("sha256") != file["sha256"]
-    ]
+    }
     return f"the code of {' and '.join(differing)} differs from the run's" if differing else ""

@@ -207,10 +207,7 @@ def test_live_controller_runs_the_clock_of_the_env():
 @pytest.mark.parametrize(
     ("value", "message"),
     [
-        (
-            0.0,
-            r"clock_frequency must be positive \(Hz\), at most .*, or a mapping with speeds and .*; found 0.0",
-        ),
+        (0.0, r"clock_frequency must be positive \(Hz\), at most .*, or a mapping with speeds and .*; found 0.0"),
         ("fast", r"clock_frequency must be positive .* found 'fast'"),
         ([2.2, 3.0], r"clock_frequency must be positive .* found \[2.2, 3.0\]"),
         (

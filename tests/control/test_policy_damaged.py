@@ -138,10 +138,7 @@ DAMAGES = {
         lambda d: edit_tensors(d, layer0__bias=np.zeros((16, 1), np.float32)),
         r"policy.safetensors: layer0",
     ),
-    "bias a scalar": (
-        lambda d: edit_tensors(d, layer0__bias=np.zeros((), np.float32)),
-        r"layer0",
-    ),
+    "bias a scalar": (lambda d: edit_tensors(d, layer0__bias=np.zeros((), np.float32)), r"layer0"),
     "words": (
         lambda d: edit_tensors(d, layer0__weight=np.zeros((OBSERVATION_WIDTH, 16), np.int64)),
         r"policy.safetensors: layer0.*int64",

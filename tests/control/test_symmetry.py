@@ -26,11 +26,15 @@ def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, c
     qpos, qvel, _ = mirrored(robot.data.qpos, robot.data.qvel, STANCE)
     mirror.task.simulation.reset(ROW, qpos[None], qvel[None])
     mirror.task.phase[:] = (robot.task.phase + math.pi) % math.tau
+    privileged = [one.task.privileged_readings() for one in (robot, mirror)]
+    mirror_privileged = MirrorMap.of(privileged[0].layout)
     for _ in range(25):
         action = rng.uniform(-1, 1, ACTION_WIDTH)
         observation, reward, fallen, _, info = robot.step(action)
         other, other_reward, other_fallen, _, other_info = mirror.step(MIRROR.action(action))
         np.testing.assert_allclose(other, MIRROR.observation(observation), atol=1e-5)
+        hidden, other_hidden = (readings.values() for readings in privileged)
+        np.testing.assert_allclose(other_hidden, mirror_privileged.observation(hidden), atol=1e-5)
         assert other_reward == pytest.approx(reward, abs=1e-6)
         terms = {name: value for name, value in info.items() if name.startswith("reward_")}
         assert {name: other_info[name] for name in terms} == pytest.approx(terms, abs=1e-6)

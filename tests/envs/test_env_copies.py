@@ -6,17 +6,7 @@ import pickle
 import gymnasium
 import numpy as np
 import pytest
-from environments import (
-    ACTION_MODES,
-    EPISODE_STEPS,
-    NUM_ENVS,
-    ROUGH,
-    assert_same,
-    episodes,
-    make,
-    make_native,
-    play,
-)
+from environments import ACTION_MODES, EPISODE_STEPS, NUM_ENVS, ROUGH, assert_same, episodes, make, make_native, play
 from gymnasium.envs.registration import EnvSpec
 from gymnasium.vector import AutoresetMode
 

@@ -104,11 +104,7 @@ def test_vector_environment_with_invalid_argument_names_the_valid_ones(maker):
         ("num_envs", (0, "2", 2.0, True), "num_envs: expected a whole number, 1 or more; found"),
         ("num_threads", (-1, 1.5), "num_threads: expected a whole number, 0 or more; found"),
         ("max_episode_steps", (0, 10.5), "max_episode_steps: expected a whole number, 1 or more, or None; found"),
-        (
-            "autoreset_mode",
-            ("same", 1),
-            "autoreset_mode: .* is unknown; valid modes are 'NextStep', 'SameStep'",
-        ),
+        ("autoreset_mode", ("same", 1), "autoreset_mode: .* is unknown; valid modes are 'NextStep', 'SameStep'"),
     ):
         for value in values:
             with pytest.raises(QuadrupedError, match=message):

@@ -11,12 +11,7 @@ from functools import partial
 import missing_opengl
 import numpy as np
 import pytest
-from environments import (
-    ROUGH,
-    make,
-    make_native,
-    make_sync,
-)
+from environments import ROUGH, make, make_native, make_sync
 from gymnasium.utils.passive_env_checker import env_render_passive_checker
 from waiting import output_of
 

@@ -18,9 +18,7 @@ def sb3(request):
 
     kwargs = {"config": ROUGH, "max_episode_steps": EPISODE_STEPS}
     return SimpleNamespace(
-        env=make_sb3_vec_env(NUM_ENVS, seed=3, **kwargs),
-        native=make_native(**kwargs),
-        make=make_sb3_vec_env,
+        env=make_sb3_vec_env(NUM_ENVS, seed=3, **kwargs), native=make_native(**kwargs), make=make_sb3_vec_env
     )
 
 

@@ -12,14 +12,7 @@ from quadruped_env.envs import ENV_ID
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import BatchSimulation
-from quadruped_env.task import (
-    CommandConfig,
-    RandomizationConfig,
-    Task,
-    TaskConfig,
-    TaskContext,
-    TerminationConfig,
-)
+from quadruped_env.task import CommandConfig, RandomizationConfig, Task, TaskConfig, TaskContext, TerminationConfig
 from quadruped_env.task.reward_function import RewardFunction
 from quadruped_env.task.rewards import REWARDS
 

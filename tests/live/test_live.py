@@ -50,11 +50,7 @@ def test_names_types_and_hashes_are_those_of_ros(nodes):
     other.subscribe(TOPICS["/clock"])
     wait_until(lambda: len(other.graph.endpoints()) == 2)
     clock, states = other.graph.endpoints()
-    assert (states.topic, states.type_name, states.kind) == (
-        "/joint_states",
-        "sensor_msgs/msg/JointState",
-        "publisher",
-    )
+    assert (states.topic, states.type_name, states.kind) == ("/joint_states", "sensor_msgs/msg/JointState", "publisher")
     assert states.type_hash == "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"
     assert states.qos == JOINT_STATES.qos
     assert not other.graph.is_own(states)

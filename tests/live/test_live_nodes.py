@@ -1,6 +1,5 @@
 """The nodes as processes: simulator and controller walk, also after one of them is killed, silent or sends noise."""
 
-import json
 import re
 import time
 from itertools import count
@@ -11,18 +10,10 @@ from built_in import STANCE, STANCE_HEIGHT
 from live_nodes import joint_state, received_from
 from waiting import wait_until
 
-from benchmarks import live as benchmark
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.live import Node, Topic
 from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.middleware.topics import (
-    CMD_VEL,
-    IMU,
-    JOINT_COMMANDS,
-    JOINT_POSITIONS,
-    JOINT_STATES,
-    ODOMETRY,
-)
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
@@ -218,22 +209,3 @@ def test_display_starts_and_ends_its_nodes(start):
     assert display.interrupt() == 0
     for name in ("gait", "state", "view"):
         assert f"[{name}] ended after" in display.said
-
-
-@pytest.mark.slow
-def test_benchmark_measures_the_walk(domain_id, tmp_path):
-    lines = []
-    walk = benchmark.measure(5.0, realtime=True, progress=lines.append)
-    assert walk.ticks > 200
-    assert walk.speed > 0.05
-    assert not walk.fell
-    if walk.on_time > 0.9:  # on a machine that keeps up
-        assert walk.speed == pytest.approx(walk.environment_speed, abs=0.1)
-        assert walk.limp_commands == 0
-    assert 0.0 < walk.on_time <= 1.0
-    assert 0.0 < walk.latency_median <= walk.latency_99_9
-    assert 20.0 < walk.samples[0].sim_memory < 1000.0
-    assert len(lines) >= 10
-    benchmark.write(walk, "here", {"numpy": "1"}, tmp_path / "live.json")
-    assert json.loads((tmp_path / "live.json").read_text())["ticks"] == walk.ticks
-    assert "| state to command, median |" in str(walk)

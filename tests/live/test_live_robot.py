@@ -298,10 +298,7 @@ def test_viewer_without_odometry_shows_the_robot_on_its_feet(domain_id, tmp_path
         states = robot_node.publish(JOINT_STATES)
         positions = np.array([0.3, -0.9] * 4)
         message = cdr.message(
-            JOINT_STATES.type_name,
-            header=cdr.header(EPOCH),
-            name=list(JOINT_NAMES),
-            position=positions,
+            JOINT_STATES.type_name, header=cdr.header(EPOCH), name=list(JOINT_NAMES), position=positions
         )
         wait_until(lambda: states.send(message) or show.advance(0.02) or live.receives_states, "the robot's states")
         show.advance(0.02)

@@ -243,6 +243,13 @@ def test_timestamp_filter_tolerates_clocks_that_drift():
     assert "jumped ahead" in timestamps.refusal(round(3600.5e9), 3600.5)
 
 
+def test_states_that_are_later_little_by_little_are_refused():
+    timestamps = TimestampFilter("/test")
+    lags = [0.03 * i for i in range(10)]
+    refusals = [timestamps.refusal(round(i * 2e7), i * 0.02 + lag) for i, lag in enumerate(lags)]
+    assert ["late" in refusal for refusal in refusals] == [lag > 0.2 for lag in lags]
+
+
 def joint_state(**changes):
     fields = {"name": list(JOINT_NAMES), "position": STANCE, "velocity": np.zeros(8), "effort": ()}
     return cdr.serialize(cdr.message("sensor_msgs/msg/JointState", header=cdr.header(1), **(fields | changes)))

@@ -176,19 +176,3 @@ def test_options_of_the_recordings_table_are_those_of_convert():
     options = {command.split()[0] for command in re.findall(r"`(--[^`]+)`", table)} - {"--full-length"}
     assert len(options) > 5
     assert options <= set(parser_of("convert")._option_string_actions)
-
-
-@pytest.mark.slow
-def test_scripts_on_every_page_have_the_options_that_are_shown():
-    shown = {}
-    for page, command in scripts(*PAGES):
-        options = {part.split("=")[0] for part in command[1:] if part.startswith("--")}
-        shown.setdefault(command[0], {}).update(dict.fromkeys(options, page))
-    assert shown
-    for script, options in shown.items():
-        if options:
-            done = subprocess.run(
-                [sys.executable, script, "--help"], cwd=ROOT, capture_output=True, text=True, check=True
-            )
-            for option, page in options.items():
-                assert re.search(rf"(?<![\w-]){option}(?![\w-])", done.stdout), f"{page}: {script} {option}"

@@ -38,6 +38,7 @@ class TestPrograms:
         played = results / "replay-baseline-tuned-commands" / "joint_states.csv"
         assert played.read_bytes() == (results / "baseline-tuned.csv").read_bytes()
 
+    @pytest.mark.filterwarnings("default")
     def test_replay_program_compares_with_measurements(self, tmp_path, run):
         commands = publish(SinusoidalGait.preset("tuned"), 0.5, 50.0)
         commands.save(tmp_path / "told.csv")

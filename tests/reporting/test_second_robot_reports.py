@@ -233,32 +233,6 @@ class TestReplay:
         for svg in figures.values():
             assert [text for text in texts(svg) if text in LABELS] == LABELS
 
-    def test_positions_beyond_the_limits_of_the_robot_are_refused(self):
-        positions = np.tile(ROBOT.stance, (2, 1))
-        positions[:, 1] = -2.05  # within, though not for the built-in robot
-        replay(JointTrajectory([0, 10**8], ROBOT.joint_names, positions), "kinematic", robot=ROBOT)
-        positions[1, 1] = -2.2
-        with pytest.raises(
-            QuadrupedError, match=r"position\.back_right_knee_joint: -2\.2 rad .* outside -2\.1 to -0\.05 rad"
-        ):
-            replay(JointTrajectory([0, 10**8], ROBOT.joint_names, positions), "kinematic", robot=ROBOT)
-
-
-class TestBags:
-    def test_bag_holds_the_description_and_transforms_of_the_robot(self, recording, tmp_path):
-        pytest.importorskip("rosbags")
-        from rosbags.highlevel import AnyReader
-
-        recording.joints.save(tmp_path / "bag", base_pose=recording.base_pose, robot=ROBOT)
-        with AnyReader([tmp_path / "bag"]) as reader:
-            messages = {
-                topic: [reader.deserialize(data, c.msgtype) for c, _, data in reader.messages() if c.topic == topic]
-                for topic in ("/robot_description", "/tf")
-            }
-        assert messages["/robot_description"][0].data == ROBOT.urdf
-        frames = [transform.child_frame_id for transform in messages["/tf"][0].transforms]
-        assert frames == list(ROBOT.link_names)
-
 
 @pytest.mark.skipif(
     importlib.util.find_spec("tabulate") is None, reason="mujoco[sysid] is not installed: pip install -e '.[identify]'"

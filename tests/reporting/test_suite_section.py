@@ -79,13 +79,7 @@ def test_figures_are_svg_and_survive_unknown_values(suite_result):
     for entry in unknown["gait"]["commands"]:
         entry["touchdowns_per_stride"] = [None] * 4
         entry["clearance"] = [None] * 4
-    for draw in (
-        plots.command_map,
-        plots.gait_measures,
-        plots.push_survival,
-        plots.disturbances,
-        plots.crossings,
-    ):
+    for draw in (plots.command_map, plots.gait_measures, plots.push_survival, plots.disturbances, plots.crossings):
         for result in (suite_result, unknown):
             assert ElementTree.fromstring(draw(result)).tag.endswith("svg")  # noqa: S314
     assert suite_section.section(unknown)["gait"]["rows"][0]["cells"] == ["-", "-"]
@@ -215,7 +209,7 @@ def test_evaluate_prints_scores_and_writes_results(
         return suite_result
 
     monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)
-    monkeypatch.setattr("quadruped_env.evaluation.comparison.compare", lambda *_, **__: comparison)
+    monkeypatch.setattr("quadruped_env.cli.common_options.compare", lambda *_, **__: comparison)
     arguments = ["evaluate", str(run_directory), "--suite", "--quick", "--no-video", "-o", str(tmp_path / "out")]
     assert main(arguments) == 0
     assert asked == [("20260101-000000-ppo", True)]

@@ -120,10 +120,7 @@ class TestMotors:
         inverse = np.linalg.inv(inertia)
         identity = np.eye(8)
         system = np.block(
-            [
-                [np.zeros((8, 8)), identity],
-                [-STIFFNESS * inverse, -(DAMPING + PASSIVE_DAMPING) * inverse],
-            ]
+            [[np.zeros((8, 8)), identity], [-STIFFNESS * inverse, -(DAMPING + PASSIVE_DAMPING) * inverse]]
         )
         for _ in range(10):
             mujoco.mj_step(model, data, 100)

@@ -5,14 +5,7 @@ import copy
 import mujoco
 import numpy as np
 import pytest
-from built_in import (
-    EFFORT_LIMIT,
-    JOINT_POSITION_HIGH,
-    JOINT_POSITION_LOW,
-    STANCE,
-    STANCE_HEIGHT,
-    TOTAL_MASS,
-)
+from built_in import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT, TOTAL_MASS
 from mirroring import mirrored
 from sensing import GRAVITY, random_pose, reading
 

@@ -265,10 +265,7 @@ class TestCollision:
         data.qpos[7:] = [1.2, -0.1, 1.2, -0.1, -1.2, -0.1, -1.2, -0.1]
         mujoco.mj_forward(model, data)
         pairs = {tuple(sorted(model.geom(i).name for i in contact.geom)) for contact in data.contact}
-        assert pairs == {
-            ("LF_leg_collision", "LH_leg_collision"),
-            ("RF_leg_collision", "RH_leg_collision"),
-        }
+        assert pairs == {("LF_leg_collision", "LH_leg_collision"), ("RF_leg_collision", "RH_leg_collision")}
 
     @pytest.mark.parametrize("link", LINKS)
     def test_every_link_meets_the_ground(self, model, link):

@@ -156,10 +156,7 @@ def test_drives_in_the_urdf_are_those_of_the_mjcf(name):
     np.testing.assert_array_equal(column(drives, "damping"), mjcf.dof_damping[6:])
     np.testing.assert_array_equal(column(drives, "friction"), mjcf.dof_frictionloss[6:])
     np.testing.assert_array_equal(column(drives, "mechanical_reduction"), column(drives, "gear_ratio"))
-    for limit, own, of_command in (
-        ("joint_position_low", "lower", "min"),
-        ("joint_position_high", "upper", "max"),
-    ):
+    for limit, own, of_command in (("joint_position_low", "lower", "min"), ("joint_position_high", "upper", "max")):
         np.testing.assert_array_equal(column(drives, own), getattr(robot, limit))
         np.testing.assert_array_equal(column(drives, of_command), getattr(robot, limit))
     np.testing.assert_array_equal(column(drives, "effort"), robot.effort_limit)

@@ -8,13 +8,7 @@ import math
 import gymnasium
 import numpy as np
 import pytest
-from laws import (
-    NEIGHBOURS,
-    assert_equally_likely,
-    assert_independent,
-    assert_uniform,
-    share,
-)
+from laws import NEIGHBOURS, assert_equally_likely, assert_independent, assert_uniform, share
 from scipy.spatial.transform import Rotation
 from settings import settings
 

@@ -6,13 +6,7 @@ import numpy as np
 import pytest
 import scipy.stats
 from built_in import FOOT_RADIUS, STANCE
-from tasks import (
-    NEVER_FALLS,
-    ONE_COMMAND,
-    STILL_START,
-    make_env,
-    make_task,
-)
+from tasks import NEVER_FALLS, ONE_COMMAND, STILL_START, make_env, make_task
 
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.errors import QuadrupedError
@@ -40,11 +34,7 @@ def test_starts_are_drawn_in_their_ranges():
     simulation.reset = lambda env_ids, qpos, qvel: starts.append((qpos, qvel))
     Task(simulation, TaskConfig(randomization=config)).reset(np.arange(5000), range(5000))
     ((qpos, qvel),) = starts
-    for values, bound in (
-        (qpos[:, 7:] - STANCE, 0.2),
-        (qvel[:, 6:], 0.7),
-        (qvel[:, :6], 0.3),
-    ):
+    for values, bound in ((qpos[:, 7:] - STANCE, 0.2), (qvel[:, 6:], 0.7), (qvel[:, :6], 0.3)):
         assert (abs(values) <= bound + 1e-12).all()
         assert (abs(values).max(axis=0) > 0.99 * bound).all()
         np.testing.assert_allclose(values.mean(axis=0), 0.0, atol=0.05 * bound)

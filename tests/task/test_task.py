@@ -12,14 +12,7 @@ from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.velocity_command import check_command
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
-from quadruped_env.task import (
-    ActionConfig,
-    CommandConfig,
-    Task,
-    TaskConfig,
-    TerminationConfig,
-    terminations,
-)
+from quadruped_env.task import ActionConfig, CommandConfig, Task, TaskConfig, TerminationConfig, terminations
 from quadruped_env.task.command_sampling import CommandSampler
 
 # --- terminations ---

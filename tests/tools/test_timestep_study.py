@@ -83,13 +83,3 @@ def test_table_and_verdict_and_report():
     report = json.loads(json.dumps(study.report()))
     assert report["outcomes"][1]["relative_speed"] == 0.4
     assert report["outcomes"][0]["errors"]["trot speed"] == pytest.approx(0.04)
-
-
-@pytest.mark.slow
-def test_a_small_study_runs_to_its_end(tmp_path):
-    shares = []
-    study = timestep_study.run_study(["tuned"], starts=2, seconds=3.0, progress=lambda label: shares.append)
-    assert [outcome.setting for outcome in study.outcomes].count(CHOSEN) == 1
-    assert shares[-1] == pytest.approx(1.0)
-    study.save(tmp_path / "deep" / "study.json")
-    assert json.loads((tmp_path / "deep" / "study.json").read_text())["starts"] == 2

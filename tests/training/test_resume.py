@@ -59,10 +59,7 @@ def edit(path, section, **changes):
 @pytest.mark.parametrize(
     ("asked", "message"),
     [
-        (
-            {"action_mode": "position"},
-            r"--action-mode: found 'position'; \S+-first has 'residual', .*leave",
-        ),
+        ({"action_mode": "position"}, r"--action-mode: found 'position'; \S+-first has 'residual', .*leave"),
         ({"hidden": (32, 32)}, r"--hidden: found \(32, 32\); \S+-first has \(8,\)"),
         ({"activation": "tanh"}, r"--activation: found 'tanh'; \S+-first has 'elu'"),
         ({"log_std_init": -1.0}, r"--log-std-init: found -1.0; \S+-first has -1.5"),
@@ -261,12 +258,7 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
     ("file", "section", "changes", "message"),
     [
         (CONFIG_FILE, "training", {"gamma": None}, r"field 'training.gamma' is missing; start a new training"),
-        (
-            CONFIG_FILE,
-            "training",
-            {"hidden": [8.5]},
-            r"training.hidden: expected up to 16 whole numbers",
-        ),
+        (CONFIG_FILE, "training", {"hidden": [8.5]}, r"training.hidden: expected up to 16 whole numbers"),
         (
             CONFIG_FILE,
             "training",
@@ -285,12 +277,7 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
             r"action_mode is 'position' and task.action.mode is 'resi",
         ),
         (CONFIG_FILE, "task", {"tempo": 1}, r"config.json: config: unknown field 'tempo'.*start a new training"),
-        (
-            CARD_FILE,
-            "card",
-            {"timesteps": None},
-            r"policy.json: card.timesteps: expected a whole number, 0 to 1e",
-        ),
+        (CARD_FILE, "card", {"timesteps": None}, r"policy.json: card.timesteps: expected a whole number, 0 to 1e"),
         (CARD_FILE, "card", {"timesteps": 1.5}, r"card.timesteps: expected a whole number, 0 to 1e\+15; found 1.5"),
         (CARD_FILE, "card", {"budget_left": 1.5}, r"card.budget_left: expected a number, 0 to 1; found 1.5"),
         (

@@ -99,32 +99,6 @@ def test_the_same_seed_gives_the_same_policy_bit_for_bit(tiny_run, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("mode", ["position", "residual"])
-def test_options_reach_the_policy(tmp_path, mode):
-    directory = train(
-        tmp_path, *TINY, "--action-mode", mode, "--hidden", 24, 20, 16, "--activation", "tanh", "--no-symmetric",
-        "--name", "try",
-        "--task", json.dumps({"decimation": 5, "randomization": {"push_velocity": 0.3}}),
-    )  # fmt: skip
-    policy = assert_complete(directory)
-    assert directory.name.endswith("-try")
-    assert policy.action_mode == mode
-    assert policy.activation == "tanh"
-    assert [weight.shape[1] for weight in policy.weights] == [24, 20, 16, 8]
-    assert policy.config.decimation == 5
-    assert policy.config.randomization.push_velocity == 0.3
-
-
-@pytest.mark.slow
-def test_a_budget_in_seconds_is_kept(tmp_path):
-    directory = train(tmp_path, *TINY, "--seconds", 2, "--timesteps", 256)
-    card = assert_complete(directory).card
-    assert card["seconds"] >= 2.0
-    assert card["timesteps"] > 256, "not the budget in steps"
-    assert all(float(row["seconds"]) < 2.0 for row in progress(directory)[:-1]), "the first update past it is the last"
-
-
-@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_ends_a_training_which_saves_and_exits_cleanly(tmp_path, number):
     with running(tmp_path, *ENDLESS) as process:

@@ -141,6 +141,7 @@ def test_short_training_reports_its_length_and_the_previous_latest_run(final_out
         (("--task", "{"), r"""--task: expected a JSON object such as '{"command".*; found '\{' \(Expecting"""),
         (("--task", "9" * 5000), r"--task: expected a JSON object such as .*; found '9{60}' \(Exceeds"),
         (("--task", "[" * 100_000), r"--task: expected a JSON object such as .*; found '\[{60}' \("),
+        (("--task", '{"decimation": 0}'), r"error: config: decimation must be 1 or more, at most 1000; found 0"),
         (("--resume", "nowhere"), r"error: --resume: nowhere is not a directory; name a run such as runs/latest"),
         (("--timesteps", "many"), r"--timesteps.*'many'"),
         (("--speed", "9"), r"unrecognized arguments: --speed 9"),
@@ -148,18 +149,6 @@ def test_short_training_reports_its_length_and_the_previous_latest_run(final_out
 )
 def test_bad_arguments_give_one_clear_line_and_status_2(tmp_path, arguments, message):
     assert_refused(tmp_path, arguments, message)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("--task", '{"tempo": 1}'), r"error: config: unknown field 'tempo'; valid fields are"),
-        (("--task", '{"decimation": 0}'), r"error: config: decimation must be 1 or more, at most 1000; found 0"),
-    ],
-)
-def test_a_bad_task_gives_one_clear_line_and_status_2(tmp_path, arguments, message):
-    assert_refused(tmp_path, (*TINY, *arguments), message)
 
 
 @pytest.mark.slow

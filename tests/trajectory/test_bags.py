@@ -263,10 +263,7 @@ class TestBagsOfOthers:
     def test_names_in_another_order_are_put_in_order(self, tmp_path):
         path = write_bag(
             tmp_path / "bag",
-            [
-                (0, fields(0, ("a", "b"), (1, 2), velocity=(3, 4))),
-                (1, fields(1, ("b", "a"), (5, 6), velocity=(7, 8))),
-            ],
+            [(0, fields(0, ("a", "b"), (1, 2), velocity=(3, 4))), (1, fields(1, ("b", "a"), (5, 6), velocity=(7, 8)))],
         )
         loaded = JointTrajectory.load(path)
         assert (loaded.names, loaded.positions.tolist()) == (("a", "b"), [[1, 2], [6, 5]])

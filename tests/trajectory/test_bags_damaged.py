@@ -13,10 +13,7 @@ from bags import KINDS, fields, save, write_bag, write_ros1
 from paths import importing
 from trajectories import assert_same, random_trajectory
 
-from quadruped_env import (
-    JointTrajectory,
-    QuadrupedError,
-)
+from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.trajectory import JointMap, JointRule
 from quadruped_env.trajectory.file_conversion import convert
 from quadruped_env.trajectory.loading import Stream
@@ -260,10 +257,7 @@ os.kill(os.getpid(), signal.SIGKILL)
             "left out 1 of 20: the message is damaged",
         )
 
-    @pytest.mark.parametrize(
-        ("kind", "checked"),
-        [("bare.mcap", True), ("bare.db3", False), ("mcap zstd", True)],
-    )
+    @pytest.mark.parametrize(("kind", "checked"), [("bare.mcap", True), ("bare.db3", False), ("mcap zstd", True)])
     def test_convert_marks_messages_that_were_salvaged_without_a_checksum(self, tmp_path, kind, checked):
         trajectory = random_trajectory(rows=60)
         path = save(trajectory, tmp_path, kind)

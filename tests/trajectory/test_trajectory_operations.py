@@ -193,6 +193,7 @@ def test_gaps_are_found():
     (gap,) = trajectory_of(np.sin, times).gaps()
     assert (gap.row, round(gap.start, 9), round(gap.seconds, 9)) == (9, 0.18, 0.6)
     assert trajectory_of(np.sin, np.arange(10) * 0.02).gaps() == ()
+    assert trajectory_of(np.sin, [0.0, 0.02, 0.08, 0.1]).gaps() == (), "three steps and no more"
     assert trajectory_of(np.sin, [0.0]).gaps() == ()
 
 

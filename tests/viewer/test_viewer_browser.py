@@ -10,7 +10,6 @@ from viewing import showing
 from quadruped_env import JOINT_NAMES, JointTrajectory
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.policies import load_policy
-from quadruped_env.viewer.view_controller import MAX_PUSH
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
@@ -102,19 +101,6 @@ def test_keys_command_the_robot_and_leave_the_camera_alone(stage, paused):
     until(lambda: controller.view().time == 0.0)
     page.keyboard.press("n")
     until(lambda: controller.view().time == pytest.approx(0.02))
-
-
-@pytest.mark.slow
-def test_a_push_in_its_direction_and_strength(stage, paused):
-    panel = stage[0].panel
-    controller, page = paused
-    fill(page, "To, degrees", -90)
-    fill(page, "Strength, m/s", MAX_PUSH)
-    until(lambda: (panel._direction.value, panel._strength.value) == (-90, MAX_PUSH))
-    data = controller._robots.slots[0].robot.data
-    page.get_by_role("button", name="Push", exact=True).click()
-    until(lambda: data.qvel[1] < -0.5)
-    np.testing.assert_allclose(data.qvel[:3], [0.0, -MAX_PUSH, 0.0], atol=1e-9)
 
 
 @pytest.mark.slow

@@ -1,30 +1,10 @@
 """Terrain, disturbances, legend and colours of the viewer's page."""
 
-import numpy as np
 import pytest
-from viewer_page import choose, shot, still, tab, until
+from viewer_page import until
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")
-
-
-@pytest.mark.slow
-def test_terrain_and_its_level(paused):
-    controller, page = paused
-    tab(page, "Robots")
-    page.get_by_text("Level", exact=True).wait_for(state="hidden")
-    flat = still(page)
-    choose(page, "Terrain", "stairs")
-    until(lambda: controller.terrain.name == "stairs")
-    choose(page, "Level", "6")
-    until(lambda: controller.terrain.level == 6)
-    until(lambda: not np.array_equal(shot(page), flat))
-    choose(page, "Terrain", "hills")  # which has no levels
-    until(lambda: (controller.terrain.name, controller.terrain.level) == ("hills", None))
-    page.get_by_text("Level", exact=True).wait_for(state="hidden")
-    choose(page, "Terrain", "flat")
-    until(lambda: controller.terrain.name == "flat")
-    until(lambda: np.abs(shot(page).astype(int) - flat).mean() < 1.0)
 
 
 @pytest.mark.slow

@@ -23,8 +23,7 @@ def levels(*shares):
 
 
 @pytest.mark.parametrize(
-    ("shares", "expected"),
-    [((), 0), ((0.89,), 0), ((0.9, 1.0, 0.5), 2), ((1.0, 0.2, 1.0), 1), ((1.0,) * 10, 10)],
+    ("shares", "expected"), [((), 0), ((0.89,), 0), ((0.9, 1.0, 0.5), 2), ((1.0, 0.2, 1.0), 1), ((1.0,) * 10, 10)]
 )
 def test_highest_level_is_that_up_to_which_every_level_is_passed(shares, expected):
     assert terrains.highest(levels(*shares), PART) == expected

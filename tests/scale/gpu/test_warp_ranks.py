@@ -60,12 +60,7 @@ def envs_without_physics(task, num_envs):
     """All of a vector env that PPO reads when it is made."""
     seen = observations(task, num_envs)
     return SimpleNamespace(
-        task=task,
-        num_envs=num_envs,
-        num_actions=8,
-        device="cpu",
-        privileged_layout=None,
-        get_observations=lambda: seen,
+        task=task, num_envs=num_envs, num_actions=8, device="cpu", privileged_layout=None, get_observations=lambda: seen
     )
 
 

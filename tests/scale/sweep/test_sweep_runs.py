@@ -7,18 +7,7 @@ import signal
 import psutil
 import pytest
 import sweeps
-from sweeps import (
-    LONG,
-    ONE_MACHINE,
-    TINY,
-    alive,
-    assert_each_finished_once,
-    only,
-    result,
-    rows,
-    runs_of,
-    started,
-)
+from sweeps import LONG, ONE_MACHINE, TINY, alive, assert_each_finished_once, only, result, rows, runs_of, started
 from trainings import train
 from waiting import status_of, wait_until
 
