@@ -171,7 +171,9 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
             layers.append((weight, bias))
             renorm, activated = None, False
         elif MODULES.get(kind, "") in {activation or MODULES.get(kind)} and not activated:
-            _check_arguments(module)
+            for name, default in _ARGUMENTS.items():
+                if vars(module).get(name, default) != default:
+                    raise refused(f"its actor has {kind}({name}={vars(module)[name]})")
             activation, activated = MODULES[kind], True
         elif kind == "BatchRenorm1d" and activated and renorm is None:
             factor = module.scale / (module.ra_var + module.eps).sqrt()
@@ -181,12 +183,6 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
     if not layers or activated:
         raise refused("its actor does not end with a linear layer")
     return layers, activation or "tanh"
-
-
-def _check_arguments(module: Any) -> None:
-    for name, default in _ARGUMENTS.items():
-        if name in vars(module) and vars(module)[name] != default:
-            raise refused(f"its actor has {type(module).__name__}({name}={vars(module)[name]})")
 
 
 def _array(tensor: Any) -> NDArray[np.float32]:
