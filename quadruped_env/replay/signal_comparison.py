@@ -108,6 +108,11 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
     )
 
 
+def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
+    """Lag of each joint behind its target, s; see `lags`."""
+    return [first for first, _ in lags(target, played)]
+
+
 def lags(target: JointTrajectory, played: JointTrajectory) -> list[tuple[float | None, float | None]]:
     """Lag of each joint behind its target, and its ambiguity, s.
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import Final
 
@@ -14,7 +15,7 @@ from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import recognition
 from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.row_conversion import from_degrees, retarget
-from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, concatenated
+from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, joined
 from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, read_only, validate
 from quadruped_env.utils.progress import Progress
 
@@ -70,7 +71,7 @@ class Stream:
 
     def collect(self) -> Rows:
         """All rows, read-only: trajectories share such arrays instead of copying them."""
-        rows = concatenated(list(self))
+        rows = joined(self)
         for array in (rows.stamps, *rows.values.values()):
             read_only(array)
         return rows
@@ -78,9 +79,9 @@ class Stream:
 
 def _sorted(pieces: Iterator[Rows]) -> Iterator[Rows]:
     """All rows in the order of their timestamps; rows with equal timestamps stay in the order of the file."""
-    found = list(pieces)
-    if found:
-        rows = concatenated(found)
+    first = next(pieces, None)
+    if first is not None:
+        rows = joined(chain([first], pieces))
         yield rows.take(np.argsort(rows.stamps, kind="stable"))
 
 

@@ -1,6 +1,6 @@
 """Joint states as plain arrays: what readers and writers of all formats exchange."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -66,11 +66,22 @@ class Rows:
         return replace(self, values={kind: array for kind, array in self.values.items() if kind not in kinds})
 
 
-def concatenated(parts: Sequence[Rows]) -> Rows:
-    """The rows of all parts, which have the same joints and kinds, and no base pose."""
-    return Rows(
-        np.concatenate([part.numbers for part in parts]),
-        np.concatenate([part.stamps for part in parts]),
-        parts[0].names,
-        {kind: np.concatenate([part.values[kind] for part in parts]) for kind in parts[0].values},
-    )
+def joined(parts: Iterable[Rows]) -> Rows:
+    """The rows of all parts, at least one, which have the same joints and kinds; without their base poses."""
+    rows: Rows | None = None
+    for part in parts:
+        if rows is None:
+            values = {kind: array.copy() for kind, array in part.values.items()}
+            rows = Rows(part.numbers.copy(), part.stamps.copy(), part.names, values)
+            continue
+        # Grown in place, so that the memory never holds a long recording twice.
+        for array, more in zip(_arrays(rows), _arrays(part), strict=True):
+            length = len(array)
+            array.resize((length + len(more), *array.shape[1:]), refcheck=False)
+            array[length:] = more
+    assert rows is not None
+    return rows
+
+
+def _arrays(rows: Rows) -> list[NDArray[Any]]:
+    return [rows.numbers, rows.stamps, *rows.values.values()]
