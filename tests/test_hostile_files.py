@@ -202,6 +202,7 @@ READ_BY = {
     "reporting/plots/learning_plots.py": ("progress",),
     "robot/description.py": "a file in place of a robot: tests/robot/test_description.py",
     "sim2sim/transfer_results.py": ("second engine",),
+    "gait/gait_presets.py": "a file of this package",
     "simulation/model.py": "a file of this package",
     "scale/sweep/sweep_definition.py": ("terms",),
     "scale/sweep/sweep_records.py": ("sweep", "trial", "result", "scores"),

@@ -36,12 +36,10 @@ from quadruped_env.utils.program import run_program
 if TYPE_CHECKING:
     from mutation_testing.places import Mutant
 
+CONTROL = ("control_config", "control_interface", "controllers", "episode_memory", "observations", "policy", "symmetry")
 FILES = (
     *(f"quadruped_env/{package}/**/*.py" for package in ("task", "training", "policies", "gait")),
-    *(
-        f"quadruped_env/control/{module}.py"
-        for module in ("config", "controllers", "interface", "memory", "observations", "policy", "symmetry")
-    ),
+    *(f"quadruped_env/control/{module}.py" for module in CONTROL),
 )
 TESTS = (
     *("tests/task", "tests/control", "tests/gait", "tests/training"),

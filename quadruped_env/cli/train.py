@@ -44,7 +44,7 @@ from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, base_of, check_used
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
-from quadruped_env.training.train_config import GPU_DEFAULTS, defaults, on_gpu, possible_on
+from quadruped_env.training.train_config import GPU_DEFAULTS, defaults, on_gpu, possible_on, shortness
 from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.interpreter import module_command, program_command
@@ -159,9 +159,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
             ):
                 print(f"note: {difference}", flush=True)
     check_used(config.algo, typed)
-    # Torch and Stable-Baselines3 take seconds to import: not before --help and the checks of the arguments.
-    from quadruped_env.training.train_config import shortness
-
     job = Job(config, runs, invocation.line, resume, task_file)
     result = launch(job, here, arguments.launcher, arguments.address)
     if result is None:
@@ -182,9 +179,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     return 0
 
 
-def typed_settings(
-    arguments: argparse.Namespace,
-) -> tuple[dict[str, Any], Path | None, TaskDefinition, dict[str, str]]:
+def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path | None, TaskDefinition, dict[str, str]]:
     """The settings of a training that were typed.
 
     Returns:

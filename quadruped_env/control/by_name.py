@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.control.control_interface import Controller
-from quadruped_env.control.controllers import PolicyController, ZeroController
+from quadruped_env.control.controllers import LoopController, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.policy import CARD_FILE, Policy
 from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, is_code, read_policy, training_advice
-from quadruped_env.control.recording_loop import LoopController
 from quadruped_env.errors import QuadrupedError, did_you_mean
 from quadruped_env.gait import PRESETS
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -35,10 +34,6 @@ class ControllerSpec:
     name: str
     make: Callable[[], Controller]
     """Loads the controller; raises a QuadrupedError if it does not fit this robot."""
-
-
-def _gait(preset: str, robot: Robot) -> ControllerSpec:
-    return ControllerSpec(f"gait {preset}", lambda: EditableGaitController(preset, robot))
 
 
 def _policy(name: str, where: str | Path, load: Load) -> ControllerSpec:
@@ -70,7 +65,7 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     if text in SHIPPED:
         return _policy(f"policy {text}", text, load)
     if text in PRESETS:
-        return _gait(text, robot)
+        return ControllerSpec(f"gait {text}", lambda: EditableGaitController(text, robot))
     path = Path(text)
     if is_code(text):
         return _policy(f"policy {path.name}", text, load)

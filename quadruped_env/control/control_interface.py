@@ -46,7 +46,7 @@ class ControlInterface:
         self.robot = robot
         self.config = config
         self.num_envs = num_envs
-        self.layout = ObservationLayout.of(robot, fields, config.observation_history)
+        self.layout = ObservationLayout(robot, tuple(fields), config.observation_history)
         self.memory = memory = EpisodeMemory(num_envs, like)
         self.action: Floats = memory.zeros("action", robot.num_joints)
         """Latest action in [-1, 1], (N, J); zero for controllers without actions."""

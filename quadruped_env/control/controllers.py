@@ -107,6 +107,16 @@ class TrajectoryController:
         return self._ordered[1].positions_at(seconds)
 
 
+class LoopController(TrajectoryController):
+    """Plays a recording from its beginning again when it ends."""
+
+    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
+        """See `Controller.act`."""
+        # One control step lies between the last sample and the first.
+        period = self.trajectory.duration + control.config.timestep
+        return self.positions_at(control.robot, control.time % period)
+
+
 class PolicyController:
     """A trained policy."""
 

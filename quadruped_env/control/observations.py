@@ -3,7 +3,7 @@
 import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Final, Literal, Protocol, Self
+from typing import Final, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,12 +84,7 @@ class ObservationField(Field):
 
 
 def observation(
-    *,
-    unit: str,
-    mirror: MirrorRule,
-    scale: PerRobot = 1.0,
-    bound: PerRobot = 1.0,
-    noise: float = 0.0,
+    *, unit: str, mirror: MirrorRule, scale: PerRobot = 1.0, bound: PerRobot = 1.0, noise: float = 0.0
 ) -> Callable[[Reader], ObservationField]:
     """Decorator: a function (readings, control) -> (N, width) becomes an `ObservationField` of the same name.
 
@@ -101,20 +96,7 @@ def observation(
         bound: the scaled value is clipped to +-bound.
         noise: amplitude of uniform noise on the reading, in its unit.
     """
-
-    def decorate(read: Reader) -> ObservationField:
-        return ObservationField(
-            name=read.__name__,
-            read=read,
-            unit=unit,
-            mirror=mirror,
-            scale=scale,
-            bound=bound,
-            noise=noise,
-            description=first_line(read),
-        )
-
-    return decorate
+    return lambda read: ObservationField(read.__name__, read, unit, mirror, scale, bound, noise, first_line(read))
 
 
 def _named(module: str, name: str) -> Field:
@@ -249,8 +231,3 @@ class ObservationLayout:
             }
             for entry in self.fields
         ]
-
-    @classmethod
-    def of(cls, robot: Robot, fields: Sequence[Field], history: int = 1) -> Self:
-        """A layout from any sequence of fields."""
-        return cls(robot, tuple(fields), history)

@@ -207,6 +207,8 @@ class Policy:
                 f"{self.source}: predict: expected an array of numbers of shape {expected}; found {actions.dtype} of "
                 f"shape {actions.shape}"
             )
+        if not np.isfinite(actions).all():
+            raise QuadrupedError(f"{self.source}: predict: an action is not finite; return numbers in [-1, 1]")
         return np.clip(actions, -1.0, 1.0).astype(np.float32)
 
     def check_is_data(self, use: str) -> None:

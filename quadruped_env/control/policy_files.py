@@ -16,14 +16,7 @@ from quadruped_env.control.activations import ACTIVATIONS, OUTPUTS
 from quadruped_env.control.control_config import COMMANDS, Command, ControlConfig
 from quadruped_env.control.kept_task_file import code_changes
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
-from quadruped_env.control.policy import (
-    CARD_FILE,
-    FORMAT_VERSION,
-    TENSORS_FILE,
-    Policy,
-    config_hash,
-    gait_document,
-)
+from quadruped_env.control.policy import CARD_FILE, FORMAT_VERSION, TENSORS_FILE, Policy, config_hash, gait_document
 from quadruped_env.control.task_file import (
     TASK_FILE,
     TaskFileError,
@@ -51,8 +44,6 @@ DEFAULT: Final = SHIPPED[0]
 LIVE_POLICY: Final = "robust"
 """The one that live nodes and the viewer run by default: a robot's masses, motors and delays are never the model's."""
 
-_SHIPPED_DIRECTORY: Final = Path(__file__).parent / "shipped"
-
 
 def is_code(source: str | Path) -> bool:
     """True for the name of a Python file, which defines a policy as code."""
@@ -66,7 +57,7 @@ def training_advice() -> str:
 
 def shipped_directory(name: str) -> Path:
     """Directory of a shipped policy."""
-    return _SHIPPED_DIRECTORY / name
+    return Path(__file__).parent / "shipped" / name
 
 
 def finished_directory(run: Path) -> Path:
@@ -215,6 +206,10 @@ def unusable(path: Path | str, error: QuadrupedError) -> QuadrupedError:
     return QuadrupedError(f"{path}: {error}{fix}")
 
 
+def _damaged(path: Path, problem: str) -> QuadrupedError:
+    return QuadrupedError(f"{path}: {problem}; the file is damaged, train again")
+
+
 def _check_robot(document: dict[str, Any], robot: Robot) -> None:
     """Refuse a policy of another robot. Those without the field are of the built-in robot."""
     if "robot" in document:
@@ -243,7 +238,7 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
         )
     for key in ("weights_sha256", "config_sha256", "activation", "layers", "observation_layout", "config", "card"):
         if key not in document:
-            raise QuadrupedError(f"{card_path}: field {key!r} is missing; the file is damaged, train again")
+            raise _damaged(card_path, f"field {key!r} is missing")
     try:
         task = document["config"]
         file = recorded_file(task.get(TASK_FILE)) if isinstance(task, dict) else None
@@ -265,19 +260,12 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
     output = document.get("output", "clip")
     for name, value, valid in (("activation", document["activation"], ACTIVATIONS), ("output", output, OUTPUTS)):
         if value not in tuple(valid):
-            raise QuadrupedError(
-                f"{card_path}: {name} {short(value)} is not one of {', '.join(valid)}; the file is damaged, train again"
-            )
-    if not isinstance(document["card"], dict):
-        raise QuadrupedError(
-            f"{card_path}: card must be a table of facts; found {short(document['card'])}; the file is damaged, train "
-            f"again"
-        )
-    if not isinstance(document["layers"], int) or document["layers"] < 1:
-        raise QuadrupedError(
-            f"{card_path}: layers must be a whole number, 1 or more; found {short(document['layers'])}; "
-            f"the file is damaged, train again"
-        )
+            raise _damaged(card_path, f"{name} {short(value)} is not one of {', '.join(valid)}")
+    card, layers = document["card"], document["layers"]
+    if not isinstance(card, dict):
+        raise _damaged(card_path, f"card must be a table of facts; found {short(card)}")
+    if not isinstance(layers, int) or layers < 1:
+        raise _damaged(card_path, f"layers must be a whole number, 1 or more; found {short(layers)}")
     _check_hash(document, "config_sha256", config_hash(document["config"]), card_path, card_path)
     if document.get("scripted_gait") != gait_document(control.action, robot):
         raise QuadrupedError(
@@ -285,18 +273,9 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
             f"train again, or install the version that made it"
         )
     inputs = control.observation_history * layout.width
-    weights, biases = _layers(document["layers"], tensors, tensors_path, inputs, robot.num_joints)
+    weights, biases = _layers(layers, tensors, tensors_path, inputs, robot.num_joints)
     return Policy(
-        weights,
-        biases,
-        document["activation"],
-        control,
-        terms.observations,
-        task,
-        document["card"],
-        robot,
-        output,
-        str(card_path),
+        weights, biases, document["activation"], control, terms.observations, task, card, robot, output, str(card_path)
     )
 
 
@@ -310,10 +289,8 @@ def _layers(
         weight, bias = tensors.get(f"layer{i}.weight"), tensors.get(f"layer{i}.bias")
         if weight is None or bias is None or bias.ndim != 1 or weight.shape != (width, len(bias)):
             found = " and ".join("none" if tensor is None else str(tensor.shape) for tensor in (weight, bias))
-            raise QuadrupedError(
-                f"{tensors_path}: layer{i}.weight must have shape ({width}, outputs) and layer{i}.bias (outputs,); "
-                f"found {found}; the file is damaged, train again"
-            )
+            rule = f"layer{i}.weight must have shape ({width}, outputs) and layer{i}.bias (outputs,); found {found}"
+            raise _damaged(tensors_path, rule)
         if weight.dtype != np.float32 or bias.dtype != np.float32:
             raise QuadrupedError(
                 f"{tensors_path}: layer{i} must be float32; found {weight.dtype} and {bias.dtype}; train again"

@@ -14,6 +14,7 @@ same motions about its stance, as nearly as sinusoids can.
 
 import functools
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
@@ -36,6 +37,8 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import frozen
 from quadruped_env.utils.plain import plain
+
+Floats = NDArray[np.float64]
 
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
@@ -65,9 +68,9 @@ class SinusoidalGait:
     angular_frequency: float
     phases: tuple[float, ...]
     robot: Robot = MINI_QUADRUPED
-    _amplitude: NDArray[np.float64] = field(init=False, repr=False, compare=False)
-    _offset: NDArray[np.float64] = field(init=False, repr=False, compare=False)
-    _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+    _amplitude: Floats = field(init=False, repr=False, compare=False)
+    _offset: Floats = field(init=False, repr=False, compare=False)
+    _phases: Floats = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         num_joints, num_legs = self.robot.num_joints, self.robot.num_legs
@@ -112,7 +115,7 @@ class SinusoidalGait:
         names = ("hip_amplitude", "hip_offset", "knee_amplitude", "knee_offset", "angular_frequency", "phases")
         return {name: plain(getattr(self, name)) for name in names}
 
-    def positions(self, t: ArrayLike) -> NDArray[np.float64]:
+    def positions(self, t: ArrayLike) -> Floats:
         """Joint positions (..., J) in rad at times t (...,) in s."""
         angle = self._angle(t)
         wave = np.empty_like(angle)
@@ -120,7 +123,7 @@ class SinusoidalGait:
         wave[..., _KNEES] = np.cos(angle[..., _KNEES])
         return self._amplitude * wave + self._offset
 
-    def velocities(self, t: ArrayLike) -> NDArray[np.float64]:
+    def velocities(self, t: ArrayLike) -> Floats:
         """Joint velocities (..., J) in rad/s at times t (...,) in s: the derivative of `positions`."""
         angle = self._angle(t)
         wave = np.empty_like(angle)
@@ -128,7 +131,7 @@ class SinusoidalGait:
         wave[..., _KNEES] = -np.sin(angle[..., _KNEES])
         return self.angular_frequency * self._amplitude * wave
 
-    def _angle(self, t: ArrayLike) -> NDArray[np.float64]:
+    def _angle(self, t: ArrayLike) -> Floats:
         time = np.asarray(t, dtype=np.float64)
         return self.angular_frequency * time[..., None] + self._phases
 
@@ -144,13 +147,7 @@ class SinusoidalGait:
         return limit_violations(self.robot, offset - amplitude, offset + amplitude, speed)
 
 
-def limit_violations(
-    robot: Robot,
-    low: NDArray[np.float64],
-    high: NDArray[np.float64],
-    speed: NDArray[np.float64],
-    tolerance: float = 1e-9,
-) -> list[str]:
+def limit_violations(robot: Robot, low: Floats, high: Floats, speed: Floats, tolerance: float = 1e-9) -> list[str]:
     """Messages about the limits that a motion of the joints exceeds.
 
     Args:
@@ -196,12 +193,7 @@ def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
 
 
 def _sinusoids(
-    robot: Robot,
-    angular_frequency: float,
-    phases: NDArray[np.float64],
-    sine: NDArray[np.float64],
-    cosine: NDArray[np.float64],
-    offset: NDArray[np.float64],
+    robot: Robot, angular_frequency: float, phases: Floats, sine: Floats, cosine: Floats, offset: Floats
 ) -> SinusoidalGait:
     """A gait from sine and cosine parts and offsets of all joints (J,) at the phases of their legs (J,)."""
     hip_sine, hip_cosine, knee_sine, knee_cosine = sine[_HIPS], cosine[_HIPS], sine[_KNEES], cosine[_KNEES]
@@ -237,7 +229,7 @@ _PRESETS: Final = {
 }
 
 
-def turn_size(yaw_rate: NDArray[np.float64], largest: float) -> NDArray[np.float64]:
+def turn_size(yaw_rate: Floats, largest: float) -> Floats:
     """Size of a turn for yaw rates of any shape: sign(w) sqrt(|w| largest), at most the largest, rad/s.
 
     The yaw rate that the robot reaches grows with the square of the difference between its sides: small differences
@@ -268,7 +260,7 @@ class CommandedGait:
     """
 
     angular_frequency: float
-    speeds: tuple[float, ...]
+    speeds: Sequence[float]
     largest_yaw_rate: float
     fore: LegTable
     hind: LegTable
@@ -278,8 +270,8 @@ class CommandedGait:
     hind_side: LegTable
     robot: Robot = MINI_QUADRUPED
     native: bool = False
-    _phases: NDArray[np.float64] = field(init=False, repr=False, compare=False)
-    _tables: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+    _phases: Floats = field(init=False, repr=False, compare=False)
+    _tables: Floats = field(init=False, repr=False, compare=False)
     """The nine waves below side by side, (K, 9 J)."""
     straight: Waves = field(init=False, repr=False, compare=False)
     """Waves of all joints at the speeds without a yaw rate, (K, J) each."""
@@ -302,9 +294,7 @@ class CommandedGait:
         object.__setattr__(self, "_tables", frozen(tables))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
 
-    def _mapped(
-        self, straight: NDArray[np.float64], turn: NDArray[np.float64], side: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    def _mapped(self, straight: Floats, turn: Floats, side: Floats) -> tuple[Floats, Floats, Floats]:
         """Waves of the tuned robot (3, K, J), of the sides those on the right, mapped to the gait's robot.
 
         Every leg is mapped as one on the outer and as one on the inner side of the largest turn, so that a turn to the
@@ -322,7 +312,7 @@ class CommandedGait:
             0.5 * (outer - inner) / self.largest_yaw_rate,
         )
 
-    def _waves_of(self, fore: LegTable, hind: LegTable, legs: tuple[int, ...]) -> NDArray[np.float64]:
+    def _waves_of(self, fore: LegTable, hind: LegTable, legs: tuple[int, ...]) -> Floats:
         """Sine part, cosine part and offset of all joints at all speeds (3, K, J), rad, of the tuned robot."""
         waves = np.zeros((3, len(self.speeds), 2 * len(legs)))
         for leg, corner in enumerate(legs):
@@ -363,7 +353,7 @@ class CommandedGait:
             **{name: plain(getattr(self, name)) for name in _TABLES},
         }
 
-    def waves(self, command: NDArray[np.float64]) -> Waves:
+    def waves(self, command: Floats) -> Waves:
         """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
         size = turn_size(command[:, 1], self.largest_yaw_rate)[:, None]
         row = np.interp(command[:, 0], self.speeds, np.arange(len(self.speeds)))
@@ -375,13 +365,13 @@ class CommandedGait:
         return fade * sine, fade * cosine, stance + fade * (offset - stance)
 
     @staticmethod
-    def fade(command: NDArray[np.float64]) -> NDArray[np.float64]:
+    def fade(command: Floats) -> Floats:
         """Size of the steps (N,), 0 for a command of zero and 1 for one that is worth whole steps."""
         return np.minimum(
             1.0, np.maximum(np.abs(command[:, 0]) / WHOLE_STEPS[0], np.abs(command[:, 1]) / WHOLE_STEPS[1])
         )
 
-    def positions(self, phase: ArrayLike, command: ArrayLike) -> NDArray[np.float64]:
+    def positions(self, phase: ArrayLike, command: ArrayLike) -> Floats:
         """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
         waves = self.waves(np.asarray(command, dtype=np.float64))
         return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *waves)
@@ -401,12 +391,15 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
             f"{', '.join(COMMANDED)}"
         )
     if name not in gaits:
-        return CommandedGait(**COMMANDED[name], robot=robot)
-    own = gaits[name]
+        return _from_numbers(COMMANDED[name], robot)
     try:
-        tables = {table: LegTable(**own[table]) for table in _TABLES}
-        return CommandedGait(**{**own, **tables}, robot=robot, native=True)
+        return _from_numbers(gaits[name], robot, native=True)
     except (TypeError, KeyError, ValueError) as error:
         raise QuadrupedError(
             f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
         ) from error
+
+
+def _from_numbers(numbers: Mapping[str, Any], robot: Robot, native: bool = False) -> CommandedGait:
+    tables = {table: LegTable(**numbers[table]) for table in _TABLES}
+    return CommandedGait(**{**numbers, **tables}, robot=robot, native=native)

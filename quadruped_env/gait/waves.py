@@ -10,10 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.gait.gait_presets import LEG_PHASES, TUNED_ON
-from quadruped_env.robot.corners import corners, leg_jacobians, postures_with_feet_at
+from quadruped_env.robot.corners import check_bent_legs, corners, postures_with_feet_at
 from quadruped_env.robot.robot import Robot
 
-Waves = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+Floats = NDArray[np.float64]
+
+Waves = tuple[Floats, Floats, Floats]
 """Sine part, cosine part and offset of joint positions (..., J), rad."""
 
 
@@ -21,15 +23,13 @@ _SAMPLES: Final = 12
 """Samples of a cycle."""
 
 
-def joint_phases(robot: Robot, gait: str = "trot") -> NDArray[np.float64]:
+def joint_phases(robot: Robot, gait: str = "trot") -> Floats:
     """Phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
     phases = np.array([LEG_PHASES[gait][corner] for corner in corners(robot)])
     return np.repeat(phases * math.tau, 2)
 
 
-def map_waves(
-    robot: Robot, sine: NDArray[np.float64], cosine: NDArray[np.float64], offset: NDArray[np.float64]
-) -> Waves:
+def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Waves:
     """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot.
 
     Its feet make the same motions about its stance, as nearly as sinusoids can: inverse kinematics gives the joint
@@ -40,7 +40,7 @@ def map_waves(
     """
     if robot == TUNED_ON:
         return sine, cosine, offset
-    leg_jacobians(robot)
+    check_bent_legs(robot)
     legs = list(corners(robot))
     angle = math.tau * np.arange(_SAMPLES).reshape(-1, *(1,) * np.ndim(sine)) / _SAMPLES
     joints = (sine * np.sin(angle) + cosine * np.cos(angle) + offset).reshape(-1, robot.num_legs, 2)
@@ -53,13 +53,7 @@ def map_waves(
     return wave * (mapped * np.sin(angle)).sum(0), wave * (mapped * np.cos(angle)).sum(0), mapped.mean(0)
 
 
-def wave_positions(
-    phase: NDArray[np.float64],
-    phases: NDArray[np.float64],
-    sine: NDArray[np.float64],
-    cosine: NDArray[np.float64],
-    offset: NDArray[np.float64],
-) -> NDArray[np.float64]:
+def wave_positions(phase: Floats, phases: Floats, sine: Floats, cosine: Floats, offset: Floats) -> Floats:
     """Joint positions (N, J) in rad at gait phases (N,) in rad.
 
     Args:

@@ -40,7 +40,11 @@ def as_policy(policy: Policy | Agent, source: str = "policy", **env_kwargs: Any)
             f"{source}: env_kwargs: expected a dict with {', '.join(_ENV_ARGUMENTS)}; found {short(own)}"
         )
     arguments = {"action_mode": None, "config": None, **env_kwargs, **own}
-    made = Policy.for_task((), (), "", task_config(**arguments), {"agent": kind}, agent=policy)
+    try:
+        config = task_config(**arguments)
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{source}: env_kwargs: {error}" if own else str(error)) from error
+    made = Policy.for_task((), (), "", config, {"agent": kind}, agent=policy)
     object.__setattr__(made, "source", source)
     return made
 

@@ -36,11 +36,7 @@ def with_task(policy: Policy, definition: TaskDefinition = BUILT_IN) -> Policy:
     """A loaded policy together with its task: see `config_of`."""
     config = config_of(policy, definition)
     return replace(
-        policy,
-        control=config.control,
-        fields=config.definition.observations,
-        robot=config.robot,
-        task_config=config,
+        policy, control=config.control, fields=config.definition.observations, robot=config.robot, task_config=config
     )
 
 

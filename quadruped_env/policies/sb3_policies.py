@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple
 
+import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
@@ -43,7 +44,7 @@ _TRANSPARENT: Final = frozenset({"Flatten", "Identity", "Dropout"})
 """Modules that change nothing when a policy acts."""
 _WRAPPERS: Final = frozenset({"VecMonitor", "VecCheckNan", "VecNormalize", "VecVideoRecorder"})
 """Wrappers of the env after which a policy still sees the env's observation, apart from its normalization."""
-_ENV_WRAPPERS: Final = frozenset({"ObservationWrapper", "ActionWrapper"})
+_ENV_WRAPPERS: Final = (gymnasium.ObservationWrapper, gymnasium.ActionWrapper)
 """Base classes of Gymnasium's wrappers that change observations or actions."""
 _SAMPLES: Final = 64
 _TOLERANCE: Final = 1e-3
@@ -75,7 +76,7 @@ def from_sb3(model: Any, card: dict[str, Any] | None = None) -> Policy:
     if len(layers[0][0]) != inputs:
         raise refused(f"its actor sees {len(layers[0][0])} columns, and the env's observation has {inputs}")
     facts = {"algo": type(model).__name__.lower(), "seed": model.seed, "timesteps": int(model.num_timesteps)}
-    normalization = _normalization(model)
+    normalization = _normalization(model, inputs)
     if normalization is not None:
         layers = [normalization.folded_into(layers[0]), *layers[1:]]
     weights, biases = zip(*layers, strict=True)
@@ -93,11 +94,9 @@ def _task_of(venv: Any) -> TaskConfig:
         if type(inner).__name__ not in _WRAPPERS:
             raise refused(f"its env has the wrapper {type(inner).__name__}, which changes observations or actions")
         inner = inner.venv
-    env: Any = next(iter(getattr(inner, "envs", ())), None)
-    while hasattr(env, "env"):
-        if _ENV_WRAPPERS & {base.__name__ for base in type(env).__mro__}:
-            raise refused(f"its env has the wrapper {type(env).__name__}, which changes observations or actions")
-        env = env.env
+    for wrapper in _ENV_WRAPPERS:
+        if any(inner.env_is_wrapped(wrapper)):
+            raise refused(f"its env has an {wrapper.__name__}, which changes observations or actions")
     task = getattr(inner, "task", None)
     if task is None:
         try:
@@ -172,7 +171,9 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
             layers.append((weight, bias))
             renorm, activated = None, False
         elif MODULES.get(kind, "") in {activation or MODULES.get(kind)} and not activated:
-            _check_arguments(module)
+            for name, default in _ARGUMENTS.items():
+                if vars(module).get(name, default) != default:
+                    raise refused(f"its actor has {kind}({name}={vars(module)[name]})")
             activation, activated = MODULES[kind], True
         elif kind == "BatchRenorm1d" and activated and renorm is None:
             factor = module.scale / (module.ra_var + module.eps).sqrt()
@@ -182,12 +183,6 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
     if not layers or activated:
         raise refused("its actor does not end with a linear layer")
     return layers, activation or "tanh"
-
-
-def _check_arguments(module: Any) -> None:
-    for name, default in _ARGUMENTS.items():
-        if name in vars(module) and vars(module)[name] != default:
-            raise refused(f"its actor has {type(module).__name__}({name}={vars(module)[name]})")
 
 
 def _array(tensor: Any) -> NDArray[np.float32]:
@@ -220,19 +215,20 @@ class _Normalization(NamedTuple):
         return weight.astype(np.float32), (bias - self.mean @ weight).astype(np.float32)
 
 
-def _normalization(model: Any) -> _Normalization | None:
-    """Normalization of observations by the model's `VecNormalize`; None without one."""
+def _normalization(model: Any, inputs: int) -> _Normalization | None:
+    """Normalization by the model's `VecNormalize` of the columns that the actor sees; None without one."""
     normalize = model.get_vec_normalize_env()
     if normalize is None or not normalize.norm_obs:
         return None
-    statistics = normalize.obs_rms
-    return _Normalization(statistics.mean, np.sqrt(statistics.var + normalize.epsilon), float(normalize.clip_obs))
+    mean, variance = normalize.obs_rms.mean[:inputs], normalize.obs_rms.var[:inputs]
+    return _Normalization(mean, np.sqrt(variance + normalize.epsilon), float(normalize.clip_obs))
 
 
 def _check_clip(normalization: _Normalization, space: Any) -> None:
     """Warn if observations that the env can give are clipped by the normalization, which a policy's file cannot."""
     mean, deviation, clip = normalization
-    reach = np.maximum(np.abs(space.low - mean), np.abs(space.high - mean)) / deviation
+    low, high = space.low[: len(mean)], space.high[: len(mean)]
+    reach = np.maximum(np.abs(low - mean), np.abs(high - mean)) / deviation
     if (reach > clip).any():
         worst = int(np.argmax(reach))
         warnings.warn(

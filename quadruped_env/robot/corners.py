@@ -37,20 +37,19 @@ def corners(robot: Robot) -> tuple[int, ...]:
     return robot.corners
 
 
-def leg_jacobians(robot: Robot) -> NDArray[np.float64]:
-    """Derivatives of each foot's x and z by its hip and knee in the stance (L, 2, 2), m/rad.
+def check_bent_legs(robot: Robot) -> None:
+    """Check that the derivatives of each foot's x and z by its hip and knee in the stance have an inverse.
 
     Raises:
-        QuadrupedError: if a leg is straight in the stance, so that the derivatives have no inverse.
+        QuadrupedError: if a leg is straight in the stance, so that they have none.
     """
     whole = robot.foot_jacobians(robot.stance)[:, ::2]
-    found = np.stack([whole[leg, :, 2 * leg : 2 * leg + 2] for leg in range(robot.num_legs)])
-    if np.abs(np.linalg.det(found)).min() < _MIN_DETERMINANT:
+    of_legs = np.stack([whole[leg, :, 2 * leg : 2 * leg + 2] for leg in range(robot.num_legs)])
+    if np.abs(np.linalg.det(of_legs)).min() < _MIN_DETERMINANT:
         raise QuadrupedError(
             f"gait: a leg of {robot.name!r} is straight in the stance, so the scripted gaits cannot be mapped to it; "
             f"bend the knees of its stance"
         )
-    return found
 
 
 def postures_with_feet_at(robot: Robot, feet: NDArray[np.float64]) -> NDArray[np.float64]:

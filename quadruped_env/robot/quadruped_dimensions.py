@@ -116,18 +116,21 @@ class QuadrupedDimensions(PlainFields):
 
     @property
     def base_inertia(self) -> NDArray[np.float64]:
-        """Principal moments of inertia of the base about its centre (3,), kg m^2."""
-        return solid_box_inertia(self.base_mass, self.base_size)
+        """Principal moments of inertia of the base, a homogeneous box, about its centre (3,), kg m^2."""
+        x, y, z = self.base_size
+        return self.base_mass / 12.0 * np.array([y * y + z * z, x * x + z * z, x * x + y * y])
 
     @property
     def hip_inertia(self) -> NDArray[np.float64]:
-        """Principal moments of inertia of a hip about its centre (3,), kg m^2."""
-        return solid_sphere_inertia(self.hip_mass, self.hip_radius)
+        """Principal moments of inertia of a hip, a homogeneous ball, about its centre (3,), kg m^2."""
+        return np.full(3, 0.4 * self.hip_mass * self.hip_radius * self.hip_radius)
 
     @property
     def leg_inertia(self) -> NDArray[np.float64]:
-        """Principal moments of inertia of a lower leg about its centre (3,), kg m^2."""
-        return solid_cylinder_inertia(self.leg_mass, self.leg_radius, self.leg_length)
+        """Principal moments of inertia of a lower leg, a homogeneous cylinder, about its centre (3,), kg m^2."""
+        mass, radius, length = self.leg_mass, self.leg_radius, self.leg_length
+        transverse = mass / 12.0 * (3.0 * radius * radius + length * length)
+        return np.array([transverse, transverse, 0.5 * mass * radius * radius])
 
 
 def _are_numbers(values: Any, length: int) -> bool:
@@ -136,20 +139,3 @@ def _are_numbers(values: Any, length: int) -> bool:
 
 def _error(name: str, value: Any, rule: str) -> QuadrupedError:
     return QuadrupedError(f"QuadrupedDesign: {name} must be {rule}; found {short(value)}")
-
-
-def solid_box_inertia(mass: float, size: tuple[float, float, float]) -> NDArray[np.float64]:
-    """Principal moments of inertia (3,) of a homogeneous box about its centre."""
-    x, y, z = size
-    return mass / 12.0 * np.array([y * y + z * z, x * x + z * z, x * x + y * y])
-
-
-def solid_sphere_inertia(mass: float, radius: float) -> NDArray[np.float64]:
-    """Principal moments of inertia (3,) of a homogeneous ball about its centre."""
-    return np.full(3, 0.4 * mass * radius * radius)
-
-
-def solid_cylinder_inertia(mass: float, radius: float, length: float) -> NDArray[np.float64]:
-    """Principal moments of inertia (3,) of a homogeneous cylinder along z about its centre."""
-    transverse = mass / 12.0 * (3.0 * radius * radius + length * length)
-    return np.array([transverse, transverse, 0.5 * mass * radius * radius])

@@ -134,7 +134,11 @@ class Robot:
             given = getattr(self, name)
             if given is None:
                 continue
-            if len(given) != length or not set(given) <= set(allowed):
+            if (
+                not isinstance(given, list | tuple | np.ndarray)
+                or len(given) != length
+                or any(x not in allowed for x in given)
+            ):
                 raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {given!r}")
             object.__setattr__(self, name, tuple(given))
         if self.gaits is not None:

@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.utils.rotations import rotate
 
-Pose = tuple[NDArray[np.float64], NDArray[np.float64]]
+Floats = NDArray[np.float64]
+
+Pose = tuple[Floats, Floats]
 
 MAX_VALUE: Final = mujoco.mjMAXVAL
 """Maximum coordinate, above which MuJoCo treats a simulation as diverged, rad or m."""
@@ -112,13 +114,7 @@ class Skeleton:
         xquat = xquat.reshape(*batch, num_links, 4)
         return {name: (xpos[..., i, :], xquat[..., i, :]) for i, name in enumerate(self.link_names)}
 
-    def _fill_link_poses(
-        self,
-        joints: NDArray[np.float64],
-        base: NDArray[np.float64],
-        xpos: NDArray[np.float64],
-        xquat: NDArray[np.float64],
-    ) -> None:
+    def _fill_link_poses(self, joints: Floats, base: Floats, xpos: Floats, xquat: Floats) -> None:
         """Write the link poses (N, L, 3) and (N, L, 4) of joint positions (N, J) and base poses (N, 7)."""
         links = np.array([self.model.body(name).id for name in self.link_names])
         batch = Batch(self.model, min(_BLOCK, len(joints)), nthread=1)
@@ -130,11 +126,11 @@ class Skeleton:
             batch.forward(None if count == batch.nsim else np.arange(count), stage=mujoco.mjtStage.mjSTAGE_POS)
             xpos[block], xquat[block] = positions[:count, links], quaternions[:count, links]
 
-    def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> NDArray[np.float64]:
+    def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
         """See `Robot.foot_centres`."""
         return self._points(self.feet, self.forward_kinematics(positions, base_pose))
 
-    def foot_jacobians(self, positions: ArrayLike) -> NDArray[np.float64]:
+    def foot_jacobians(self, positions: ArrayLike) -> Floats:
         """See `Robot.foot_jacobians`."""
         data = self._data(positions)
         found = np.zeros((len(self.feet), 3, self.model.nv))
@@ -142,12 +138,12 @@ class Skeleton:
             mujoco.mj_jac(self.model, data, jacobian, None, centre, self.model.body(link).id)
         return found[:, :, 6:]
 
-    def joint_axes(self, positions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    def joint_axes(self, positions: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
         """Axes of the joints (J, 3) in the base frame, and which of them are hinges (J,), for positions (J,) in rad."""
         data = self._data(positions)
         return data.xaxis[1:].copy(), self.model.jnt_type[1:] == mujoco.mjtJoint.mjJNT_HINGE
 
-    def lowest(self, positions: ArrayLike, up: NDArray[np.float64]) -> float:
+    def lowest(self, positions: ArrayLike, up: Floats) -> float:
         """Height of the robot's lowest point relative to its base's centre, along a direction in the base frame, m.
 
         Args:
@@ -157,7 +153,7 @@ class Skeleton:
         points, radii = self._collision
         return float((self._points(points, self.forward_kinematics(positions)) @ up - radii).min())
 
-    def centre_of_mass(self, positions: ArrayLike) -> NDArray[np.float64]:
+    def centre_of_mass(self, positions: ArrayLike) -> Floats:
         """See `Robot.centre_of_mass`."""
         data = self._data(positions)
         return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
@@ -171,7 +167,7 @@ class Skeleton:
         return data
 
     @staticmethod
-    def _points(points: Sequence[tuple[str, NDArray[np.float64]]], poses: dict[str, Pose]) -> NDArray[np.float64]:
+    def _points(points: Sequence[tuple[str, Floats]], poses: dict[str, Pose]) -> Floats:
         """Positions (..., P, 3) of points that are given by link and position in the link's frame, m."""
         found = []
         for link, point in points:
@@ -184,11 +180,9 @@ def _name(model: mujoco.MjModel, body: int) -> str:
     return model.body(int(body)).name
 
 
-def _collision_points(
-    model: mujoco.MjModel,
-) -> tuple[list[tuple[str, NDArray[np.float64]]], NDArray[np.float64]]:
+def _collision_points(model: mujoco.MjModel) -> tuple[list[tuple[str, Floats]], Floats]:
     """Points by link and radii (P,) of the balls whose convex hulls are the collision shapes."""
-    points: list[tuple[str, NDArray[np.float64]]] = []
+    points: list[tuple[str, Floats]] = []
     radii: list[float] = []
     for geom in np.flatnonzero(model.geom_contype | model.geom_conaffinity):
         local, radius = _balls(model, int(geom))
@@ -202,7 +196,7 @@ def _collision_points(
     return points, np.array(radii)
 
 
-def _balls(model: mujoco.MjModel, geom: int) -> tuple[NDArray[np.float64], float]:
+def _balls(model: mujoco.MjModel, geom: int) -> tuple[Floats, float]:
     """Centres (P, 3) in the frame of a geom, and the radius, of the balls whose convex hull is its shape."""
     kind, size = model.geom_type[geom], model.geom_size[geom]
     signs = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])

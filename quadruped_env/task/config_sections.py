@@ -162,11 +162,6 @@ def seed_entry(default: int) -> Entry:
     return Entry(default, convert)
 
 
-def weights_entry(name: str, defaults: Mapping[str, float]) -> Entry:
-    """Field for a section with one number per name."""
-    return section_entry(name, {term: Entry(default, number) for term, default in defaults.items()})
-
-
 def section_entry(name: str, schema: Schema) -> Entry:
     """Field for a section within the section."""
     return Entry(Section(name, schema, {}), lambda value, path: Section(name, schema, value))

@@ -52,20 +52,7 @@ def privileged(
         scale: factor from the reading to the value function's input.
         bound: the scaled value is clipped to +-bound.
     """
-
-    def decorate(read: Reader) -> PrivilegedReading:
-        return PrivilegedReading(
-            name=read.__name__,
-            read=read,
-            unit=unit,
-            mirror=mirror,
-            scale=scale,
-            bound=bound,
-            noise=0.0,
-            description=first_line(read),
-        )
-
-    return decorate
+    return lambda read: PrivilegedReading(read.__name__, read, unit, mirror, scale, bound, 0.0, first_line(read))
 
 
 @privileged(unit="m/s", mirror=(1.0, -1.0, 1.0), scale=2.0, bound=4.0)
@@ -152,7 +139,7 @@ class PrivilegedReadings:
     """
 
     def __init__(self, fields: Sequence[PrivilegedReading], state: TrueState) -> None:
-        self.layout = ObservationLayout.of(state.context.robot, fields)
+        self.layout = ObservationLayout(state.context.robot, tuple(fields))
         self._state = state
         for field in fields:
             shape = state.simulation.num_envs, field.width(state.context.robot)

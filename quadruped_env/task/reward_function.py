@@ -59,8 +59,8 @@ class RewardFunction:
             checked(f"reward {' and '.join(term.names)}", shape, functools.partial(function, context))
 
 
-def checked(what: str, shape: tuple[int, ...], call: Callable[[], object]) -> None:
-    """Check that a user's function returns an array of a given shape.
+def checked(what: str, shape: tuple[int, ...], call: Callable[[], object], dtype: np.dtype[Any] | None = None) -> None:
+    """Check that a user's function returns an array of a given shape, and of a given dtype if there is one.
 
     Raises:
         QuadrupedError: if it raises an error or returns something else.
@@ -72,6 +72,9 @@ def checked(what: str, shape: tuple[int, ...], call: Callable[[], object]) -> No
     found = getattr(value, "shape", type(value).__name__)
     if found != shape:
         raise QuadrupedError(f"{what}: expected an array of shape {shape}, one value per env; found {found}")
+    kind = getattr(value, "dtype", None)
+    if dtype not in (None, kind):
+        raise QuadrupedError(f"{what}: expected an array of {dtype}, one value per env; found {kind}")
 
 
 class Terminations:
@@ -99,7 +102,8 @@ class Terminations:
     def check(self, context: TaskContext) -> None:
         """Compute every termination once, to check its result; see `RewardFunction.check`."""
         for name, function in zip(self._names, self._functions, strict=True):
-            checked(f"termination {name}", (len(context.velocity),), functools.partial(function, context))
+            call = functools.partial(function, context)
+            checked(f"termination {name}", (len(context.velocity),), call, np.dtype(np.bool_))
 
 
 def _with_parameters(term: RewardTerm | Termination, config: Section, context: TaskContext) -> Any:

@@ -60,12 +60,7 @@ class Task:
         QuadrupedError: if another robot is simulated than the task's, or a term of the task is not valid.
     """
 
-    def __init__(
-        self,
-        simulation: Simulation,
-        config: TaskConfig,
-        max_episode_steps: int | None = None,
-    ) -> None:
+    def __init__(self, simulation: Simulation, config: TaskConfig, max_episode_steps: int | None = None) -> None:
         if max_episode_steps is not None:
             max_episode_steps = whole_number("max_episode_steps", max_episode_steps, 1, or_none=True)
         definition = config.definition
@@ -129,11 +124,11 @@ class Task:
     @property
     def straight_only(self) -> bool:
         """True if random commands are straight ahead only, from the next one on: the first stage of a training."""
-        return self._randomizer.straight_only
+        return self._randomizer.commands.straight_only
 
     @straight_only.setter
     def straight_only(self, straight_only: bool) -> None:
-        self._randomizer.straight_only = straight_only
+        self._randomizer.commands.straight_only = straight_only
 
     @property
     def smooth_velocity(self) -> Floats:
@@ -178,7 +173,9 @@ class Task:
         if command is not None:
             command = check_command(command, self.config.commands)
         if tiles is not None:
-            self._check_tiles(tiles, len(env_ids))
+            if self.tiles is None:
+                raise QuadrupedError(f"reset: tiles need the terrain 'tiles'; found {self.config.terrain['name']!r}")
+            self.tiles.check(tiles, len(env_ids))
         first = np.zeros(len(env_ids), dtype=np.bool_)
         for i, env_id in enumerate(env_ids.tolist()):
             if seeds is not None and seeds[i] is not None:
@@ -317,7 +314,7 @@ class Task:
         self.simulation.set_state(env_id, state["simulation"])
         self.context.read()
 
-    def _parts(self) -> dict[str, EpisodeMemory | Draws]:
+    def _parts(self) -> dict[str, EpisodeMemory]:
         sensors = self._randomizer.sensors
         return {
             **({} if self.tiles is None else {"tiles": self.tiles.memory}),
@@ -326,7 +323,7 @@ class Task:
             "control": self.control.memory,
             "terms": self.context.memory,
             "randomizer": self._randomizer.memory,
-            "draws": self.draws,
+            "draws": self.draws.memory,
         }
 
     def _check_started(self) -> None:
@@ -335,11 +332,6 @@ class Task:
                 f"step: call reset() first; env {np.argmin(self._started)} of {self.num_envs} has no episode yet"
             )
         self._all_started = True
-
-    def _check_tiles(self, tiles: NDArray[np.intp], count: int) -> None:
-        if self.tiles is None:
-            raise QuadrupedError(f"reset: tiles need the terrain 'tiles'; found {self.config.terrain['name']!r}")
-        self.tiles.check(tiles, count)
 
     def _check_values(self, values: Floats, what: str) -> None:
         if values.shape != self.control.action.shape:

@@ -33,13 +33,12 @@ from quadruped_env.task.config_sections import (
     parameter_entry,
     range_entry,
     section_entry,
-    weights_entry,
 )
 from quadruped_env.task.randomization.model_fields import ModelField
 from quadruped_env.task.randomization.randomization import ends_of, is_active
 from quadruped_env.task.randomization.randomization_presets import preset_values, with_preset
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
-from quadruped_env.task.terrain_section import Choice, check_tiles, ground_of, leg_scale, terrain_schema, values_of
+from quadruped_env.task.terrain_section import Choice, ground_of, leg_scale, terrain_schema, values_of
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.plain import Plain, PlainFields, plain
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
@@ -61,8 +60,9 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
         "turning_fraction": parameter_entry(Parameter(low=0.0), 0.1),
         "resample_interval": range_entry((3.0, 6.0), _POSITIVE_SECONDS),
     }
+    weights = {term: Entry(default, number) for term, default in definition.weights.items()}
     reward: dict[str, Entry] = {
-        "weights": weights_entry("reward.weights", definition.weights),
+        "weights": section_entry("reward.weights", weights),
         "velocity_time_constant": parameter_entry(_POSITIVE_SECONDS, 0.4),
         "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
     }
@@ -225,8 +225,9 @@ def _remade(name: str, definition: TaskDefinition, terrain: Plain, values: Plain
     if name == "command":
         shares = section.standing_fraction + section.straight_fraction + section.turning_fraction
         check(shares <= 1, "command.standing_fraction + straight_fraction + turning_fraction", shares, "at most 1")
-    elif name == "terrain":
-        check_tiles(section)
+    elif "promote_share" in section:  # else a robot could be promoted and demoted at once
+        demote, promote = section.demote_share, section.promote_share
+        check(demote <= promote, "terrain.demote_share", demote, f"at most promote_share ({promote:g})")
     return section
 
 

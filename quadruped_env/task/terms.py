@@ -8,14 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.task.context import TaskContext
-from quadruped_env.utils.parameters import (
-    LARGEST,
-    Parameter,
-    described,
-    is_quantity,
-    parameters_of,
-    stay_importable,
-)
+from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
 from quadruped_env.utils.plain import plain
 
 Floats = NDArray[np.float64]

@@ -121,21 +121,6 @@ def _tiles_schema(tiles: Tiles, definition: TaskDefinition) -> Schema:
     }
 
 
-def check_tiles(section: Section) -> None:
-    """Check the fields of `tiles` against each other.
-
-    Raises:
-        QuadrupedError: if a robot could be promoted and demoted at once.
-    """
-    if "promote_share" in section:
-        check(
-            section.demote_share <= section.promote_share,
-            "terrain.demote_share",
-            section.demote_share,
-            f"at most promote_share ({section.promote_share:g})",
-        )
-
-
 def _name_entry(terrain: Terrain) -> Entry:
     def name(value: Plain, path: str) -> str:
         if value != terrain.name:

@@ -64,10 +64,6 @@ def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection
     """Projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
 
     Projected gradients keep weights projected, because the two entries of a pair take the same steps, up to their sign.
-
-    Args:
-        outputs: mirror of the layer's outputs.
-        inputs: mirror of its inputs; None for biases.
     """
     order, sign = torch.as_tensor(outputs.order), torch.as_tensor(outputs.sign)
     # One gather over the flat array: the mirror image of entry (o, i) is that of the mirrored output and input.
@@ -93,12 +89,7 @@ def _tied_perceptron(modules: list[torch.nn.Module], inputs: Mirrored, outputs: 
 
 
 class _Extractor(MlpExtractor):
-    """SB3's hidden layers, for an actor that sees only the first columns of those that the critic sees.
-
-    Args:
-        actor_width: number of columns that the actor sees.
-        feature_dim, net_arch, activation_fn, device: of `MlpExtractor`.
-    """
+    """SB3's hidden layers, for an actor that sees only the first columns of those that the critic sees."""
 
     def __init__(self, actor_width: int, feature_dim: int, **kwargs: Any) -> None:
         super().__init__(actor_width, **kwargs)

@@ -38,14 +38,14 @@ class Algorithm:
     module: str
     """Module of its class, in `stable_baselines3` or `sb3_contrib`."""
     class_name: str
-    policies: str
-    """Module of its policy and actor; empty for an on-policy algorithm, whose policy is `ActorCritic`."""
-    policy: str
-    """Class of its policy."""
     settings: frozenset[str]
     """Fields of `TrainConfig` that it uses, of those in `SETTINGS`."""
     defaults: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
     """Its defaults of fields of `TrainConfig` that differ from those of PPO."""
+    policies: str = ""
+    """Module of its policy and actor; empty for an on-policy algorithm, whose policy is `ActorCritic`."""
+    policy: str = ""
+    """Class of its policy."""
 
     @property
     def on_policy(self) -> bool:
@@ -54,7 +54,7 @@ class Algorithm:
 
 
 def _off_policy(module: str, class_name: str, policies: str, policy: str, *settings: str) -> Algorithm:
-    return Algorithm(module, class_name, policies, policy, _OFF_POLICY | set(settings), _REPLAY)
+    return Algorithm(module, class_name, _OFF_POLICY | set(settings), _REPLAY, policies, policy)
 
 
 ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
@@ -62,8 +62,6 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
         "ppo": Algorithm(
             "stable_baselines3.ppo",
             "PPO",
-            "",
-            "ActorCriticPolicy",
             _ON_POLICY
             | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm"}
             | {"clock_noise", "straight_steps", "polish_generations", "reflex_rounds"},
@@ -71,16 +69,12 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
         "a2c": Algorithm(
             "stable_baselines3.a2c",
             "A2C",
-            "",
-            "ActorCriticPolicy",
             _ON_POLICY | {"ent_coef", "max_grad_norm"},
             MappingProxyType({**_SHORT, "learning_rate": 7e-4}),
         ),
         "trpo": Algorithm(
             "sb3_contrib.trpo",
             "TRPO",
-            "",
-            "ActorCriticPolicy",
             _ON_POLICY | {"batch_size"},
             MappingProxyType({**_SHORT, "batch_size": 1024, "learning_rate": 1e-3}),
         ),

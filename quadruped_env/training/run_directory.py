@@ -28,14 +28,7 @@ RSL_FILE: Final = "rsl_rl.pt"
 """The same of a training on a GPU."""
 RESUMED_FROM: Final = "resumed_from"
 """Field of a resumed run's config and of its policy's card"""
-PROGRESS_COLUMNS: Final = (
-    "timesteps",
-    "seconds",
-    "return",
-    "fall_rate",
-    "forward_velocity_error",
-    "yaw_rate_error",
-)
+PROGRESS_COLUMNS: Final = ("timesteps", "seconds", "return", "fall_rate", "forward_velocity_error", "yaw_rate_error")
 """First columns of progress.csv: environment steps and s, with those of the run that was resumed; and since the row
 before: reward of a whole episode at the present rate; falls in the time of a whole episode; velocity errors in m/s and
 rad/s, root mean square, with the exploration's noise. Runs of earlier versions have these alone."""

@@ -2,7 +2,8 @@
 
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
@@ -163,24 +164,20 @@ def learn(
             add_reflex(model, config.reflex_rounds, note_reflex, lambda: statistics.stopped)
 
 
-class stop_on_signal:  # noqa: N801
+@contextmanager
+def stop_on_signal(statistics: StepStatistics) -> Iterator[None]:
     """Within it, the first Ctrl-C (or SIGTERM) ends the training at the next step; the second one as usual."""
+    previous: dict[int, Any] = {}
 
-    def __init__(self, statistics: StepStatistics) -> None:
-        self._statistics = statistics
-        self._previous: dict[int, Any] = {}
+    def stop(number: int, frame: FrameType | None) -> None:
+        statistics.stopped = True
+        signal.signal(number, previous[number])
 
-    def __enter__(self) -> None:
-        try:
-            for number in (signal.SIGINT, signal.SIGTERM):
-                self._previous[number] = signal.signal(number, self._stop)
-        except ValueError:
-            pass  # not in the main thread, where no signals arrive
-
-    def __exit__(self, *exception: object) -> None:
-        for number, handler in self._previous.items():
+    with suppress(ValueError):  # outside the main thread, where no signals arrive
+        for stopping in (signal.SIGINT, signal.SIGTERM):
+            previous[stopping] = signal.signal(stopping, stop)
+    try:
+        yield
+    finally:
+        for number, handler in previous.items():
             signal.signal(number, handler)
-
-    def _stop(self, number: int, frame: FrameType | None) -> None:
-        self._statistics.stopped = True
-        signal.signal(number, self._previous[number])

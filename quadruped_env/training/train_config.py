@@ -193,21 +193,10 @@ class TrainConfig:
             raise QuadrupedError(f"--policy: expected FILE.py:CLASS; found {short(self.policy)}")
         if not _DEVICE.fullmatch(self.device):
             raise QuadrupedError(f"--device: {short(self.device)} is unknown; expected cpu, cuda, cuda:N or warp-cpu")
-        if self.device != "cpu" and self.algo != "ppo":
-            raise QuadrupedError(
-                f"--device: {self.device} trains with ppo alone; found --algo {self.algo}; leave one of both out"
-            )
         if self.device != "cpu":
-            self._check_on_cpu_alone()
-        if self.device != "cpu" and self.policy:
-            raise QuadrupedError(f"--policy: found {self.policy} with --device {self.device}; leave one of both out")
-        if (
-            self.symmetric
-            and entry is not None
-            and entry.on_policy
-            and not self.policy
-            and any(width % 2 for width in self.hidden)
-        ):
+            self._check_device()
+        on_policy = entry is not None and entry.on_policy
+        if self.symmetric and on_policy and not self.policy and any(width % 2 for width in self.hidden):
             raise QuadrupedError(
                 f"--hidden: expected even widths, or --no-symmetric: a symmetric network has pairs of units; found "
                 f"{short(self.hidden)}"
@@ -224,7 +213,14 @@ class TrainConfig:
         if self.ranks > 1:
             self._check_ranks()
 
-    def _check_on_cpu_alone(self) -> None:
+    def _check_device(self) -> None:
+        """Check the settings for a device other than the CPU."""
+        if self.algo != "ppo":
+            raise QuadrupedError(
+                f"--device: {self.device} trains with ppo alone; found --algo {self.algo}; leave one of both out"
+            )
+        if self.policy:
+            raise QuadrupedError(f"--policy: found {self.policy} with --device {self.device}; leave one of both out")
         for name in ON_CPU_ALONE:
             value = getattr(self, name)
             if value:

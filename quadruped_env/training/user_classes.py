@@ -24,6 +24,11 @@ def recorded_name(text: str) -> str:
     return Path(text).name if is_user_class(text) else text
 
 
+def absolute_name(text: str) -> str:
+    """The name of an algorithm or class for processes in other working directories."""
+    return str(Path(text).resolve()) if is_user_class(text) else text
+
+
 def load_class(option: str, text: str) -> tuple[TaskFile, type[Any]]:
     """A file, which is executed, and the class in it that a user names.
 
@@ -56,9 +61,9 @@ def changes(before: Any, values: Mapping[str, Any]) -> str:
         values: settings of the resumed training.
     """
     known = before if isinstance(before, dict) else {}
-    differing = [
-        file["name"]
+    differing = {  # both classes may be of one file
+        file["name"]: None
         for option, file in recorded(values).items()
         if not isinstance(known.get(option), dict) or known[option].get("sha256") != file["sha256"]
-    ]
+    }
     return f"the code of {' and '.join(differing)} differs from the run's" if differing else ""

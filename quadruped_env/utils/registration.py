@@ -3,6 +3,7 @@
 A robot's controller imports this package and needs no Gymnasium: it starts in two thirds of the time without.
 """
 
+import importlib
 import sys
 from importlib.machinery import ModuleSpec
 from types import ModuleType
@@ -17,7 +18,8 @@ MAX_EPISODE_STEPS: Final = 1000
 def register_envs() -> None:
     """Register the environments with Gymnasium: now if it is imported already, otherwise as soon as it is."""
     if "gymnasium" in sys.modules:
-        _register(sys.modules["gymnasium"])
+        # It waits for another thread that is still importing it.
+        _register(importlib.import_module("gymnasium"))
     else:
         sys.meta_path.insert(0, _GymnasiumFinder())
 

@@ -6,13 +6,14 @@ import pytest
 import stable_baselines3
 import torch
 from stable_baselines3 import PPO, SAC, TD3
-from stable_baselines3.common.vec_env import DummyVecEnv, VecCheckNan, VecFrameStack, VecNormalize
+from stable_baselines3.common.vec_env import DummyVecEnv, SubprocVecEnv, VecCheckNan, VecFrameStack, VecNormalize
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.policies.sb3_policies import MODULES, linear_layers
+from quadruped_env.training.actor_critic import ActorCritic
 
 NN = torch.nn
 OFF_POLICY = {"buffer_size": 500, "learning_starts": 4}
@@ -103,6 +104,15 @@ def test_normalization_of_observations_is_folded_into_the_first_layer():
     np.testing.assert_array_equal(Policy.from_sb3(model).predict(raw), model_as_policy(model).predict(raw))
 
 
+def test_normalization_of_privileged_readings_is_left_out():
+    env = VecNormalize(make_sb3_vec_env(4, seed=0, privileged=True), clip_obs=1e9)
+    model = PPO(ActorCritic, env, n_steps=32, batch_size=64, policy_kwargs={"actor_width": 34}, device="cpu")
+    model.learn(128)
+    raw = env.get_original_obs()
+    expected, _ = model.predict(env.normalize_obs(raw), deterministic=True)
+    np.testing.assert_allclose(Policy.from_sb3(model).predict(raw[:, :34]), expected, atol=1e-3)
+
+
 def model_as_policy(model):
     layers, activation = linear_layers([*model.policy.mlp_extractor.policy_net, model.policy.action_net])
     weights, biases = zip(*layers, strict=True)
@@ -135,7 +145,7 @@ class Turned(gymnasium.ObservationWrapper):
         ),
         (lambda: model_of(PPO, make_sb3_vec_env(2, privileged=True)), r"its actor sees 52 columns, and the env's"),
         (lambda: model_of(PPO, VecFrameStack(make_sb3_vec_env(2), 2)), r"wrapper VecFrameStack, which changes"),
-        (lambda: model_of(PPO, Turned(gymnasium.make("MiniQuadruped-v0"))), r"wrapper Turned, which changes"),
+        (lambda: model_of(PPO, Turned(gymnasium.make("MiniQuadruped-v0"))), r"an ObservationWrapper, which changes"),
         (lambda: model_of(PPO, policy=Doubled), r"Doubled computes its action in a way of its own"),
         (lambda: model_of(SAC, use_sde=True, **OFF_POLICY), r"module Hardtanh"),
     ],
@@ -143,6 +153,15 @@ class Turned(gymnasium.ObservationWrapper):
 def test_model_that_a_policys_file_cannot_hold_names_the_protocol(make, message):
     with pytest.raises(QuadrupedError, match=rf"{message}.*two methods, reset and predict \(docs/your-own-algorithm"):
         Policy.from_sb3(make())
+
+
+def test_wrappers_of_envs_in_other_processes_are_found():
+    envs = SubprocVecEnv([lambda: Turned(gymnasium.make("MiniQuadruped-v0"))], start_method="fork")
+    try:
+        with pytest.raises(QuadrupedError, match=r"an ObservationWrapper, which changes observations"):
+            Policy.from_sb3(model_of(PPO, envs))
+    finally:
+        envs.close()
 
 
 def test_model_without_an_env_of_this_package_is_refused(tmp_path):

@@ -27,6 +27,28 @@ def test_environments_are_registered_in_either_order(imports):
     run(f"{imports}; {MAKE}")
 
 
+def test_registration_waits_for_another_thread_that_imports_gymnasium():
+    run(f"""
+import importlib.machinery, sys, threading
+
+class Held:
+    def find_spec(self, name, path=None, target=None):
+        if name == "gymnasium.core":
+            spec = importlib.machinery.PathFinder.find_spec(name, path)
+            execute = spec.loader.exec_module
+            spec.loader.exec_module = lambda module: (begun.set(), go_on.wait(1.0), execute(module))
+            return spec
+
+begun, go_on = threading.Event(), threading.Event()
+sys.meta_path.insert(0, Held())
+thread = threading.Thread(target=lambda: __import__("gymnasium"))
+thread.start()
+begun.wait()
+import quadruped_env, gymnasium
+{MAKE}
+""")
+
+
 def test_make_loads_few_modules_and_nothing_of_recordings_or_ros():
     print_modules = "import sys; print(*(name for name in sys.modules if name.startswith('quadruped_env')))"
     loaded = run(f"import gymnasium, quadruped_env; gymnasium.make('MiniQuadruped-v0'); {print_modules}").split()

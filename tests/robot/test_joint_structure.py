@@ -150,6 +150,8 @@ def test_structure_that_the_author_gives_counts():
     [
         ({"motor_kinds": ("hip", "ankle", "knee") * 4}, "motor_kinds must be 12 of hip, knee"),
         ({"mirror_signs": (1,) * 11}, "mirror_signs must be 12 of 1, -1"),
+        ({"mirror_signs": 12}, "mirror_signs must be 12 of 1, -1"),
+        ({"motor_kinds": [["hip"]] * 12}, "motor_kinds must be 12 of hip, knee"),
         ({"leg_corners": (0, 1, 2, 4)}, "leg_corners must be 4 of 0, 1, 2, 3"),
     ],
 )

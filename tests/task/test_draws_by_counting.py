@@ -65,8 +65,8 @@ def test_draws_of_neighbouring_keys_and_episodes_are_independent():
 def test_added_purpose_shifts_no_other():
     made, ids, step = draws(5), np.arange(5), np.arange(5)
     alone = made.uniform(Purposes({"second": 4}), ids, step)
-    among = made.uniform(Purposes({"new": 7}) + FIRST, ids, step)
-    np.testing.assert_array_equal(among[:, (Purposes({"new": 7}) + FIRST).slices["second"]], alone)
+    more = Purposes({"new": 7, **FIRST.widths})
+    np.testing.assert_array_equal(made.uniform(more, ids, step)[:, more.slices["second"]], alone)
     wider = made.uniform(Purposes({"second": 9}), ids, step)
     np.testing.assert_array_equal(wider[:, :4], alone)
     assert not np.isin(made.uniform(Purposes({"third": 4}), ids, step), alone).any()
@@ -86,9 +86,9 @@ def test_draws_of_an_env_do_not_depend_on_the_other_envs():
 
 def test_restored_state_repeats_the_draws():
     made, ids = draws(2), np.arange(2)
-    state = made.get_state(1)
+    state = made.memory.get_state(1)
     expected = made.uniform(FIRST, ids, np.array([3, 3]))[1]
     made.begin_episode(ids)
     assert not np.isin(made.uniform(FIRST, ids, np.array([3, 3])), expected).any()
-    made.set_state(1, state)
+    made.memory.set_state(1, state)
     np.testing.assert_array_equal(made.uniform(FIRST, ids, np.array([3, 3]))[1], expected)

@@ -193,6 +193,10 @@ REFUSED = {
         "from quadruped_env.task import reward\n@reward(1.0)\ndef a(context, b): ...\n",
         r"a: argument 'b' needs a number as its default.*found none",
     ),
+    "a termination that is no condition": (
+        "from quadruped_env.task import termination\n@termination\ndef low(context):\n    return context.base_height\n",
+        r"termination low: expected an array of bool, one value per env; found float64",
+    ),
     "half of a group": (
         "from quadruped_env.task import reward\n@reward(1.0)\ndef turn_progress(context): ...\n",
         r"turn_progress would replace a part of forward_progress and turn_progress",

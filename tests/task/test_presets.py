@@ -23,7 +23,7 @@ from quadruped_env.task import (
     load_task_file,
     preset_values,
 )
-from quadruped_env.task.randomization.randomization import bound
+from quadruped_env.task.randomization.randomization import Active
 
 
 def test_hard_has_a_delay_of_60_ms_at_its_edge_and_pushes_of_three_quarters_of_a_metre_per_second():
@@ -196,7 +196,7 @@ def test_an_unknown_error_of_the_sensors_is_refused():
 def test_an_error_of_the_sensors_with_the_wrong_number_of_values_is_refused(quantity, width):
     randomization = Randomization("x", SensorError(quantity), 0.1, width=width)
     with pytest.raises(QuadrupedError, match=rf"randomization x: SensorError.*{width} values; width must be"):
-        bound(randomization, SingleSimulation(build_model()))
+        Active.of(randomization, 0.1, SingleSimulation(build_model()))
 
 
 # --- several randomizations of one field ---
@@ -243,9 +243,8 @@ def test_model_field_that_changes_within_an_episode_ends_with_it(tmp_path):
 def test_a_field_of_several_columns_takes_one_value_for_each(tmp_path):
     randomization = Randomization("x", ModelField("body_ipos", ["LF_leg"], mode="add"), (0.0, 1.0), width=3)
     task = make_task(2)
-    apply = bound(randomization, task.simulation)
     event = task._randomizer._event(np.array([1]))
-    apply(event, np.array([[0.1, 0.2, 0.3]]))
+    Active.of(randomization, (0.0, 1.0), task.simulation).apply(event, np.array([[0.1, 0.2, 0.3]]))
     leg = task.simulation.model.body("LF_leg").id
     moved = task.simulation.model_field("body_ipos")[:, leg] - task.simulation.model.body_ipos[leg]
     np.testing.assert_allclose(moved, [[0.0, 0.0, 0.0], [0.1, 0.2, 0.3]], atol=1e-15)

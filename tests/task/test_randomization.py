@@ -21,7 +21,8 @@ from quadruped_env.task import (
     TaskConfig,
     load_task_file,
 )
-from quadruped_env.task.randomization import randomization as randomizations
+from quadruped_env.task.randomization.event import Event
+from quadruped_env.task.randomization.randomization import Active
 
 
 def test_starts_are_drawn_in_their_ranges():
@@ -208,7 +209,7 @@ def test_a_log_uniform_range_in_the_config_must_be_positive(tmp_path):
 def test_a_model_field_that_does_not_fit_is_refused_before_the_first_reset(field, width, message):
     randomization = Randomization("x", field, (0.5, 1.0), width=width)
     with pytest.raises(QuadrupedError, match=message):
-        randomizations.bound(randomization, SingleSimulation(build_model()))
+        Active.of(randomization, (0.5, 1.0), SingleSimulation(build_model()))
 
 
 def test_an_unknown_mode_of_a_model_field_is_refused():
@@ -221,11 +222,9 @@ def test_a_model_field_is_set_scaled_or_added_to(mode, expected):
     model = build_model()
     model.geom_friction[:, 0] = 0.5
     simulation = BatchSimulation(model, 4, 1)
-    apply = randomizations.bound(
-        Randomization("x", ModelField("geom_friction", column=0, mode=mode), (0.1, 1.0)), simulation
-    )
-    event = randomizations.Event(simulation, MINI_QUADRUPED, np.array([1, 3]), *[np.zeros((2, 0))] * 3)
-    apply(event, np.full((2, 1), 0.7))
+    randomization = Randomization("x", ModelField("geom_friction", column=0, mode=mode), (0.1, 1.0))
+    event = Event(simulation, MINI_QUADRUPED, np.array([1, 3]), *[np.zeros((2, 0))] * 3)
+    Active.of(randomization, (0.1, 1.0), simulation).apply(event, np.full((2, 1), 0.7))
     friction = simulation.model_field("geom_friction")
     np.testing.assert_allclose(friction[[1, 3], :, 0], expected)
     np.testing.assert_allclose(friction[[0, 2], :, 0], 0.5)
@@ -235,11 +234,9 @@ def test_a_model_field_is_set_scaled_or_added_to(mode, expected):
 def test_the_masses_of_all_bodies_are_randomized_though_the_world_has_none(mode):
     model = build_model()
     simulation = BatchSimulation(model, 2, 1)
-    apply = randomizations.bound(Randomization("x", ModelField("body_mass", mode=mode), (0.1, 1.0)), simulation)
-    apply(
-        randomizations.Event(simulation, MINI_QUADRUPED, np.arange(2), *[np.zeros((2, 0))] * 3),
-        np.array([[0.7], [0.9]]),
-    )
+    randomization = Randomization("x", ModelField("body_mass", mode=mode), (0.1, 1.0))
+    event = Event(simulation, MINI_QUADRUPED, np.arange(2), *[np.zeros((2, 0))] * 3)
+    Active.of(randomization, (0.1, 1.0), simulation).apply(event, np.array([[0.7], [0.9]]))
     mass, inertia = simulation.model_field("body_mass"), simulation.model_field("body_inertia")
     np.testing.assert_array_equal(inertia[:, 0], 0.0)
     share = mass[:, 1:] / model.body_mass[1:]

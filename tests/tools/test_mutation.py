@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from paths import ROOT
 
 import mutation
 from quadruped_env.errors import QuadrupedError
@@ -75,6 +76,10 @@ def tiny(tmp_path):
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text)
     return tmp_path
+
+
+def test_all_named_files_and_tests_exist():
+    assert [pattern for pattern in (*mutation.FILES, *mutation.TESTS) if not list(ROOT.glob(pattern))] == []
 
 
 def test_runner_runs_the_given_code_in_place_of_the_file(tiny):

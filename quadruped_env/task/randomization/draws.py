@@ -6,12 +6,12 @@ hash chains SplitMix64's mixing function (Steele et al. 2014, https://doi.org/10
 
 import hashlib
 from collections.abc import Mapping
-from typing import Final, Self
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.episode_memory import EpisodeMemory, State
+from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
@@ -33,18 +33,11 @@ class Purposes:
     """
 
     def __init__(self, widths: Mapping[str, int]) -> None:
+        self.widths = widths
         constants = [_constant(name, i) for name, width in widths.items() for i in range(width)]
         self.constants: Keys = frozen(np.array(constants, dtype=np.uint64))
         ends = np.cumsum(list(widths.values()), dtype=int).tolist()
         self.slices = {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
-
-    def __add__(self, other: "Purposes") -> Self:
-        joined = type(self)({})
-        joined.constants = frozen(np.concatenate([self.constants, other.constants]))
-        size = len(self.constants)
-        moved = {name: slice(columns.start + size, columns.stop + size) for name, columns in other.slices.items()}
-        joined.slices = self.slices | moved
-        return joined
 
 
 def _constant(purpose: str, column: int) -> int:
@@ -62,10 +55,11 @@ class Draws:
 
     def __init__(self, num_envs: int, like: Floats | None = None) -> None:
         # Not cleared at a reset, because it holds the number of the episode.
-        self._memory = EpisodeMemory(num_envs, like)
-        self._key: Keys = self._memory.zeros("key", dtype=np.uint64)
-        self._episode: Keys = self._memory.zeros("episode", dtype=np.uint64)
-        self._episode_key: Keys = self._memory.zeros("episode_key", dtype=np.uint64)
+        self.memory = memory = EpisodeMemory(num_envs, like)
+        """State from which the future draws follow."""
+        self._key: Keys = memory.zeros("key", dtype=np.uint64)
+        self._episode: Keys = memory.zeros("episode", dtype=np.uint64)
+        self._episode_key: Keys = memory.zeros("episode_key", dtype=np.uint64)
 
     def set_key(self, env_id: int, generator: np.random.Generator) -> None:
         """Set an env's key from a generator, and restart its episode count at 0."""
@@ -92,14 +86,6 @@ class Draws:
         mixed = _mix(_mix(key)[:, None] ^ purposes.constants)
         # A double from the top 53 bits, as in NumPy's generators.
         return (mixed >> _TOP).astype(np.float64) * _ONE_STEP
-
-    def get_state(self, env_id: int) -> State:
-        """State from which the future draws of an env follow."""
-        return self._memory.get_state(env_id)
-
-    def set_state(self, env_id: int, state: State) -> None:
-        """Restore a state from `get_state`."""
-        self._memory.set_state(env_id, state)
 
 
 def _mix(z: Keys) -> Keys:

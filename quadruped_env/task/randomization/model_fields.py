@@ -193,19 +193,10 @@ class _BoundPayload:
 def _joined(
     mass: Floats, added: Floats, offset: Floats, inertia: Floats, axes: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Bodies and their payloads as one body each.
+    """Bodies (R,) and their payloads as one body each: shifts of the centre of mass, moments of inertia and their axes.
 
-    Two bodies about their common centre of mass: parallel axis theorem with the reduced mass.
-
-    Args:
-        mass: mass of each body (R,), kg.
-        added: mass of its payload (R,), kg.
-        offset: position of the payload from the body's centre of mass (R, 3), m.
-        inertia: principal moments of inertia of both together, as if at one point (R, 3), kg m^2.
-        axes: quaternion wxyz of the principal axes (R, 4).
-
-    Returns:
-        Shift of the centre of mass (R, 3), moments of inertia (R, 3), and their axes (R, 4).
+    Two bodies about their common centre of mass: parallel axis theorem with the reduced mass. `offset` (R, 3) is from
+    the body's centre of mass to the payload's; `inertia` (R, 3) is of both as if at one point, about the `axes` (R, 4).
     """
     total = added + mass
     turn, moments, turned = np.empty((len(mass), 3, 3)), np.empty((len(mass), 3)), np.empty((len(mass), 4))
@@ -262,16 +253,12 @@ def _problem(field: str, low: Floats, high: Floats, model: mujoco.MjModel) -> st
         return f"makes {field} {least:.3g}, which must be positive: raise the lower end"
     if field in _NOT_NEGATIVE and least < 0.0:
         return f"makes {field} {least:.3g}, which must be 0 or more: raise the lower end"
-    longest = buffered_delay(model)
+    # The delay that the buffers of the motors hold.
+    samples = int(model.actuator_history[:, 0].min()) if model.nu else 0
+    longest = max(samples - 1, 0) * float(model.opt.timestep)
     if field == _DELAY and high.max() > longest + 1e-9:
         return (
             f"makes the delay of the motors {high.max():.3g} s, and the model's buffer holds {longest:.3g} s: lower "
             f"the upper end, or build the model with TaskConfig.compiled_model()"
         )
     return ""
-
-
-def buffered_delay(model: mujoco.MjModel) -> float:
-    """Longest delay that the buffers of a model's motors hold, s."""
-    samples = int(model.actuator_history[:, 0].min()) if model.nu else 0
-    return max(samples - 1, 0) * float(model.opt.timestep)

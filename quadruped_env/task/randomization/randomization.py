@@ -1,7 +1,6 @@
 """Randomizations: quantities that are drawn at the start of an episode, or at intervals within it."""
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, Self, get_args
 
@@ -174,13 +173,27 @@ class Active:
     """A randomization that its setting enables, in a simulation."""
 
     randomization: Randomization
-    apply: Callable[[Event, Floats], None]
+    functions: tuple[Apply, ...]
+    """Functions that apply it, which receive the same values."""
     setting: Range | float
 
     @classmethod
     def of(cls, randomization: Randomization, setting: Range | float, simulation: Simulation) -> Self:
-        """A randomization with a setting, in a simulation."""
-        return cls(randomization, bound(randomization, simulation), setting)
+        """A randomization with a setting, in a simulation.
+
+        Raises:
+            QuadrupedError: if the model lacks what it changes, or cannot take that many values.
+        """
+        apply: Any = randomization.apply
+        width = randomization.columns(simulation.robot)
+        try:
+            functions = [
+                part.bind(simulation, width) if hasattr(part, "bind") else part
+                for part in (apply if isinstance(apply, tuple) else (apply,))
+            ]
+        except QuadrupedError as error:
+            raise QuadrupedError(f"randomization {randomization.name}: {error}") from error
+        return cls(randomization, tuple(functions), setting)
 
     @property
     def name(self) -> str:
@@ -191,26 +204,7 @@ class Active:
         """Values (R, width) for uniform draws (R, draws) in [0, 1)."""
         return self.randomization.values(draws, self.setting)
 
-
-def bound(randomization: Randomization, simulation: Simulation) -> Callable[[Event, Floats], None]:
-    """Function that applies a randomization in a simulation."""
-    apply: Any = randomization.apply
-    parts = apply if isinstance(apply, tuple) else (apply,)
-    try:
-        functions = [
-            part.bind(simulation, randomization.columns(simulation.robot)) if hasattr(part, "bind") else part
-            for part in parts
-        ]
-    except QuadrupedError as error:
-        raise QuadrupedError(f"randomization {randomization.name}: {error}") from error
-    return functions[0] if len(functions) == 1 else _Several(tuple(functions))
-
-
-@dataclass(frozen=True)
-class _Several:
-    functions: tuple[Apply, ...]
-
-    def __call__(self, event: Event, values: Floats) -> None:
-        """Apply the same values by each of the functions."""
+    def apply(self, event: Event, values: Floats) -> None:
+        """Apply values (R, width)."""
         for function in self.functions:
             function(event, values)

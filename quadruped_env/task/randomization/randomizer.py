@@ -54,7 +54,7 @@ class Randomizer:
         self.memory = EpisodeMemory(control.num_envs, control.phase)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
         """Control step of the episode at which the next command is drawn, (N,)."""
-        self._commands = CommandSampler(config.definition.commands, config.command)
+        self.commands = CommandSampler(config.definition.commands, config.command)
         self._recurring = []
         for r in recurring:
             assert r.interval is not None
@@ -66,7 +66,7 @@ class Randomizer:
         self._starts = Starts(
             simulation,
             draws,
-            self._commands,
+            self.commands,
             [self._bound(r) for r in starting],
             {entry.name: entry.interval for entry in self._recurring},
             self.sensors,
@@ -97,15 +97,6 @@ class Randomizer:
         units = {r.name: r.unit for r in starting}
         check_physical(fields, self._simulation, units.__getitem__)
 
-    @property
-    def straight_only(self) -> bool:
-        """See `CommandSampler`."""
-        return self._commands.straight_only
-
-    @straight_only.setter
-    def straight_only(self, straight_only: bool) -> None:
-        self._commands.straight_only = straight_only
-
     def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> None:
         """Set some envs (R,) to random initial states.
 
@@ -133,7 +124,7 @@ class Randomizer:
     def next_command(self, env_ids: EnvIds) -> Floats:
         """New commands (R, C) for some envs (R,) in the middle of their episodes."""
         steps = self._control.steps[env_ids]
-        command, seconds = self._commands.sample(self._draws.uniform(self._commands.purposes, env_ids, steps))
+        command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
         self.command_due[env_ids] = steps + in_steps(seconds, self._config.control_timestep)
         return command
 

@@ -66,9 +66,9 @@ class Starts:
         self._commands, self._randomizations, self._intervals = commands, randomizations, list(intervals.values())
         self._timestep = timestep
         robot = simulation.robot
-        own = Purposes({r.name: r.randomization.draws(robot) for r in randomizations})
-        times = Purposes({"phase": 1, **{f"{name}/interval": 1 for name in intervals}})
-        self._purposes = own + times + commands.purposes
+        own = {r.name: r.randomization.draws(robot) for r in randomizations}
+        times = {"phase": 1, **{f"{name}/interval": 1 for name in intervals}}
+        self._purposes = Purposes({**own, **times, **commands.purposes.widths})
         columns = self._purposes.slices
         self._columns = [columns[r.name] for r in randomizations]
         self._phase_column = columns["phase"].start

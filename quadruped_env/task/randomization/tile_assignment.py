@@ -80,11 +80,7 @@ class TileAssignment:
             )
 
     def begin_episodes(
-        self,
-        env_ids: EnvIds,
-        first: NDArray[np.bool_],
-        draws: Draws,
-        tiles: NDArray[np.intp] | None = None,
+        self, env_ids: EnvIds, first: NDArray[np.bool_], draws: Draws, tiles: NDArray[np.intp] | None = None
     ) -> Floats:
         """Choose the tiles of new episodes in some envs (R,), and return the middles of the tiles (R, 2), m.
 
@@ -113,11 +109,7 @@ class TileAssignment:
         return self._centre_of(env_ids)
 
     def update(
-        self,
-        context: TaskContext,
-        terminated: NDArray[np.bool_],
-        diverged: NDArray[np.bool_],
-        running: EnvIds | None,
+        self, context: TaskContext, terminated: NDArray[np.bool_], diverged: NDArray[np.bool_], running: EnvIds | None
     ) -> None:
         """Account for a control step, in all envs or some (R,), before their commands change."""
         env_ids = slice(None) if running is None else running

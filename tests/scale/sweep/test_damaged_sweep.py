@@ -16,6 +16,7 @@ DAMAGE = {
     "run elsewhere": ("result.json", lambda text: text.replace('"run"', '"../run"').replace('"../run":', '"run":')),
     "seed of 300 digits": ("trial.json", lambda text: text.replace('"seed": 4', f'"seed": {10**300}')),
     "values beyond the space": ("trial.json", lambda text: text.replace('weights.foot_slip"', 'weights.slip"')),
+    "code elsewhere": ("trial.json", lambda text: text.replace('"algo": "ppo"', '"algo": "/elsewhere.py:Mine"')),
     "settings cut off": ("trial.json", lambda text: text[:50]),
     "no settings": ("trial.json", lambda text: None),
     "scores": ("scores.csv", lambda text: text.replace("256", "x")),
