@@ -37,14 +37,7 @@ class Ros2:
 
         The wheels' Python finds its libraries itself.
         """
-        foreign = (
-            "PYTHONPATH",
-            "PYTHONHOME",
-            "LD_LIBRARY_PATH",
-            "RMW_IMPLEMENTATION",
-            "_ROS_WHEELS_BOOTSTRAP_COMPLETE",
-        )
-        own = {name: value for name, value in os.environ.items() if name not in foreign}
+        own = {name: value for name, value in os.environ.items() if name not in _FOREIGN}
         return own | {
             "AMENT_PREFIX_PATH": str(self.prefix),
             # No shared memory, which only Fast DDS has: segments left by another release of it can crash a process.
