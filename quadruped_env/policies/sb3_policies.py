@@ -46,6 +46,16 @@ _WRAPPERS: Final = frozenset({"VecMonitor", "VecCheckNan", "VecNormalize", "VecV
 """Wrappers of the env after which a policy still sees the env's observation, apart from its normalization."""
 _ENV_WRAPPERS: Final = (gymnasium.ObservationWrapper, gymnasium.ActionWrapper)
 """Base classes of Gymnasium's wrappers that change observations or actions."""
+_NEUTRAL: Final = (
+    "Monitor",
+    "TimeLimit",
+    "OrderEnforcing",
+    "PassiveEnvChecker",
+    "Record",
+    "HumanRendering",
+    "Autoreset",
+)
+"""Beginnings of the names of wrappers that change neither."""
 _SAMPLES: Final = 64
 _TOLERANCE: Final = 1e-3
 """Largest difference of an action from the model's; more is not rounding."""
@@ -65,6 +75,8 @@ def refused(reason: str) -> QuadrupedError:
 
 def from_sb3(model: Any, card: dict[str, Any] | None = None) -> Policy:
     """See `Policy.from_sb3`."""
+    if not hasattr(model, "get_env"):
+        raise QuadrupedError(f"Policy.from_sb3: expected a model of Stable-Baselines3; found {type(model).__name__}")
     venv = model.get_env()
     if venv is None:
         raise QuadrupedError(
@@ -97,6 +109,8 @@ def _task_of(venv: Any) -> TaskConfig:
     for wrapper in _ENV_WRAPPERS:
         if any(inner.env_is_wrapped(wrapper)):
             raise refused(f"its env has an {wrapper.__name__}, which changes observations or actions")
+    for env in getattr(inner, "envs", ()):
+        _check_wrappers(env)
     task = getattr(inner, "task", None)
     if task is None:
         try:
@@ -109,6 +123,20 @@ def _task_of(venv: Any) -> TaskConfig:
             f"or in SB3's vector env of gymnasium.make('MiniQuadruped-v0')"
         )
     return task.config
+
+
+def _check_wrappers(env: Any) -> None:
+    """Warn of wrappers that may change observations or actions in a `step` of their own."""
+    while isinstance(env, gymnasium.Wrapper):
+        name = type(env).__name__
+        if not name.startswith(_NEUTRAL) and not isinstance(env, gymnasium.RewardWrapper):
+            warnings.warn(
+                f"Policy.from_sb3: the env has the wrapper {name}, which the policy leaves out; what it changes in "
+                f"observations or actions is missing",
+                QuadrupedWarning,
+                stacklevel=4,
+            )
+        env = env.env
 
 
 def actor_layers(policy: Any) -> tuple[list[Layer], str, str]:

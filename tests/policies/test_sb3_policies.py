@@ -155,6 +155,20 @@ def test_model_that_a_policys_file_cannot_hold_names_the_protocol(make, message)
         Policy.from_sb3(make())
 
 
+class Halved(gymnasium.Wrapper):
+    def step(self, action):
+        observation, *rest = self.env.step(action)
+        return observation / 2, *rest
+
+
+def test_wrapper_that_may_change_observations_is_named():
+    with pytest.warns(QuadrupedWarning, match=r"the env has the wrapper Halved, which the policy leaves out"):
+        Policy.from_sb3(model_of(PPO, Halved(gymnasium.make("MiniQuadruped-v0"))))
+    Policy.from_sb3(model_of(PPO, gymnasium.make("MiniQuadruped-v0")))  # whose own wrappers are no reason for a warning
+    with pytest.raises(QuadrupedError, match=r"expected a model of Stable-Baselines3; found str"):
+        Policy.from_sb3("flat")
+
+
 def test_wrappers_of_envs_in_other_processes_are_found():
     envs = SubprocVecEnv([lambda: Turned(gymnasium.make("MiniQuadruped-v0"))], start_method="fork")
     try:

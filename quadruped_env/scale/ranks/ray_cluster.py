@@ -15,6 +15,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ray_connection import check_answers, check_installed, connected
 from quadruped_env.training.run_directory import check_latest
+from quadruped_env.training.user_classes import absolute_name
 
 _PLACE_SECONDS: Final = 60.0
 """Time that Ray has to find free CPUs for the ranks, s."""
@@ -46,7 +47,10 @@ def train_on_ray(job: Job, address: str | None = None) -> tuple[Path, bool]:
     check_installed("--launcher ray")
     check_answers(address)
     ranks = job.config.ranks
+    # The other machines' processes have another working directory.
+    config = replace(job.config, algo=absolute_name(job.config.algo), policy=absolute_name(job.config.policy))
     resume, task_file = (None if path is None else path.resolve() for path in (job.resume, job.task_file))
+    there = replace(job, config=config, resume=resume, task_file=task_file)
     with connected(address) as ray:
         from ray.util.scheduling_strategies import PlacementGroupSchedulingStrategy
 
@@ -59,7 +63,9 @@ def train_on_ray(job: Job, address: str | None = None) -> tuple[Path, bool]:
         for rank in range(1, ranks):
             place = PlacementGroupSchedulingStrategy(group, placement_group_bundle_index=rank)
             own = run.options(scheduling_strategy=place, name=f"rank {rank}")
-            tasks.append(own.remote(replace(job, resume=resume, task_file=task_file), rank, threads, meeting))
+            tasks.append(
+                own.remote(replace(job, config=config, resume=resume, task_file=task_file), rank, threads, meeting)
+            )
         try:
             return _run_first(ray, tasks, job, threads, meeting)
         finally:
