@@ -63,9 +63,7 @@ def train_on_ray(job: Job, address: str | None = None) -> tuple[Path, bool]:
         for rank in range(1, ranks):
             place = PlacementGroupSchedulingStrategy(group, placement_group_bundle_index=rank)
             own = run.options(scheduling_strategy=place, name=f"rank {rank}")
-            tasks.append(
-                own.remote(replace(job, config=config, resume=resume, task_file=task_file), rank, threads, meeting)
-            )
+            tasks.append(own.remote(there, rank, threads, meeting))
         try:
             return _run_first(ray, tasks, job, threads, meeting)
         finally:
