@@ -64,7 +64,7 @@ def load_agent(path: str | Path, **env_kwargs: Any) -> Policy:
     if agent is None:
         raise QuadrupedError(
             f"{path}: defines no {NAME!r}; name an object with reset(begun) and predict(observation), or its class, "
-            f"so (docs/your-own-algorithm.md)"
+            f"{NAME!r} (docs/your-own-algorithm.md)"
         )
     policy = as_policy(own_copy(agent, str(path)), str(path), **env_kwargs)
     return policy.with_card({**policy.card, **file.to_dict()})

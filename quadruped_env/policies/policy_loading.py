@@ -55,7 +55,7 @@ def load_policy(
     if is_code(source):
         if trust_task:
             raise QuadrupedError(f"{source}: is code, with which no task file is kept; leave trust_task out")
-        return load_agent(source, **{"task_file": task_file, "robot": robot})
+        return load_agent(source, task_file=task_file, robot=robot)
     source = policy_directory(source)
     definition = kept_definition(source) if trust_task else BUILT_IN if task_file is None else load_task_file(task_file)
     if robot is not None:
