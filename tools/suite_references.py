@@ -5,7 +5,8 @@ tools/suite_references.py --only rough              the other rows stay as they 
 tools/suite_references.py --only flat --result results/<name>/suite.json    of `mini-quadruped evaluate flat --suite`
 tools/suite_references.py --policy mine=runs/<name>
 
-The results of a shipped policy also go onto its card.
+The row of a policy is followed by that of the zero action in its task. The results of a shipped policy also go onto
+its card.
 """
 
 import argparse
@@ -29,10 +30,18 @@ from quadruped_env.evaluation.suite.suite import (
     read_results,
     run_suite,
     score_table,
+    with_zero_action,
 )
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
 from quadruped_env.gait import SinusoidalGait
-from quadruped_env.policies import CommandedGaitController, GaitController, Policy, ZeroController, load_policy
+from quadruped_env.policies import (
+    CommandedGaitController,
+    GaitController,
+    Policy,
+    PolicyController,
+    ZeroController,
+    load_policy,
+)
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.files import write_json
@@ -139,14 +148,18 @@ def run(arguments: argparse.Namespace) -> int:
     results = {}
     for measured in measured_controllers:
         if measured.name in wanted:
-            result = known.get(measured.name) or run_suite(measured, suite, ProgressLine(measured.name))
-            rows[measured.name] = {**reference_row(result), "origin": origin}
+            is_policy = isinstance(measured.controller, PolicyController)
+            progress = ProgressLine(measured.name)
+            result = known.get(measured.name) or run_suite(measured, suite, progress, zero_action=is_policy)
+            for row in with_zero_action(result):
+                rows[row["name"]] = {**reference_row(row), "origin": origin}
             results[measured.name] = result
     check_comparable(rows)
     if arguments.output == REFERENCE_FILE:
         for name in shipped:
             note_suite(name, results[name])
-    ordered: list[Mapping[str, Any]] = [rows[name] for name in names if name in rows]
+    listed = [row for measured in measured_controllers for row in (measured.name, measured.zero_action().name)]
+    ordered: list[Mapping[str, Any]] = [rows[name] for name in listed if name in rows]
     write_json(arguments.output, {"rows": ordered})
     print(f"{score_table(ordered)}\nwritten: {arguments.output}")
     return 0

@@ -42,7 +42,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Evaluate, write the report, and print its summary."""
     from quadruped_env.evaluation.evaluated_policy import find_policy
-    from quadruped_env.evaluation.suite.suite import ranked, read_references, references_for, score_table
+    from quadruped_env.evaluation.suite.suite import (
+        ranked,
+        read_references,
+        references_for,
+        score_table,
+        with_zero_action,
+    )
     from quadruped_env.evaluation.verdict import verdict
     from quadruped_env.reporting.films.video import prepare_video, save_film
     from quadruped_env.reporting.pages.evaluation_report import write_report
@@ -70,7 +76,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         save_film(arguments.video, filmed(comparison), ProgressLine("filming"))
     print(f"\n{summary_table(comparison)}\n\n{verdict(comparison, suite).text()}\n")
     if suite is not None:
-        ranking = ranked((row["name"], row) for row in (suite, *references_for(suite, read_references())))
+        ranking = ranked(
+            (row["name"], row) for row in (*with_zero_action(suite), *references_for(suite, read_references()))
+        )
         print(f"{score_table([row for _, row in ranking])}\n")
     print_results(report, numbers, missing, arguments.video)
     return 0
@@ -83,8 +91,10 @@ def _suite(evaluated: "EvaluatedPolicy", quick: bool) -> dict[str, Any]:
     from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 
     suite = quick_suite() if quick else full_suite()
-    print(f"{suite.label}: up to {sum(episode_seconds(suite).values()) / 3600.0:.1f} hours of simulated time")
-    return run_suite(MeasuredController.of_policy(evaluated.policy, evaluated.name), suite, ProgressLine(suite.label))
+    hours = 2.0 * sum(episode_seconds(suite).values()) / 3600.0
+    print(f"{suite.label}: up to {hours:.1f} hours of simulated time, with and without the policy's action")
+    measured = MeasuredController.of_policy(evaluated.policy, evaluated.name)
+    return run_suite(measured, suite, ProgressLine(suite.label), zero_action=True)
 
 
 def print_results(report: Path, numbers: Path, missing: Sequence[str], video: Path | None) -> None:

@@ -20,11 +20,18 @@ Floats = NDArray[np.float64]
 
 
 class ZeroController:
-    """Zero action: the robot stands."""
+    """Zero action: the robot stands, or walks with the scripted gait of the mode `residual`.
 
-    name = "zero"
-    action_mode = "position"
+    Args:
+        action_mode: `position` or `residual`.
+        name: name in reports.
+    """
+
     follows_command = False
+
+    def __init__(self, action_mode: str = "position", name: str = "zero") -> None:
+        self.action_mode = action_mode
+        self.name = name
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""

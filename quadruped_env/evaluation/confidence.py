@@ -96,3 +96,28 @@ def proportion(events: ArrayLike) -> Estimate:
     centre = (share + z2 / (2.0 * n)) / (1.0 + z2 / n)
     half = _NORMAL_QUANTILE * math.sqrt(share * (1.0 - share) / n + z2 / (4.0 * n * n)) / (1.0 + z2 / n)
     return Estimate(share, max(0.0, centre - half), min(1.0, centre + half), n)
+
+
+def poisson_rate(events: int, exposure: float) -> Estimate:
+    """Events per unit of exposure, with the exact interval of a Poisson count (Garwood 1936).
+
+    The upper end is the rate at which so few events have a probability of 2.5 %, the lower end that at which so many
+    do; 0 for no event. `count` is the number of events.
+    """
+    if not exposure > 0.0:
+        return Estimate(math.nan, math.nan, math.nan, events)
+    tail = 0.5 - 0.5 * CONFIDENCE
+    low = _poisson_mean(events - 1, 1.0 - tail) if events else 0.0
+    return Estimate(events / exposure, low / exposure, _poisson_mean(events, tail) / exposure, events)
+
+
+def _poisson_mean(events: int, probability: float) -> float:
+    """Mean of the Poisson distribution that gives `events` or fewer with a probability, by bisection."""
+    numbers = np.arange(events + 1)
+    log_factorial = np.array([math.lgamma(k + 1.0) for k in numbers])
+    low, high = 0.0, events + 10.0 * math.sqrt(events + 1.0) + 10.0
+    for _ in range(100):
+        mean = 0.5 * (low + high)
+        below = np.exp(numbers * math.log(mean) - mean - log_factorial).sum()
+        low, high = (mean, high) if below > probability else (low, mean)
+    return 0.5 * (low + high)

@@ -14,7 +14,6 @@ from quadruped_env.control.policy_files import finished_directory, shipped_direc
 from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.evaluation.suite.command_map import envelope
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Policy, PolicyController, load_policy
@@ -118,7 +117,7 @@ def note_suite(name: str, result: Mapping[str, Any]) -> None:
     row = {field: value for field, value in reference_row(result).items() if field not in ("name", "conditions")}
     suite = {
         **row,
-        "envelope": envelope(result["commands"], result["definition"]["commands"]["tolerance"]),
+        "zero_action": result["zero_action"]["score"],
         "findings": dict(suite_findings(result)),
     }
     files = policy.with_card({**policy.card, "suite": suite}).files()
@@ -158,12 +157,14 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
 
 def reference_row(result: Mapping[str, Any]) -> dict[str, Any]:
     """The part of a controller's results that ships: what identifies them, the score, and the main measures."""
-    terrain = {kind: entry["highest_level"] for kind, entry in result["terrain"].items()}
-    return {
+    row = {
         **{field: result[field] for field in ("suite", "conditions", "name", "score")},
         "met": result["commands"]["met"],
-        "dead_zone": result["commands"]["dead_zone"],
-        "half_survival": result["pushes"]["half_survival"],
-        "terrain": terrain,
-        "recovery": {name: entry["recovered"] for name, entry in result["recovery"].items()},
+        "envelope": result["commands"]["envelope"],
+        "falls_per_hour": {name: law["falls_per_hour"] for name, law in result["joystick"].items()},
+        "half_survival": result["pushes"]["horizontal"]["half_survival"],
+        "terrain": {kind: entry["highest_level"] for kind, entry in result["terrain"].items()},
     }
+    if "recovery" in result:  # not of a zero action
+        row["recovery"] = {name: entry["recovered"] for name, entry in result["recovery"].items()}
+    return row

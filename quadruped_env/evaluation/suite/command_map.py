@@ -1,99 +1,77 @@
-"""The map of achieved over commanded velocities on the whole rectangle of commands, with its dead zones."""
+"""The map of achieved over commanded velocities on the whole rectangle of commands, and the envelope."""
 
-from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.evaluation.confidence import mean_of, number, proportion
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
+from quadruped_env.evaluation.metrics import counted_samples
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities, stands_still
 from quadruped_env.evaluation.suite.suite_definition import CommandMap
 from quadruped_env.utils.progress import Progress
 
 Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 
 def run(part: CommandMap, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
-    """The map and its summary, as plain values. Arrays have the shape (forward velocities V, yaw rates W)."""
-    rollout = measured.run(part.commands, part.seeds, part.seconds, progress)
-    shape = len(part.forward_velocity), len(part.yaw_rate), part.num_seeds
+    """The map, its summary and the envelope, as plain values; one entry per command."""
+    drawn, on_axes = list(part.drawn), [command for axis in part.axes.values() for command in axis]
+    rollout = measured.run([*drawn, *on_axes], part.seeds, part.seconds, progress)
+    shape = len(drawn) + len(on_axes), part.num_seeds
     achieved = mean_velocities(rollout).reshape(*shape, 2)
     fallen = rollout.fallen.reshape(shape)
+    still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
+    kept = met(part, [*drawn, *on_axes], achieved, fallen, still)
+    count = len(drawn)
+    stand = np.array([not any(command) for command in drawn])
     return {
-        "forward_velocity": list(part.forward_velocity),
-        "yaw_rate": list(part.yaw_rate),
-        "fall_share": fallen.mean(axis=-1).tolist(),
-        **summary(part, achieved, fallen),
+        "commands": [list(command) for command in drawn],
+        "fall_share": fallen[:count].mean(axis=-1).tolist(),
+        **summary(drawn, achieved[:count], fallen[:count], kept[:count]),
+        "moving": proportion(kept[:count][~stand]).to_dict(),
+        "standing": proportion(kept[:count][stand]).to_dict(),
+        "envelope": envelope(part, kept[count:]),
     }
 
 
-def summary(part: CommandMap, achieved: Floats, fallen: NDArray[np.bool_]) -> dict[str, Any]:
-    """Map, errors, share of met commands and dead zones of S episodes per command.
+def met(part: CommandMap, commands: ArrayLike, achieved: Floats, fallen: Mask, still: Mask) -> Mask:
+    """True for each of S episodes that meets its command (K, S); a command to stand only by standing still.
 
-    `achieved` are the mean velocities of each episode (V, W, S, 2), NaN if unknown; `fallen` is True for episodes that
-    fell (V, W, S).
+    `achieved` are the mean velocities of each episode (K, S, 2), NaN if unknown.
     """
-    error = achieved - np.array(part.commands).reshape(len(part.forward_velocity), len(part.yaw_rate), 1, 2)
+    command = np.asarray(commands, dtype=np.float64)[:, None]
     # A comparison with NaN is false: an episode without a mean velocity does not meet its command.
-    met = (np.abs(error) <= part.tolerance).all(axis=-1) & ~fallen
-    result: dict[str, Any] = {"met": proportion(met).to_dict(), "falls": proportion(fallen).to_dict()}
+    close = (np.abs(achieved - command) <= part.tolerance).all(axis=-1)
+    return np.asarray(close & ~fallen & (still | command.any(axis=-1)))
+
+
+def summary(commands: ArrayLike, achieved: Floats, fallen: Mask, kept: Mask) -> dict[str, Any]:
+    """Errors and shares of K commands, from the arrays of `met` and its result (K, S)."""
+    error = achieved - np.asarray(commands, dtype=np.float64)[:, None]
+    result: dict[str, Any] = {"met": proportion(kept).to_dict(), "falls": proportion(fallen).to_dict()}
     for column, name in enumerate(("forward_velocity", "yaw_rate")):
-        signed = np.array([[mean_of(episodes) for episodes in line] for line in error[..., column]], dtype=np.float64)
+        signed = np.array([mean_of(episodes) for episodes in error[..., column]], dtype=np.float64)
         known = np.abs(signed[np.isfinite(signed)])
         result[f"{name}_error"] = {
-            "signed": [[number(value) for value in line] for line in signed.tolist()],
+            "signed": [number(value) for value in signed.tolist()],
             "mean": number(float(known.mean())) if known.size else None,
             "largest": number(float(known.max())) if known.size else None,
         }
-    means = np.array([[mean_of(episodes) for episodes in line] for line in achieved], dtype=np.float64)
-    return {**result, "dead_zone": dead_zones(part, means)}
+    return result
 
 
-def dead_zones(part: CommandMap, achieved: Floats) -> dict[str, float | None]:
-    """Dead zone of each direction: forwards and backwards in m/s, left and right in rad/s.
+def envelope(part: CommandMap, kept: Mask) -> dict[str, float]:
+    """Largest command of each direction alone up to which every episode meets its command; 0 if none does.
 
-    The largest command on the half axis, with the other velocity 0, of which less than `dead_share` is reached; 0 if
-    there is none, None if the map has no command on the half axis. NaN among the mean velocities (V, W, 2) counts as
-    not reached.
+    Forwards and backwards in m/s, left and right in rad/s. `kept` is True for episodes that do (commands of all axes,
+    S).
     """
-    forward, turning = np.array(part.forward_velocity), np.array(part.yaw_rate)
-    zones: dict[str, float | None] = {}
-    for name, sign, size, reached in _half_axes(forward, turning, achieved[..., 0], achieved[..., 1]):
-        dead = size[~(sign * reached >= part.dead_share * size)]
-        zones[name] = float(dead.max(initial=0.0)) if len(size) else None
-    return zones
-
-
-def _half_axes(
-    forward: Floats, turning: Floats, of_forward: NDArray[Any], of_turning: NDArray[Any]
-) -> Iterator[tuple[str, float, Floats, NDArray[Any]]]:
-    """Name and sign of each direction, sizes of its commands with the other velocity 0, and the values (V, W) there.
-
-    Sizes and values are empty if the map has no command on the half axis.
-    """
-    for names, commands, on_axis in (
-        (("forwards", "backwards"), forward, of_forward[:, turning == 0.0]),
-        (("left", "right"), turning, of_turning[forward == 0.0].T),
-    ):
-        for name, sign in zip(names, (1.0, -1.0), strict=True):
-            side = sign * commands > 0.0 if on_axis.shape[1] else np.zeros(len(commands), dtype=np.bool_)
-            yield name, sign, sign * commands[side], on_axis[side, :1].ravel()
-
-
-def envelope(result: Mapping[str, Any], tolerance: Sequence[float]) -> dict[str, float | None]:
-    """Largest command of each direction, with the other velocity 0, up to which every one is met, for `run`'s result.
-
-    Forwards and backwards in m/s, left and right in rad/s: 0 if not even the smallest command is met, None if the map
-    has none. The tolerance is in m/s and rad/s.
-    """
-    forward, turning = np.array(result["forward_velocity"]), np.array(result["yaw_rate"])
-    met = np.array(result["fall_share"]) == 0.0
-    for name, largest in zip(("forward_velocity_error", "yaw_rate_error"), tolerance, strict=True):
-        # As in `summary`, an unknown velocity does not meet its command.
-        met &= np.abs(np.array(result[name]["signed"], dtype=np.float64)) <= largest
-    found: dict[str, float | None] = {}
-    for name, _, size, kept in _half_axes(forward, turning, met, met):
-        missed = size[~kept].min(initial=np.inf)
-        found[name] = float(size[size < missed].max(initial=0.0)) if len(size) else None
+    found, place = {}, 0
+    for name, axis in part.axes.items():
+        all_met = kept[place : place + len(axis)].all(axis=-1)
+        reached = int(np.argmin(np.append(all_met, False)))
+        found[name] = float(np.abs(axis[reached - 1]).max()) if reached else 0.0
+        place += len(axis)
     return found

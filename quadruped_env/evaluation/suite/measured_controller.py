@@ -3,7 +3,7 @@
 import dataclasses
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +14,18 @@ from quadruped_env.evaluation.comparison import evaluation_task
 from quadruped_env.evaluation.metrics import counted_samples, masked_mean
 from quadruped_env.evaluation.rollout import BeforeStep, Rollout, roll_out
 from quadruped_env.evaluation.suite.suite_definition import Command
-from quadruped_env.policies import Agent, Controller, Policy, PolicyController, as_policy
+from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.task import BUILT_IN, TaskConfig
 from quadruped_env.task.randomization.randomization_presets import scaled_to
 from quadruped_env.utils.progress import Progress
+
+_STILL: Final = 0.2
+"""RMS joint velocity below which a robot stands, rad/s."""
+_STANDING_WEIGHT: Final = 0.2
+"""Share of a score that is lost by a robot that does not stand still."""
 
 
 @dataclass(frozen=True)
@@ -75,11 +80,17 @@ class MeasuredController:
         randomization: Mapping[str, Any] | None = None,
         before_step: BeforeStep | None = None,
         reached: Iterable[Command] = (),
+        terrain: Terrain = flat,
     ) -> Rollout:
-        """Roll out on flat ground; `reached` are further commands that `before_step` sets."""
+        """Roll out; `reached` are further commands that `before_step` sets."""
         commands = list(commands)
-        config = self.task([*commands, *reached], randomization)
+        config = self.task([*commands, *reached], randomization, terrain)
         return roll_out(self.controller, commands, seeds, seconds, config, progress, before_step)
+
+    def zero_action(self) -> "MeasuredController":
+        """The zero action in the same task: a policy's gait alone, or its stance."""
+        name = f"{self.name}, zero action"
+        return MeasuredController(name, ZeroController(self.controller.action_mode, name), self.config)
 
     @property
     def robot(self) -> Robot:
@@ -93,6 +104,20 @@ def mean_velocities(rollout: Rollout) -> NDArray[np.float64]:
     NaN for an episode that falls during the start-up.
     """
     return masked_mean(rollout.velocity, counted_samples(rollout))
+
+
+def share_with_standing(moving: float, standing: float) -> float:
+    """Score in [0, 1] from the shares of commands to move and to stand that are met.
+
+    Standing alone earns nothing; a robot that moves as it should, and never stands still, loses a fifth.
+    """
+    return moving * (1.0 - _STANDING_WEIGHT * (1.0 - standing))
+
+
+def stands_still(rollout: Rollout, counted: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """True for each episode (N,) whose joints are nearly at rest over the counted samples (T, N)."""
+    squared = masked_mean(rollout.joint_velocity.astype(np.float64) ** 2, counted).mean(axis=-1)
+    return np.asarray(np.sqrt(squared) < _STILL)
 
 
 def conditions(measured: MeasuredController) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Survival of pushes over their size and direction."""
+"""Pushes: doing what was asked after a push of six components, and survival of horizontal ones by direction."""
 
 from typing import Any
 
@@ -6,10 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.confidence import percentile_interval, proportion
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.metrics import masked_mean
+from quadruped_env.evaluation.rollout import BeforeStep, Rollout
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, stands_still
 from quadruped_env.evaluation.suite.suite_definition import Pushes
 from quadruped_env.task import Task
-from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.rotations import yaw
 
 Floats = NDArray[np.float64]
@@ -19,36 +21,104 @@ _HALF = 0.5
 
 
 def run(part: Pushes, measured: MeasuredController, progress: Progress | None = None) -> dict[str, Any]:
-    """Survival of every size and direction, as plain values."""
-    size, angle = (values.ravel() for values in np.meshgrid(part.sizes, np.radians(part.directions), indexing="ij"))
-    size, angle = (np.repeat(values, part.num_seeds) for values in (size, angle))
+    """Pushes of six components under every command, and survival of horizontal ones by size and direction."""
+    seeds = len(part.sizes) * part.num_seeds
+    episodes = range(part.first_seed, part.first_seed + seeds)
+    size = np.tile(np.repeat(part.sizes, part.num_seeds), len(part.commands))
+    drawn = [push_of(part, seed) for seed in episodes] * len(part.commands)
+    velocity = size[:, None] * np.array([velocity for _, velocity in drawn])
+    times = np.array([time for time, _ in drawn])
+    done = part_of(progress, 0.0, 0.5)
+    rollout = measured.run(part.commands, episodes, part.before[1] + part.after, done, before_step=_at(times, velocity))
+    return {
+        **obeyed(part, rollout),
+        "horizontal": _horizontal(part, measured, part_of(progress, 0.5, 1.0)),
+    }
+
+
+def push_of(part: Pushes, seed: int) -> tuple[float, Floats]:
+    """Time in s and direction of the push of an episode's seed: (6,) in the units of `part.unit`."""
+    generator = np.random.default_rng(seed)
+    direction = generator.standard_normal(6)
+    return generator.uniform(*part.before), direction / np.linalg.norm(direction) * part.unit
+
+
+def _at(times: Floats, velocity: Floats) -> BeforeStep:
+    """Adds a velocity (N, 6) to the base of each robot at its time (N,), s."""
 
     def push(task: Task, step: int) -> None:
-        if step == round(part.before / task.control.config.timestep):
+        now = np.flatnonzero(np.round(times / task.control.config.timestep) == step)
+        if len(now):
+            task.simulation.push(now, velocity[now])
+
+    return push
+
+
+def obeyed(part: Pushes, rollout: Rollout) -> dict[str, Any]:
+    """Shares of the episodes that do what was asked after the push, and that do not fall, as plain values.
+
+    Without a fall, the mean velocities over the last `final` seconds must be close to the command; a robot that was
+    told to stand must also stand still.
+    """
+    last = np.zeros_like(rollout.valid)
+    last[len(last) - round(part.final / rollout.timestep) :] = True
+    shape = len(part.commands), len(part.sizes), part.num_seeds
+    command = np.repeat(part.commands, shape[1] * shape[2], axis=0)
+    error = np.abs(masked_mean(rollout.velocity, last) - command)
+    good = (error <= part.tolerance).all(axis=-1) & ~rollout.fallen
+    good &= command.any(axis=-1) | stands_still(rollout, last)
+    moving = np.any(part.commands, axis=-1)
+    good, survived = good.reshape(shape), ~rollout.fallen.reshape(shape)
+    return {
+        "obeyed": proportion(good).to_dict(),
+        "moving": proportion(good[moving]).to_dict(),
+        "standing": proportion(good[~moving]).to_dict(),
+        "survived": proportion(survived).to_dict(),
+        "commands": [
+            {
+                "command": list(wanted),
+                "obeyed": [proportion(episodes).to_dict() for episodes in good[i]],
+                "survived": survived[i].mean(axis=-1).tolist(),
+            }
+            for i, wanted in enumerate(part.commands)
+        ],
+    }
+
+
+def _horizontal(part: Pushes, measured: MeasuredController, progress: Progress | None) -> dict[str, Any]:
+    """Survival of horizontal pushes under the first command, by size and direction."""
+    grid = np.meshgrid(part.horizontal_sizes, np.radians(part.directions), indexing="ij")
+    size, angle = (np.repeat(values.ravel(), part.horizontal_seeds) for values in grid)
+
+    def push(task: Task, step: int) -> None:
+        if step == round(part.before[0] / task.control.config.timestep):
             pushed = np.flatnonzero(size > 0.0)
             direction = yaw(task.simulation.readings.orientation[pushed]) + angle[pushed]
-            velocity = np.stack([np.cos(direction), np.sin(direction), np.zeros(len(pushed))], axis=-1)
-            task.simulation.push(pushed, size[pushed, None] * velocity)
+            velocity = np.zeros((len(pushed), 6))
+            velocity[:, 0], velocity[:, 1] = size[pushed] * np.cos(direction), size[pushed] * np.sin(direction)
+            task.simulation.push(pushed, velocity)
 
-    conditions = len(part.sizes) * len(part.directions)
+    conditions = len(part.horizontal_sizes) * len(part.directions)
+    seeds = range(part.first_seed, part.first_seed + part.horizontal_seeds)
     rollout = measured.run(
-        [part.command] * conditions, part.seeds, part.before + part.after, progress, before_step=push
+        [part.commands[0]] * conditions, seeds, part.before[0] + part.after, progress, before_step=push
     )
-    return summary(part, ~rollout.fallen.reshape(len(part.sizes), len(part.directions), part.num_seeds))
+    shape = len(part.horizontal_sizes), len(part.directions), part.horizontal_seeds
+    return survival(part, ~rollout.fallen.reshape(shape))
 
 
-def summary(part: Pushes, survived: NDArray[np.bool_]) -> dict[str, Any]:
+def survival(part: Pushes, survived: NDArray[np.bool_]) -> dict[str, Any]:
     """Survival by size and direction, and the size of 50 % survival per direction, as plain values.
 
     `survived` is True for episodes without a fall (sizes, directions, seeds).
     """
+    sizes = np.array(part.horizontal_sizes)
     return {
-        "sizes": list(part.sizes),
+        "sizes": sizes.tolist(),
         "directions": list(part.directions),
         "survived": survived.mean(axis=-1).tolist(),
         "by_size": [proportion(episodes).to_dict() for episodes in survived],
-        "all": proportion(survived[np.array(part.sizes) > 0.0]).to_dict(),
-        "half_survival": [half_survival(np.array(part.sizes), survived[:, i]) for i in range(len(part.directions))],
+        "half_survival": [half_survival(sizes, survived[:, i]) for i in range(len(part.directions))],
     }
 
 

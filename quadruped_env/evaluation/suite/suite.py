@@ -12,13 +12,18 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.suite import (
     command_map,
     gait_measures,
+    joystick,
     pushes,
     recovery,
-    suite_disturbances,
+    regulation,
     terrains,
     transients,
 )
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, conditions
+from quadruped_env.evaluation.suite.measured_controller import (
+    MeasuredController,
+    conditions,
+    share_with_standing,
+)
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.parameters import is_quantity
@@ -30,31 +35,37 @@ REFERENCE_FILE: Final = Path(__file__).with_name("references.json")
 """Written by `tools/suite_references.py`; a package without it has no reference rows."""
 
 COMPONENTS: Final = {
-    "commands": "share of the episodes on the rectangle of commands that meet their command",
-    "gait": "clearance, one touchdown per stride, and joint speeds below their limits",
+    "commands": "share of the commands drawn over the rectangle that are met; less a fifth if it never stands still",
+    "joystick": "share of 5 s of changing commands without a fall and with small errors",
+    "gait": "clearance, soft landings, no bounces and little slip, where the command is followed",
     "transients": "1 - settling time / 5 s after steps of the command",
-    "pushes": "share of the pushes that are survived",
-    "disturbances": "share of the episodes that hold their command: one disturbance at a time, and all together",
+    "pushes": "share of the pushes after which it does what was asked; less a fifth if it never stands still",
+    "regulation": "share of the episodes that keep their speed: one disturbance at a time, and all together",
     "terrain": "highest level over 10, mean over the kinds",
-    "recovery": "share of the recoveries from drops and falls",
 }
 """Component of the score, which is a part of the suite -> meaning."""
+
+
+def _moving_and_standing(result: Mapping[str, Any], part: Any) -> float:
+    return share_with_standing(result["moving"]["mean"], result["standing"]["mean"])
+
 
 _Run = Callable[[Any, MeasuredController, Progress | None], dict[str, Any]]
 _Score = Callable[[Any, Any], float]
 PARTS: Final[dict[str, tuple[_Run, _Score]]] = {
-    "commands": (command_map.run, lambda result, part: float(result["met"]["mean"])),
+    "commands": (command_map.run, _moving_and_standing),
+    "joystick": (joystick.run, lambda result, part: joystick.score(result)),
     "gait": (gait_measures.run, gait_measures.score),
     "transients": (transients.run, lambda result, part: _mean(change["score"] for change in result.values())),
-    "pushes": (pushes.run, lambda result, part: float(result["all"]["mean"])),
-    "disturbances": (suite_disturbances.run, suite_disturbances.score),
+    "pushes": (pushes.run, _moving_and_standing),
+    "regulation": (regulation.run, regulation.score),
     "terrain": (terrains.run, terrains.score),
-    "recovery": (
-        recovery.run,
-        lambda result, part: _mean(release["recovered"]["mean"] for release in result.values()),
-    ),
 }
 """Component -> function that runs the part, and the component in [0, 1] of its result."""
+RECOVERY: Final = "recovery"
+"""Part that is reported and not scored, because the stand-up is a script."""
+ZERO_ACTION: Final = "zero_action"
+"""Field of a policy's results that holds those of the zero action in its task, without the recovery."""
 _TERRAIN_COST: Final = 1.6
 """Time of an episode on tiles relative to that on a plane."""
 _RECOVERY_COST: Final = 10.0
@@ -64,43 +75,64 @@ _RECOVERY_COST: Final = 10.0
 def episode_seconds(suite: Suite) -> dict[str, float]:
     """Simulated seconds of each part, summed over its episodes: name -> s. On tiles, an upper bound."""
     s = suite
+    commands = len(s.commands.drawn) + sum(map(len, s.commands.axes.values()))
+    scored = len(s.pushes.commands) * len(s.pushes.sizes) * s.pushes.num_seeds
+    horizontal = len(s.pushes.horizontal_sizes) * len(s.pushes.directions) * s.pushes.horizontal_seeds
+    alone = len(s.regulation.factors) * s.regulation.num_seeds * s.regulation.seconds
+    together = s.regulation.together_seeds * s.regulation.together_seconds
+    crossings = len(s.terrain.kinds) * s.terrain.levels * len(s.terrain.terrain_seeds) * s.terrain.num_seeds
     return {
-        "commands": len(s.commands.commands) * s.commands.num_seeds * s.commands.seconds,
+        "commands": commands * s.commands.num_seeds * s.commands.seconds,
+        "joystick": len(s.joystick.laws) * s.joystick.num_seeds * s.joystick.seconds,
         "gait": len(s.gait.commands) * s.gait.num_seeds * s.gait.seconds,
         "transients": len(s.transients.changes) * s.transients.num_seeds * (s.transients.before + s.transients.after),
-        "pushes": len(s.pushes.sizes)
-        * len(s.pushes.directions)
-        * s.pushes.num_seeds
-        * (s.pushes.before + s.pushes.after),
-        "disturbances": len(s.disturbances.commands)
-        * (
-            (1 + len(s.disturbances.factors)) * s.disturbances.num_seeds * s.disturbances.seconds
-            + s.disturbances.together_seeds * s.disturbances.together_seconds
-        ),
-        "terrain": len(s.terrain.kinds) * s.terrain.levels * s.terrain.num_seeds * s.terrain.seconds,
+        "pushes": scored * (s.pushes.before[1] + s.pushes.after) + horizontal * (s.pushes.before[0] + s.pushes.after),
+        "regulation": len(s.regulation.commands) * (alone + together),
+        "terrain": crossings * s.terrain.seconds,
         "recovery": len(s.recovery.releases) * s.recovery.num_seeds * (s.recovery.limp_seconds + s.recovery.seconds),
     }
 
 
 def run_suite(
-    measured: MeasuredController, suite: Suite | None = None, progress: Progress | None = None
+    measured: MeasuredController,
+    suite: Suite | None = None,
+    progress: Progress | None = None,
+    zero_action: bool = False,
 ) -> dict[str, Any]:
     """Measure a controller with the suite; None: the full one.
 
+    Args:
+        measured: the controller, in its task.
+        suite: definition of the suite.
+        progress: called with the fraction done.
+        zero_action: also measure the zero action in the controller's task, without the recovery.
+
     Returns:
         Results as plain values: `suite` (name, version and hash), `conditions` (robot and physics), `definition`,
-        `score`, and one entry per part.
+        `score`, one entry per part, and with `zero_action` the same of the zero action.
 
     Raises:
         QuadrupedError: if the controller cannot run in the task, or observes what a real robot does not measure.
     """
     suite = suite or full_suite()
+    runs = {name: run for name, (run, _) in PARTS.items()}
+    share = 0.6 if zero_action else 1.0
+    result = _results(measured, suite, {**runs, RECOVERY: recovery.run}, part_of(progress, 0.0, share))
+    result["definition"] = suite.to_dict()
+    if zero_action:
+        result[ZERO_ACTION] = _results(measured.zero_action(), suite, runs, part_of(progress, share, 1.0))
+    return result
+
+
+def _results(
+    measured: MeasuredController, suite: Suite, runs: Mapping[str, _Run], progress: Progress | None
+) -> dict[str, Any]:
     weights = episode_seconds(suite)
     weights["terrain"] *= _TERRAIN_COST
     weights["recovery"] *= _RECOVERY_COST
-    total, done, began = sum(weights.values()), 0.0, time.perf_counter()
+    total, done, began = sum(weights[name] for name in runs), 0.0, time.perf_counter()
     parts: dict[str, Any] = {}
-    for name, (run, _) in PARTS.items():
+    for name, run in runs.items():
         part = part_of(progress, done / total, (done + weights[name]) / total)
         parts[name] = run(getattr(suite, name), measured, part)
         done += weights[name]
@@ -111,10 +143,14 @@ def run_suite(
         "conditions": conditions(measured),
         "name": measured.name,
         "seconds": round(time.perf_counter() - began, 1),
-        "definition": suite.to_dict(),
         "score": scores(suite, parts),
         **parts,
     }
+
+
+def with_zero_action(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """Results, and those of the zero action that they hold, as rows of a table."""
+    return [result, result[ZERO_ACTION]] if ZERO_ACTION in result else [result]
 
 
 def scores(suite: Suite, parts: Mapping[str, Any]) -> dict[str, Any]:
@@ -131,7 +167,9 @@ def read_results(path: Path) -> dict[str, Any]:
     """Results of the suite from a file; a QuadrupedError if it cannot be read or holds none."""
     document = read_json(path, "evaluate the policy with --suite to make it")
     check_results(document, str(path))
-    missing = [name for name in COMPONENTS if not isinstance(document.get(name), dict)]
+    if ZERO_ACTION in document:
+        check_results(document[ZERO_ACTION], f"{path}: {ZERO_ACTION}")
+    missing = [name for name in (*COMPONENTS, RECOVERY) if not isinstance(document.get(name), dict)]
     if missing:
         raise QuadrupedError(f"{path}: lacks the part {missing[0]!r} of the suite; evaluate the policy with --suite")
     for kind, entry in document["terrain"].items():

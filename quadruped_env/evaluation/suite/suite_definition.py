@@ -11,6 +11,8 @@ import json
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
+import numpy as np
+
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST, TERRAINS
 from quadruped_env.simulation.terrain import TILE
 from quadruped_env.task import PRESETS
@@ -18,7 +20,7 @@ from quadruped_env.utils.plain import plain
 from quadruped_env.utils.seeds import EVALUATION_SEEDS
 
 NAME: Final = "mq-eval"
-VERSION: Final = 1
+VERSION: Final = 2
 
 Command = tuple[float, float]
 """Forward velocity in m/s and yaw rate in rad/s."""
@@ -26,6 +28,11 @@ Command = tuple[float, float]
 _FIRST_SEED: Final = EVALUATION_SEEDS.start + 500_000
 """First seed of the suite; the seeds before it are those of the other evaluations."""
 _SEEDS_PER_PART: Final = 10_000
+
+RECTANGLE: Final = ((-0.3, 0.6), (-0.8, 0.8))
+"""Ranges of the commands that are drawn, m/s and rad/s."""
+_R2: Final = np.array([0.7548776662466927, 0.5698402909980532])
+"""Steps of the sequence R2: 1 / g and 1 / g^2, where g^3 = g + 1."""
 
 
 def _steps(first: int, last: int, step: int, unit: float) -> tuple[float, ...]:
@@ -50,22 +57,76 @@ class Part:
 
 @dataclass(frozen=True)
 class CommandMap(Part):
-    """Every command of a rectangle."""
+    """Commands drawn over a rectangle, standing, and each direction alone up to beyond what the robot can do."""
 
-    forward_velocity: tuple[float, ...] = _steps(-6, 12, 1, 0.05)
-    """Forward velocities, m/s."""
-    yaw_rate: tuple[float, ...] = _steps(-8, 8, 1, 0.1)
-    """Yaw rates, rad/s."""
+    points: int = 248
+    """Commands that are drawn."""
+    standing: int = 8
+    """Commands to stand, besides."""
+    smallest: tuple[float, float] = (0.1, 0.2)
+    """A command below both of these is not drawn, m/s and rad/s."""
+    axes: dict[str, tuple[Command, ...]] = field(
+        default_factory=lambda: {
+            "forwards": tuple((v, 0.0) for v in _steps(2, 18, 1, 0.05)),
+            "backwards": tuple((-v, 0.0) for v in _steps(2, 10, 1, 0.05)),
+            "left": tuple((0.0, w) for w in _steps(2, 16, 1, 0.1)),
+            "right": tuple((0.0, -w) for w in _steps(2, 16, 1, 0.1)),
+        }
+    )
+    """Commands in one direction alone, the smallest first, for the envelope."""
     seconds: float = 10.0
     tolerance: tuple[float, float] = (0.05, 0.1)
     """Errors of the mean velocities up to which an episode meets its command, m/s and rad/s."""
-    dead_share: float = 0.5
-    """Share of a command below which it is in the dead zone."""
 
     @property
-    def commands(self) -> tuple[Command, ...]:
-        """All commands, the yaw rates of the first forward velocity first."""
-        return tuple((v, w) for v in self.forward_velocity for w in self.yaw_rate)
+    def drawn(self) -> tuple[Command, ...]:
+        """The commands that are drawn, and those to stand.
+
+        Points of the additive sequence R2, which covers the rectangle evenly (Roberts 2018, The Unreasonable
+        Effectiveness of Quasirandom Sequences), from a start that the seed gives.
+        """
+        low, high = np.array(RECTANGLE).T
+        at = np.random.default_rng(self.first_seed).random(2)
+        points: list[Command] = []
+        while len(points) < self.points:
+            at = (at + _R2) % 1.0
+            v, w = (round(float(value), 4) for value in low + at * (high - low))
+            if abs(v) >= self.smallest[0] or abs(w) >= self.smallest[1]:
+                points.append((v, w))
+        return (*points, *((0.0, 0.0),) * self.standing)
+
+
+@dataclass(frozen=True)
+class Factor:
+    """One disturbance: values of the config's section `randomization`, and an incline of the ground."""
+
+    name: str
+    randomization: dict[str, Any] = field(default_factory=dict)
+    slope: float = 0.0
+    """Angle of the ground, uphill at the start, degrees."""
+
+
+@dataclass(frozen=True)
+class Joystick(Part):
+    """Commands that change at any time, as a person gives them."""
+
+    laws: tuple[Factor, ...] = field(
+        default_factory=lambda: (Factor("undisturbed"), Factor("moderate", dict(PRESETS["moderate"])))
+    )
+    """Disturbances under which the episodes run."""
+    seconds: float = 60.0
+    held: tuple[float, float] = (0.5, 4.0)
+    """Range of the time that a command is held, s."""
+    shares: tuple[float, float, float] = (0.15, 0.15, 0.2)
+    """Shares of the new commands that stand, reverse the one before, or are at the ends of the rectangle."""
+    allowance: float = 0.5
+    """Time after a change that does not count, s."""
+    shortest: float = 0.25
+    """Time after the allowance from which a held command counts, s: that of a stride."""
+    window: float = 5.0
+    """Length of the windows of the score, s."""
+    tolerance: tuple[float, float] = (0.1, 0.2)
+    """Mean errors up to which a window is met, m/s and rad/s."""
 
 
 @dataclass(frozen=True)
@@ -84,11 +145,19 @@ class GaitPart(Part):
         (0.3, 0.5),
         (0.3, -0.5),
     )
-    seconds: float = 20.0
-    shortest_swing: float = 0.05
-    """Time in the air from which a foot has swung; shorter times are bounces, s."""
+    seconds: float = 15.0
+    tolerance: tuple[float, float] = (0.1, 0.2)
+    """Errors of the mean velocities up to which the gait of an episode counts in the score, m/s and rad/s."""
+    swing_share: float = 0.2
+    """Share of a stride from which a time in the air is a swing; shorter ones are within a stance."""
+    bounce: float = 0.002
+    """Height over the ground from which a shorter time in the air is a bounce, m."""
     full_clearance: float = 0.01
     """Clearance from which the score is full, m."""
+    soft_landing: float = 0.2
+    """Speed of the soles at touchdown up to which the score is full, m/s."""
+    little_slip: float = 0.05
+    """Slip up to which the score is full, m/s."""
     speed_share: float = 0.95
     """Share of a joint's velocity limit from which it counts as being at the limit."""
 
@@ -111,6 +180,12 @@ class Transients(Part):
         Change("emergency_stop", (0.5, 0.0), (0.0, 0.0)),
         Change("reversal", (0.3, 0.0), (-0.3, 0.0)),
         Change("diagonal", (0.1, 0.5), (0.5, -0.5)),
+        Change("stand_to_turn", (0.0, 0.0), (0.0, 0.5)),
+        Change("turn_reversal", (0.0, 0.5), (0.0, -0.5)),
+        Change("stand_to_backward_curve", (0.0, 0.0), (-0.2, 0.5)),
+        Change("walk_to_backward_curve", (0.5, 0.0), (-0.2, -0.5)),
+        Change("turn_to_backward_curve", (0.0, 0.8), (-0.2, -0.5)),
+        Change("curve_stop", (0.3, 0.5), (0.0, 0.0)),
     )
     before: float = 4.0
     """Time until the change, s."""
@@ -130,62 +205,62 @@ class Transients(Part):
 
 @dataclass(frozen=True)
 class Pushes(Part):
-    """One push per episode: a velocity that is added to the base of a walking robot."""
+    """One push per episode: a velocity that is added to the base."""
 
-    sizes: tuple[float, ...] = _steps(0, 10, 1, 0.2)
-    """Velocities, m/s."""
+    commands: tuple[Command, ...] = ((0.3, 0.0), (0.3, 0.5), (0.0, 0.5), (-0.2, 0.0), (0.0, 0.0))
+    """Commands of the scored pushes."""
+    sizes: tuple[float, ...] = (0.5, 1.0, 1.5, 2.0)
+    """Sizes of the scored pushes: factors on `unit`."""
+    unit: tuple[float, ...] = (1.0, 1.0, 0.5, 2.0, 2.0, 2.0)
+    """Factors on a direction drawn on the sphere in six dimensions: m/s in the world frame, rad/s in the body frame."""
+    tolerance: tuple[float, float] = (0.1, 0.2)
+    """Errors of the mean velocities after a push up to which the episode does what was asked, m/s and rad/s."""
+    final: float = 2.0
+    """Time at the end over which these means are, s."""
+    horizontal_sizes: tuple[float, ...] = _steps(0, 10, 1, 0.2)
+    """Horizontal velocities of the pushes by direction, m/s."""
     directions: tuple[float, ...] = _steps(0, 315, 45, 1.0)
     """Directions relative to the heading, degrees: 0 forwards, 90 to the left."""
-    command: Command = (0.3, 0.0)
-    before: float = 3.0
-    """Time until the push, s."""
+    horizontal_seeds: int = 6
+    """Episodes per size and direction."""
+    before: tuple[float, float] = (3.0, 4.0)
+    """Range of the time until the push, s: it is drawn, so that it comes anywhere in a stride."""
     after: float = 4.0
-    """Time from the push to the end, s."""
-
-
-@dataclass(frozen=True)
-class Factor:
-    """One disturbance: values of the config's section `randomization`."""
-
-    name: str
-    randomization: dict[str, Any]
+    """Time from the latest push to the end, s."""
 
 
 def _factors() -> tuple[Factor, ...]:
-    """Each quantity of the preset `hard` alone, at the ends of its range if it has two that count."""
-    hard = PRESETS["hard"]
-
-    def at(name: str, value: float, **others: Any) -> Factor:
-        return Factor(name, {name.removesuffix("_low").removesuffix("_high"): (value, value), **others})
-
-    def alone(name: str) -> Factor:
-        return Factor(name, {name: hard[name]})
-
-    ends = ("friction", "payload", "supply_voltage", "motor_strength", "position_gain", "velocity_gain")
+    """Friction, payload, encoder offsets and slopes, one at a time."""
     return (
-        *(at(f"{name}_{end}", hard[name][i]) for name in ends for i, end in enumerate(("low", "high"))),
-        *(at(name, hard[name][1]) for name in ("joint_damping", "rotor_inertia")),
-        *(at(name, hard[name][1]) for name in ("action_latency", "observation_latency")),
-        *(alone(name) for name in ("link_mass", "link_inertia", "base_com", "encoder_offset", "imu_mounting")),
-        alone("observation_noise"),
-        alone("push_force"),
-        Factor("push_speed", {name: hard[name] for name in ("push_speed", "push_interval")}),
+        Factor("nominal"),
+        *(Factor(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
+        *(Factor(f"payload_{kg:+g}_kg", {"payload": (kg, kg)}) for kg in (-0.5, 0.5, 1.0, 2.0)),
+        *(Factor(f"encoder_offset_{offset:g}", {"encoder_offset": offset}) for offset in (0.02, 0.04)),
+        *(
+            Factor(f"{way}_{angle:g}_degrees", {"start_heading": 0.0}, sign * angle)
+            for angle in (4.0, 8.0, 12.0, 16.0)
+            for way, sign in (("up", 1.0), ("down", -1.0))
+        ),
     )
 
 
 @dataclass(frozen=True)
-class Disturbances(Part):
-    """Disturbances, one at a time, and then all of the preset `hard` together."""
+class Regulation(Part):
+    """Speed and yaw rate kept under one disturbance at a time, and under all of the preset `hard` together."""
 
     factors: tuple[Factor, ...] = field(default_factory=_factors)
+    commands: tuple[Command, ...] = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
+    seconds: float = 8.0
+    share: float = 0.2
+    """Error up to which an episode keeps a velocity that is commanded, relative to the command."""
+    tolerance: tuple[float, float] = (0.05, 0.1)
+    """The same for a velocity whose command is 0, m/s and rad/s."""
     together: Factor = field(default_factory=lambda: Factor("hard", dict(PRESETS["hard"])))
-    commands: tuple[Command, ...] = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5))
-    seconds: float = 10.0
-    together_seeds: int = 64
+    together_seeds: int = 32
     """Episodes per command with all disturbances together."""
     together_seconds: float = 20.0
-    tolerance: tuple[float, float] = (0.1, 0.2)
-    """Errors of the mean velocities up to which an episode holds its command, m/s and rad/s."""
+    together_tolerance: tuple[float, float] = (0.1, 0.2)
+    """Errors up to which an episode with all disturbances holds its command, m/s and rad/s."""
 
 
 @dataclass(frozen=True)
@@ -199,7 +274,8 @@ class TerrainPart(Part):
     """Time to leave the tile, s."""
     pass_share: float = 0.9
     """Share of crossings from which a level is passed."""
-    terrain_seed: int = _FIRST_SEED
+    terrain_seeds: tuple[int, ...] = (_FIRST_SEED, _FIRST_SEED + 1, _FIRST_SEED + 2)
+    """Seeds of the worlds on each of which every crossing is tried."""
     tile: float = TILE
     """Side length of a tile, m."""
     shapes: dict[str, Any] = field(
@@ -260,13 +336,14 @@ class Suite:
     """
 
     quick: bool = False
-    commands: CommandMap = CommandMap(4, _FIRST_SEED)
-    gait: GaitPart = GaitPart(8, _FIRST_SEED + _SEEDS_PER_PART)
-    transients: Transients = Transients(32, _FIRST_SEED + 2 * _SEEDS_PER_PART)
-    pushes: Pushes = Pushes(16, _FIRST_SEED + 3 * _SEEDS_PER_PART)
-    disturbances: Disturbances = Disturbances(12, _FIRST_SEED + 4 * _SEEDS_PER_PART)
-    terrain: TerrainPart = TerrainPart(100, _FIRST_SEED + 5 * _SEEDS_PER_PART)
-    recovery: Recovery = Recovery(12, _FIRST_SEED + 6 * _SEEDS_PER_PART)
+    commands: CommandMap = CommandMap(2, _FIRST_SEED)
+    joystick: Joystick = Joystick(64, _FIRST_SEED + _SEEDS_PER_PART)
+    gait: GaitPart = GaitPart(4, _FIRST_SEED + 2 * _SEEDS_PER_PART)
+    transients: Transients = Transients(16, _FIRST_SEED + 3 * _SEEDS_PER_PART)
+    pushes: Pushes = Pushes(12, _FIRST_SEED + 4 * _SEEDS_PER_PART)
+    regulation: Regulation = Regulation(4, _FIRST_SEED + 5 * _SEEDS_PER_PART)
+    terrain: TerrainPart = TerrainPart(20, _FIRST_SEED + 6 * _SEEDS_PER_PART)
+    recovery: Recovery = Recovery(4, _FIRST_SEED + 7 * _SEEDS_PER_PART)
 
     def to_dict(self) -> dict[str, Any]:
         """The definition as plain values."""
@@ -299,22 +376,29 @@ def full_suite() -> Suite:
 def quick_suite() -> Suite:
     """The quick version: few conditions and episodes of every part, never comparable with the full one."""
     full = full_suite()
-    factors = {factor.name: factor for factor in full.disturbances.factors}
+    factors = {factor.name: factor for factor in full.regulation.factors}
+    axes = {name: commands[1:3] for name, commands in full.commands.axes.items()}
     return Suite(
         quick=True,
-        commands=replace(full.commands, num_seeds=1, forward_velocity=(-0.3, 0.0, 0.3, 0.6), yaw_rate=(-0.8, 0.0, 0.8)),
+        commands=replace(full.commands, num_seeds=1, points=15, standing=1, axes=axes, seconds=6.0),
+        joystick=replace(full.joystick, num_seeds=4, seconds=15.0),
         gait=replace(full.gait, num_seeds=1, seconds=6.0, commands=((0.3, 0.0), (0.0, 0.5))),
-        transients=replace(full.transients, num_seeds=2),
-        pushes=replace(full.pushes, num_seeds=2, sizes=(0.0, 0.6, 1.2), directions=(0.0, 90.0, 180.0, 270.0)),
-        disturbances=replace(
-            full.disturbances,
+        transients=replace(full.transients, num_seeds=1),
+        pushes=replace(
+            full.pushes,
             num_seeds=2,
-            commands=((0.3, 0.0),),
-            factors=(factors["friction_low"], factors["action_latency"]),
-            seconds=6.0,
-            together_seeds=2,
-            together_seconds=6.0,
+            sizes=(1.0,),
+            horizontal_seeds=2,
+            horizontal_sizes=(0.0, 0.6, 1.2),
+            directions=(0.0, 90.0, 180.0, 270.0),
         ),
-        terrain=replace(full.terrain, num_seeds=2, kinds=("rough", "steps"), levels=2),
+        regulation=replace(
+            full.regulation,
+            num_seeds=1,
+            factors=tuple(factors[name] for name in ("nominal", "friction_0.3", "payload_+1_kg", "up_8_degrees")),
+            together_seeds=1,
+            together_seconds=8.0,
+        ),
+        terrain=replace(full.terrain, num_seeds=2, kinds=("rough", "steps"), levels=2, terrain_seeds=(_FIRST_SEED,)),
         recovery=replace(full.recovery, num_seeds=1, releases=(full.recovery.releases[0],)),
     )

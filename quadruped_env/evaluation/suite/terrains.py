@@ -39,13 +39,30 @@ def run(part: TerrainPart, measured: MeasuredController, progress: Progress | No
 def crossings(
     part: TerrainPart, measured: MeasuredController, kinds: Sequence[str], level: int, progress: Progress | None = None
 ) -> dict[str, NDArray[np.bool_]]:
-    """True for each episode that leaves its tile on its feet and in time: kind -> (S,).
+    """True for each episode that leaves its tile on its feet and in time: kind -> (worlds, S).
 
     Episodes start in the middle of the tile with a random heading, and walk straight ahead.
     """
+    count = len(part.terrain_seeds)
+    worlds = [
+        _crossed(part, measured, kinds, level, seed, part_of(progress, i / count, (i + 1) / count))
+        for i, seed in enumerate(part.terrain_seeds)
+    ]
+    return dict(zip(kinds, np.stack(worlds, axis=1), strict=True))
+
+
+def _crossed(
+    part: TerrainPart,
+    measured: MeasuredController,
+    kinds: Sequence[str],
+    level: int,
+    terrain_seed: int,
+    progress: Progress | None,
+) -> NDArray[np.bool_]:
+    """`crossings` in the world of one seed (kinds, S)."""
     tiles = find_terrain("tiles", TERRAINS)
     assert isinstance(tiles, Tiles)
-    ground = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, part.terrain_seed)
+    ground = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, terrain_seed)
     config = task_config(measured.controller.action_mode, measured.task([part.command], terrain=ground))
     seeds = np.tile(np.array(part.seeds), len(kinds))
     on = np.repeat([[part.kinds.index(kind), level] for kind in kinds], part.num_seeds, axis=0)
@@ -63,7 +80,7 @@ def crossings(
             progress((step + 1) / steps)
         if (crossed | fallen).all():
             break
-    return dict(zip(kinds, crossed.reshape(len(kinds), part.num_seeds), strict=True))
+    return crossed.reshape(len(kinds), part.num_seeds)
 
 
 def highest(levels: Sequence[dict[str, Any]], part: TerrainPart) -> int:

@@ -17,6 +17,7 @@ from quadruped_env.evaluation.suite.suite import (
     read_references,
     read_results,
     references_for,
+    with_zero_action,
 )
 from quadruped_env.reporting.pages.page import figure, provenance, without_nan
 from quadruped_env.reporting.plots import suite_plots as plots
@@ -24,15 +25,19 @@ from quadruped_env.utils.files import write_json
 
 _GAIT_ROWS: Final[dict[str, tuple[str, float, int, str]]] = {
     "clearance": ("Clearance of the lowest foot", 1000.0, 1, "mm"),
-    "touchdowns_per_stride": ("Touchdowns per stride, worst foot", 1.0, 2, ""),
+    "swings_per_stride": ("Swings per stride, most", 1.0, 2, ""),
+    "bounces_per_stride": ("Bounces over 2 mm per stride, worst foot", 1.0, 2, ""),
+    "landing_speed": ("Landing speed, worst foot", 1.0, 2, "m/s"),
     "slip": ("Slip, worst foot", 1.0, 3, "m/s"),
     "duty_factor": ("Duty factor, mean", 1.0, 2, ""),
     "stride_frequency": ("Stride frequency", 1.0, 2, "Hz"),
+    "peak_force": ("Peak force on a foot", 1.0, 1, "body weights"),
     "joint_limit_share": ("Time at a joint limit", 100.0, 1, "%"),
     "speed_limit_share": ("Time at a speed limit", 100.0, 1, "%"),
     "torque_rate": ("Change of torque", 1.0, 0, "N m/s"),
     "roll": ("Roll", 57.29578, 1, "°"),
     "pitch": ("Pitch", 57.29578, 1, "°"),
+    "electrical_power": ("Electrical power", 1.0, 1, "W"),
     "electrical_cost_of_transport": ("Electrical cost of transport", 1.0, 2, ""),
 }
 """Measure of the gait -> label, factor, digits and unit in the table."""
@@ -74,7 +79,8 @@ def results_of(evaluated: EvaluatedPolicy) -> dict[str, Any]:
 
 def section(result: Mapping[str, Any]) -> dict[str, Any]:
     """Template variables of the suite's sections in the report of one policy."""
-    compared = ranked([(row["name"], row) for row in (result, *references_for(result, read_references()))])
+    rows = *with_zero_action(result), *references_for(result, read_references())
+    compared = ranked([(row["name"], row) for row in rows])
     return {
         "label": _label(result),
         "quick": result["suite"]["quick"],
@@ -86,7 +92,20 @@ def section(result: Mapping[str, Any]) -> dict[str, Any]:
         "figures": _figures(result),
         "gait": _gait_table(result),
         "transients": _transients(result),
-        "dead_zone": _dead_zones(result),
+        "joystick": [
+            {
+                "label": name,
+                "cells": [
+                    f"{law['robot_hours']:.2f}",
+                    interval(law["falls_per_hour"], 1),
+                    *("-" if error is None else f"{error:.3f}" for error in law["mean_error"]),
+                    percent(law["windows_met"]),
+                ],
+            }
+            for name, law in result["joystick"].items()
+        ],
+        "envelope": _envelope(result),
+        "regulation": _regulation(result),
         "recovery": [
             {"label": name.replace("_", " "), "cells": [percent(entry["recovered"]), interval(entry["time"], 1)]}
             for name, entry in result["recovery"].items()
@@ -107,10 +126,15 @@ def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
     groups: dict[str, list[str]] = {}
     for name, evaluated in policies.items():
         groups.setdefault(evaluated.recipe, []).append(name)
-    order = ranked(list(results.items()))
+    rows = [
+        (name if row is result else row["name"], row)
+        for name, result in results.items()
+        for row in with_zero_action(result)
+    ]
+    order = ranked(rows)
     return {
         "suite": order[0][1]["suite"],
-        "policies": [{"name": name, **result["score"]} for name, result in order],
+        "policies": [{"name": name, **row["score"]} for name, row in order],
         "recipes": [
             aggregate([{**results[name], "name": name} for name in names])
             for names in groups.values()
@@ -190,43 +214,54 @@ def _transients(result: Mapping[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def _dead_zones(result: Mapping[str, Any]) -> str:
+def _envelope(result: Mapping[str, Any]) -> str:
     units = {"forwards": "m/s", "backwards": "m/s", "left": "rad/s", "right": "rad/s"}
-    zones = result["commands"]["dead_zone"]
-    sizes = {name: f"{zone:g} {units[name]}" for name, zone in zones.items() if zone is not None}
-    return ", ".join(f"{name} {sizes.get(name, 'unknown')}" for name in units)
+    return ", ".join(f"{name} {result['commands']['envelope'][name]:g} {unit}" for name, unit in units.items())
+
+
+def _regulation(result: Mapping[str, Any]) -> dict[str, Any]:
+    """Table of the signed share of each commanded velocity that is kept, by factor and command."""
+    entries = result["regulation"]
+    commands = [entry["command"] for entry in next(iter(entries.values()))["commands"]]
+    rows = []
+    for name, entry in entries.items():
+        shares = [
+            " / ".join("-" if share is None else f"{100.0 * share:.0f}" for share, wanted in pairs if wanted)
+            for pairs in (zip(one["share"], one["command"], strict=True) for one in entry["commands"])
+        ]
+        rows.append({"label": name.replace("_", " "), "cells": [percent(entry["falls"]), *shares]})
+    return {"commands": [f"{v:g} m/s, {w:g} rad/s" for v, w in commands], "rows": rows}
 
 
 def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
-    commands, pushes = result["commands"], result["pushes"]
+    commands, horizontal = result["commands"], result["pushes"]["horizontal"]
     met = percent(commands["met"])
     weakest = min(
-        zip(pushes["directions"], pushes["half_survival"], strict=True), key=lambda pair: float(pair[1]["mean"])
+        zip(horizontal["directions"], horizontal["half_survival"], strict=True), key=lambda pair: float(pair[1]["mean"])
     )
     return {
         "commands": figure(
             "Every command",
             plots.command_map(result),
-            f"Achieved minus commanded velocity: red is too much, blue too little. Crosses mark commands with falls. "
-            f"{met} of the episodes meet their command.",
+            f"Achieved minus commanded velocity at commands drawn over the rectangle: red too much, blue too little. "
+            f"Crosses mark commands with falls. {met} of the episodes meet their command.",
         ),
         "gait": figure(
             "Gait at every speed",
             plots.gait_measures(result),
-            "Above: clearance, the height that 95 % of a foot's swings reach. Below: how often a foot touches down in "
-            "a stride; 1 is a clean gait.",
+            "Above: clearance, the height that 95 % of a foot's swings reach. Below: how fast a foot lands.",
         ),
         "pushes": figure(
             "Pushes",
-            plots.push_survival(result),
-            f"Share of the robots that survive a push while they walk, with 95 % intervals, and the push that half of "
-            f"them survive by its direction. The weakest direction is {direction_in_words(weakest[0])}: "
-            f"{interval(weakest[1], 2)} m/s.",
+            plots.pushes(result),
+            f"Left: share of the robots that do what was asked after a push of all six components, by its size and the "
+            f"command. Right: horizontal push that half of the robots survive while they walk, by its direction. The "
+            f"weakest direction is {direction_in_words(weakest[0])}: {interval(weakest[1], 2)} m/s.",
         ),
-        "disturbances": figure(
-            "Disturbances",
-            plots.disturbances(result),
-            "Share of the episodes without a fall and with mean velocities close to the command: undisturbed, with one "
+        "regulation": figure(
+            "Regulation",
+            plots.regulation(result),
+            "Share of the episodes without a fall that keep speed and yaw rate within 20 % of the command: with one "
             "disturbance, and with all of them.",
         ),
         "terrain": figure(

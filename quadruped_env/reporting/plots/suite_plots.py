@@ -5,6 +5,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.evaluation.comparison import words
 from quadruped_env.reporting.palette import BLUE, GREY, SERIES
 from quadruped_env.reporting.plots.canvas import REFERENCE, draw_figure
 
@@ -16,16 +17,17 @@ _MILLI: Final = 1000.0
 def command_map(result: Mapping[str, Any]) -> str:
     """Signed errors of forward velocity and yaw rate over all commands; crosses mark commands with falls."""
     commands = result["commands"]
-    forward, turning = np.array(commands["forward_velocity"]), np.array(commands["yaw_rate"])
-    fallen = np.argwhere(np.array(commands["fall_share"]) > 0.0)
+    forward, turning = np.array(commands["commands"]).T
+    fallen = np.array(commands["fall_share"]) > 0.0
 
     def draw(axes: Any) -> None:
         panels = (("forward_velocity", "forward velocity (m/s)"), ("yaw_rate", "yaw rate (rad/s)"))
         for ax, (name, title), reach in zip(axes[0], panels, _RANGES, strict=True):
             error = np.array(commands[f"{name}_error"]["signed"], dtype=np.float64)
-            mesh = ax.pcolormesh(turning, forward, error, cmap="RdBu_r", vmin=-reach, vmax=reach, rasterized=True)
-            if len(fallen):
-                ax.plot(turning[fallen[:, 1]], forward[fallen[:, 0]], "x", color="#333333", markersize=4)
+            mesh = ax.scatter(
+                turning, forward, 22, error, cmap="RdBu_r", vmin=-reach, vmax=reach, edgecolors=GREY, linewidths=0.3
+            )
+            ax.plot(turning[fallen], forward[fallen], "x", color="#333333", markersize=4)
             ax.set(title=f"error of {title}", xlabel="commanded yaw rate (rad/s)")
             ax.grid(visible=False)
             ax.figure.colorbar(mesh, ax=ax, pad=0.02, aspect=18, extend="both")
@@ -34,30 +36,33 @@ def command_map(result: Mapping[str, Any]) -> str:
     return draw_figure(1, 2, 2.9, draw)
 
 
-def push_survival(result: Mapping[str, Any]) -> str:
-    """Survival over the size of a push with its interval, and the size that half survive in each direction."""
-    pushes = result["pushes"]
-    sizes = np.array(pushes["sizes"])
+def pushes(result: Mapping[str, Any]) -> str:
+    """Share of the robots that do what was asked after a push, and the push that half survive in each direction."""
+    found, sizes = result["pushes"], result["definition"]["pushes"]["sizes"]
+    horizontal = found["horizontal"]
+    largest = max(horizontal["sizes"])
 
     def draw(axes: Any) -> None:
         left, right = axes[0]
-        mean, low, high = (np.array([share[end] for share in pushes["by_size"]]) for end in ("mean", "low", "high"))
-        left.fill_between(sizes, 100.0 * low, 100.0 * high, color=BLUE, alpha=0.2, linewidth=0.0)
-        left.plot(sizes, 100.0 * mean, color=BLUE, marker="o", markersize=4)
+        for i, entry in enumerate(found["commands"]):
+            share = [100.0 * size["mean"] for size in entry["obeyed"]]
+            colour = SERIES[i % len(SERIES)]
+            left.plot(sizes, share, color=colour, marker="o", markersize=4, label=words(entry["command"]))
         left.axhline(50.0, **REFERENCE)
-        left.set(xlabel="push (m/s)", ylabel="survived (%)", title="all directions")
+        left.set(xlabel="size of the push", ylabel="does what was asked (%)", title="six components")
         left.set_ylim(-3.0, 103.0)
+        left.legend()
         place, figure = right.get_subplotspec(), right.figure
         right.remove()
         round_ax = figure.add_subplot(place, projection="polar")
-        angle = np.radians([*pushes["directions"], pushes["directions"][0]])
-        half = [*pushes["half_survival"], pushes["half_survival"][0]]
+        angle = np.radians([*horizontal["directions"], horizontal["directions"][0]])
+        half = [*horizontal["half_survival"], horizontal["half_survival"][0]]
         low, high, mean = (np.array([entry[end] for entry in half]) for end in ("low", "high", "mean"))
         round_ax.fill_between(angle, low, high, color=BLUE, alpha=0.2, linewidth=0.0)
         round_ax.plot(angle, mean, color=BLUE, marker="o", markersize=4)
         round_ax.set_theta_zero_location("N")
-        round_ax.set_ylim(0.0, float(sizes.max()))
-        round_ax.set_yticks(np.linspace(0.0, float(sizes.max()), 5)[1:])
+        round_ax.set_ylim(0.0, largest)
+        round_ax.set_yticks(np.linspace(0.0, largest, 5)[1:])
         round_ax.set_rlabel_position(22.5)
         ends = zip((0, 90, 180, 270), ("forwards", "left", "backwards", "right"), strict=True)
         round_ax.set_xticks(np.radians([0, 90, 180, 270]), [name for _, name in ends])
@@ -67,13 +72,13 @@ def push_survival(result: Mapping[str, Any]) -> str:
 
 
 def gait_measures(result: Mapping[str, Any]) -> str:
-    """Clearance and touchdowns per stride of each foot over the commands."""
+    """Clearance and landing speed of each foot over the commands."""
     gait = result["gait"]
     labels = [f"{v:g}\n{w:g}" for v, w in (entry["command"] for entry in gait["commands"])]
     place = np.arange(len(labels))
 
     def draw(axes: Any) -> None:
-        panels = (("clearance", _MILLI, "clearance (mm)"), ("touchdowns_per_stride", 1.0, "touchdowns\nper stride"))
+        panels = (("clearance", _MILLI, "clearance (mm)"), ("landing_speed", 1.0, "landing speed\n(m/s)"))
         for ax, (name, factor, title) in zip(axes[:, 0], panels, strict=True):
             for foot, leg in enumerate(gait["feet"]):
                 values = [entry[name][foot] for entry in gait["commands"]]
@@ -90,7 +95,6 @@ def gait_measures(result: Mapping[str, Any]) -> str:
             ax.set_ylabel(title)
             ax.set_ylim(bottom=0.0)
             ax.set_xticks(place, labels)
-        axes[1, 0].axhline(1.0, **REFERENCE)
         axes[1, 0].set_xlabel("command: forward velocity (m/s), yaw rate (rad/s)")
         handles, names = axes[0, 0].get_legend_handles_labels()
         axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=len(gait["feet"]))
@@ -98,11 +102,11 @@ def gait_measures(result: Mapping[str, Any]) -> str:
     return draw_figure(2, 1, 4.0, draw, sharex=True)
 
 
-def disturbances(result: Mapping[str, Any]) -> str:
-    """Share of the episodes that hold their command, with each disturbance and with all together."""
-    entries = result["disturbances"]
+def regulation(result: Mapping[str, Any]) -> str:
+    """Share of the episodes that keep their velocities, with each disturbance and with all together."""
+    entries = result["regulation"]
     names, place = list(entries), np.arange(len(entries))
-    held = [[entry["held"][end] for entry in entries.values()] for end in ("mean", "low", "high")]
+    held = [[entry["kept"][end] for entry in entries.values()] for end in ("mean", "low", "high")]
     mean, low, high = (100.0 * np.array(values) for values in held)
 
     def draw(axes: Any) -> None:
@@ -113,7 +117,7 @@ def disturbances(result: Mapping[str, Any]) -> str:
         ax.set_yticks(place, [name.replace("_", " ") for name in names])
         ax.invert_yaxis()
         ax.set_xlim(0.0, 100.0)
-        ax.set_xlabel("episodes that hold their command (%)")
+        ax.set_xlabel("episodes that keep their speed (%)")
         ax.grid(visible=False, axis="y")
 
     return draw_figure(1, 1, 0.8 + 0.2 * len(names), draw)

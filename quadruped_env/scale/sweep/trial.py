@@ -160,7 +160,7 @@ class RungObserver:
 
 
 def rung_score(policy: Policy) -> float:
-    """Score in [0, 1] of a policy during its training: mean of four parts of the quick suite, on flat ground."""
+    """Score in [0, 1] of a policy during its training: mean of four parts of the quick suite, on level ground."""
     suite, measured = quick_suite(), MeasuredController.of_policy(policy, "trial")
     scores = []
     for name in ("commands", "gait", "transients", "pushes"):

@@ -14,7 +14,7 @@ from quadruped_env.policies import CommandedGaitController, ZeroController
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 
-PART = replace(full_suite().terrain, num_seeds=4)
+PART = replace(full_suite().terrain, num_seeds=4, terrain_seeds=full_suite().terrain.terrain_seeds[:1])
 TUNED = MeasuredController("tuned", CommandedGaitController(), TaskConfig())
 
 
@@ -63,6 +63,11 @@ def test_robots_start_on_their_tiles_and_cross_when_they_leave_them():
     assert not terrains.crossings(short, standing, ["rough", "slope"], 2)["rough"].any()
     # 0.4 m/s for 4.5 s are 1.8 m: no robot can have left its tile.
     assert not terrains.crossings(replace(part, seconds=4.5), TUNED, ["slope"], 1)["slope"].any()
+
+
+def test_crossings_are_tried_in_every_world():
+    part = replace(PART, kinds=("rough",), levels=1, terrain_seeds=(1, 2, 3), seconds=0.5)
+    assert terrains.crossings(part, TUNED, ["rough"], 1)["rough"].shape == (3, 4)
 
 
 def tiled_task(envs):
