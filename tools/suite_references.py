@@ -33,7 +33,7 @@ from quadruped_env.evaluation.suite.suite import (
     with_zero_action,
 )
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
-from quadruped_env.gait import SinusoidalGait
+from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
     CommandedGaitController,
     GaitController,
@@ -121,13 +121,14 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
 
 
 def reference_controllers(policies: Mapping[str, Policy]) -> list[MeasuredController]:
-    """Controllers of the reference rows: standing, the tutorial's gait, the tuned gait, and policies by name."""
+    """Controllers of the reference rows: standing, three scripted gaits, and policies by name."""
     config = TaskConfig().for_robot(MINI_QUADRUPED)
     return [
         MeasuredController("standing", ZeroController(), config),
         MeasuredController(
             "article", GaitController(SinusoidalGait.preset("article", MINI_QUADRUPED), "article"), config
         ),
+        MeasuredController("sinusoid", CommandedGaitController(CommandedGait.preset("sinusoid"), "sinusoid"), config),
         MeasuredController("tuned", CommandedGaitController(), config),
         *(MeasuredController.of_policy(policy, name) for name, policy in policies.items()),
     ]

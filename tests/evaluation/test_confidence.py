@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
+from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, poisson_rate, proportion
 
 
 @pytest.fixture
@@ -62,3 +62,15 @@ def test_proportion_agrees_with_scipy(events, trials):
 
 def test_proportion_of_nothing_is_nan():
     assert math.isnan(proportion([]).mean)
+
+
+@pytest.mark.parametrize("events", [0, 1, 3, 18, 400])
+def test_poisson_interval_is_that_of_the_chi_squared_quantiles(events):
+    """Garwood's interval, and for 0 events the rule of three and a bit: 3.69 per exposure."""
+    found = poisson_rate(events, 2.0)
+    low = 0.5 * stats.chi2.ppf(0.025, 2 * events) if events else 0.0
+    np.testing.assert_allclose(
+        [found.mean, found.low, found.high], np.array([events, low, 0.5 * stats.chi2.ppf(0.975, 2 * events + 2)]) / 2.0
+    )
+    assert found.count == events
+    assert math.isnan(poisson_rate(events, 0.0).high)

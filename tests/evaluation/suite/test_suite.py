@@ -13,6 +13,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import (
     COMPONENTS,
+    PARTS,
     check_comparable,
     check_results,
     read_references,
@@ -20,20 +21,24 @@ from quadruped_env.evaluation.suite.suite import (
     references_for,
     run_suite,
     score_table,
+    scores,
+    with_zero_action,
 )
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
-from quadruped_env.policies import ZeroController
+from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.policies import CommandedGaitController, GaitController, ZeroController
 from quadruped_env.robot import MotorConfig
 from quadruped_env.task import TaskConfig, TerminationConfig
 
 QUICK = quick_suite()
+STANDING = MeasuredController("standing", ZeroController(), TaskConfig())
 
 
 @pytest.fixture(scope="module")
 def result():
-    """Quick results of a standing robot, and the progress that was reported."""
+    """Quick results of a standing robot and of the zero action in its task, and the progress that was reported."""
     done = []
-    return run_suite(MeasuredController("standing", ZeroController(), TaskConfig()), QUICK, done.append), done
+    return run_suite(STANDING, QUICK, done.append, zero_action=True), done
 
 
 def test_quick_suite_measures_every_part(result):
@@ -47,32 +52,81 @@ def test_quick_suite_measures_every_part(result):
     check_results(document, "results")
 
 
-def test_a_standing_robot_scores_where_it_should(result):
+def test_standing_scores_nothing(result):
     document, _ = result
     components = document["score"]["components"]
     assert list(components) == list(COMPONENTS)
-    assert components["commands"] == pytest.approx(1 / 12)  # the command to stand
-    assert components["gait"] == 0.0
-    assert components["transients"] == 0.0
-    assert components["pushes"] > 0.5
-    assert components["disturbances"] == 0.0
-    assert components["terrain"] == 0.0
-    assert components["recovery"] == 1.0
-    assert document["score"]["total"] == pytest.approx(np.mean(list(components.values())))
-    assert document["commands"]["dead_zone"] == {"forwards": 0.6, "backwards": 0.3, "left": 0.8, "right": 0.8}
+    assert not any(components.values())
+    assert document["score"]["total"] == 0.0
+    # It stands when it is told to, survives pushes, and is stood up: all of that is reported.
+    assert document["commands"]["standing"]["mean"] == 1.0
+    assert document["pushes"]["survived"]["mean"] > 0.5
+    assert document["recovery"]["drop_10cm"]["recovered"]["mean"] == 1.0
+    assert document["commands"]["envelope"] == {"forwards": 0.0, "backwards": 0.0, "left": 0.0, "right": 0.0}
     assert document["transients"]["emergency_stop"]["stopping_distance"]["mean"] == pytest.approx(0.0, abs=1e-3)
 
 
-def test_results_are_reproducible(result):
-    again = run_suite(MeasuredController("standing", ZeroController(), TaskConfig()), QUICK)
-    for part in COMPONENTS:
-        assert again[part] == result[0][part]
+def test_the_total_is_the_mean_of_the_components():
+    parts = {
+        "commands": {"moving": {"mean": 0.5}, "standing": {"mean": 1.0}},
+        "joystick": {"a": {"windows_met": {"mean": 0.25}}, "b": {"windows_met": {"mean": 0.75}}},
+        "gait": {"feet": [], "commands": [{"landing_speed": [None], "clearance": [0.1]}]},
+        "transients": {"a": {"score": 0.1}, "b": {"score": 0.5}},
+        "pushes": {"moving": {"mean": 1.0}, "standing": {"mean": 0.0}},
+        "regulation": {
+            **{factor.name: {"kept": {"mean": 0.4}} for factor in QUICK.regulation.factors},
+            "hard": {"held": {"mean": 0.6}},
+        },
+        "terrain": {"rough": {"highest_level": 1}},
+    }
+    found = scores(QUICK, parts)
+    assert found["components"] == pytest.approx(dict(zip(COMPONENTS, (0.5, 0.5, 0, 0.3, 0.8, 0.5, 0.5), strict=True)))
+    assert found["total"] == pytest.approx(3.1 / 7.0)
+
+
+def test_the_zero_action_has_results_of_its_own_without_recovery(result):
+    document, _ = result
+    zero = document["zero_action"]
+    assert zero["name"] == "standing, zero action"
+    # Standing is its own zero action, so that this also shows that results are reproducible.
+    assert {part: zero[part] for part in COMPONENTS} == {part: document[part] for part in COMPONENTS}
+    assert "recovery" not in zero
+    assert [row["name"] for row in with_zero_action(document)] == ["standing", "standing, zero action"]
+    check_comparable({"policy": document, "zero action": zero})
+
+
+def test_the_zero_action_of_a_residual_policy_is_its_gait():
+    zero = MeasuredController.of_policy(random_policy("residual"), "mine").zero_action()
+    rollout = zero.run([(0.3, 0.0)], range(1_600_000, 1_600_002), 4.0)
+    assert rollout.velocity[100:, :, 0].mean() > 0.15
+    np.testing.assert_array_equal(zero.config.action.mode, "residual")
+
+
+def test_suite_ranks_controllers_in_their_known_order():
+    """The suite's own order with few episodes: standing, the tutorial's gait, the closed form, the searched gait."""
+    config = TaskConfig()
+    controllers = (
+        ZeroController(),
+        GaitController(SinusoidalGait.preset("article"), "article"),
+        CommandedGaitController(CommandedGait.preset("sinusoid"), "sinusoid"),
+        CommandedGaitController(),
+    )
+    suite = replace(QUICK, terrain=replace(QUICK.terrain, levels=1))
+    totals = []
+    for controller in controllers:
+        measured = MeasuredController(controller.name, controller, config)
+        parts = {name: run(getattr(suite, name), measured, None) for name, (run, _) in PARTS.items()}
+        totals.append(scores(suite, parts)["total"])
+    standing, article, sinusoid, searched = totals
+    assert standing <= article < sinusoid < searched
+    assert standing == 0.0
+    assert searched - sinusoid > 0.05
 
 
 @pytest.mark.parametrize(
     ("field", "value", "words"),
     [
-        ("version", 2, r"suite.version is 1 in one and 2 in the other; evaluate both with the same version"),
+        ("version", 1, r"suite.version is 2 in one and 1 in the other; evaluate both with the same version"),
         ("quick", False, r"suite.quick is True in one and False .* a quick result is never comparable"),
         ("sha256", "0" * 64, r"suite.sha256 is .* the definitions of the suite differ"),
         ("name", "other", r"suite.name is 'mq-eval' in one and 'other'"),
@@ -109,6 +163,9 @@ def test_files_of_results_are_read_and_damaged_ones_named(result, tmp_path):
             read_results(path)
     path.write_text(json.dumps({**result[0], "terrain": 3}))
     with pytest.raises(QuadrupedError, match=r"suite.json: lacks the part 'terrain'"):
+        read_results(path)
+    path.write_text(json.dumps({**result[0], "zero_action": {"name": "x"}}))
+    with pytest.raises(QuadrupedError, match=r"suite.json: zero_action: lacks the results of the suite"):
         read_results(path)
     broken = copy.deepcopy(result[0])
     broken["score"]["components"]["gait"] = None

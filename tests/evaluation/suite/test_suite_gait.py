@@ -1,4 +1,4 @@
-"""Measures of the gait against trajectories with known apexes, touchdowns, limits and attitudes."""
+"""Measures of the gait against trajectories with known apexes, bounces, landings, limits and attitudes."""
 
 import math
 
@@ -7,85 +7,103 @@ import pytest
 from synthetic import DT, synthetic_rollout
 
 from quadruped_env.evaluation import metrics
+from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.suite import gait_measures
 from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.policies import CommandedGaitController
 from quadruped_env.reporting.pages.suite_section import _GAIT_ROWS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
 PART = full_suite().gait
-STRIDE = 25
-"""Samples of a stride: 2 Hz."""
-SWING = 10
-"""Samples of a swing."""
+FINE = 0.005
+"""Physics step, s."""
+STRIDE, SWING = 100, 40
+"""Physics steps of a stride (2 Hz) and of its swing."""
 
 
-def stride(apexes, steps):
-    """Height and contact (T,) of a foot that swings along a parabola to the apex of each stride, and stands then."""
-    height, contact = np.zeros(steps), np.ones(steps, dtype=bool)
+def stride(apexes, landing=0.3):
+    """Height, upward velocity and contact (K,) of a foot that swings along a parabola in each stride, and then stands.
+
+    In the sample before the touchdown it falls at `landing` m/s, in the first one on the ground at a third of that.
+    """
+    steps = len(apexes) * STRIDE
+    height, rise, contact = np.zeros(steps), np.zeros(steps), np.ones(steps, dtype=bool)
     share = (np.arange(SWING) + 0.5) / SWING
     parabola = 4.0 * share * (1.0 - share)
     for i, apex in enumerate(apexes):
-        swing = slice(i * STRIDE + 5, i * STRIDE + 5 + SWING)
+        swing = slice(i * STRIDE + 20, i * STRIDE + 20 + SWING)
         height[swing] = apex * parabola / parabola.max()
         contact[swing] = False
-    return height, contact
+        rise[swing.stop - 1 : swing.stop + 1] = -landing, -landing / 3.0
+    return height, rise, contact
 
 
-def test_swing_apexes_are_those_of_whole_swings_that_last_long_enough():
-    height, contact = stride([0.01, 0.02, 0.03], 3 * STRIDE)
-    np.testing.assert_allclose(gait_measures.swing_apexes(height, contact, DT, 0.05), [0.01, 0.02, 0.03])
-    # The swings at both ends are cut: their apex may have been missed.
-    cut = slice(8, 2 * STRIDE + 9)
-    np.testing.assert_allclose(gait_measures.swing_apexes(height[cut], contact[cut], DT, 0.05), [0.02])
-    # A bounce of two samples is no swing; one of three samples is 0.06 s long.
-    for samples, found in ((2, 0), (3, 1)):
-        bounce, grounded = np.zeros(50), np.ones(50, dtype=bool)
-        bounce[20 : 20 + samples], grounded[20 : 20 + samples] = 0.004, False
-        assert len(gait_measures.swing_apexes(bounce, grounded, DT, 0.05)) == found
-    assert len(gait_measures.swing_apexes(np.ones(50), np.zeros(50, dtype=bool), DT, 0.05)) == 0
+def bounce(height, contact, at, apex, steps=6):
+    """Put a hop into a stance, in place."""
+    height[at : at + steps], contact[at : at + steps] = apex, False
 
 
-def clearance_of(height, contact, strides, counted=None):
-    shape = (len(height), 1, 1)
+def test_swings_have_apexes_and_landings():
+    height, rise, contact = stride([0.01, 0.02, 0.03])
+    found = gait_measures.flights_of(height, rise, contact, 20, 0.002)
+    np.testing.assert_allclose(found.apexes, [0.01, 0.02, 0.03])
+    np.testing.assert_allclose(found.landings, 0.3)
+    assert found.bounces == 0
+    # The swings at both ends are cut: their apex and landing may have been missed.
+    cut = slice(30, 2 * STRIDE + 40)
+    assert len(gait_measures.flights_of(height[cut], rise[cut], contact[cut], 20, 0.002).apexes) == 1
+    in_the_air = np.zeros(50, dtype=bool)
+    assert len(gait_measures.flights_of(np.ones(50), np.ones(50), in_the_air, 20, 0.002).apexes) == 0
+
+
+def test_each_short_flight_over_the_height_is_one_bounce():
+    height, rise, contact = stride([0.02] * 3)
+    bounce(height, contact, 70, 0.0019)  # too low: chatter
+    bounce(height, contact, STRIDE + 70, 0.0021)
+    bounce(height, contact, 2 * STRIDE + 70, 0.004)
+    bounce(height, contact, 2 * STRIDE + 85, 0.003, steps=2)
+    found = gait_measures.flights_of(height, rise, contact, 20, 0.002)
+    assert found.bounces == 3
+    np.testing.assert_allclose(found.apexes, 0.02)
+    # A flight of the shortest swing is a swing.
+    assert gait_measures.flights_of(height, rise, contact, 6, 0.002).bounces == 1
+
+
+def feet(columns, frequency=2.0, counted=None):
+    """Measures of one episode of one foot from `stride`'s arrays."""
+    height, rise, contact = (np.asarray(column).reshape(-1, 1, 1) for column in columns)
     counted = np.ones((len(height), 1), dtype=bool) if counted is None else counted
-    return gait_measures.clearance(
-        height.reshape(shape), contact.reshape(shape), counted, np.array([strides]), DT, 0.05
-    )[0, 0]
+    physics = gait_measures.PhysicsSamples(height, rise, 100.0 * contact, 0 * height, 0 * height, 0 * height)
+    found = gait_measures.feet(physics, contact, counted, np.array([frequency]), FINE, PART)
+    return {name: value[0, 0] for name, value in found.items()}
 
 
 def test_clearance_is_the_fifth_percentile_of_the_apexes():
     apexes = np.arange(1, 42) / 1000.0  # the 5th percentile of 1, 2, ..., 41 mm is 3 mm
-    height, contact = stride(apexes, 41 * STRIDE)
-    assert clearance_of(height, contact, 41.0) == pytest.approx(0.003)
+    found = feet(stride(apexes))
+    assert found["clearance"] == pytest.approx(0.003)
+    assert found["swings_per_stride"] == pytest.approx(1.0)
+    assert found["bounces_per_stride"] == 0.0
+    assert found["landing_speed"] == pytest.approx(0.3)
 
 
 def test_clearance_counts_strides_without_a_swing_as_an_apex_of_zero():
-    height, contact = stride([0.02] * 40, 40 * STRIDE)
-    assert clearance_of(height, contact, 40.0) == pytest.approx(0.02)
+    assert feet(stride([0.02] * 40))["clearance"] == pytest.approx(0.02)
     dragged = np.arange(40) % 4 == 3
-    height, contact = stride(np.where(dragged, 0.0, 0.02), 40 * STRIDE)
+    height, rise, contact = stride(np.where(dragged, 0.0, 0.02))
     contact |= np.repeat(dragged, STRIDE)
-    assert clearance_of(height, contact, 40.0) == 0.0
-    assert clearance_of(np.zeros(100), np.ones(100, dtype=bool), 4.0) == 0.0
+    found = feet((height, rise, contact))
+    assert found["clearance"] == 0.0
+    assert found["swings_per_stride"] == pytest.approx(0.75)
 
 
-def test_clearance_without_a_stride_is_zero_and_without_samples_nan():
-    height, contact = stride([0.02] * 4, 4 * STRIDE)
-    assert clearance_of(height, contact, math.nan) == 0.0
-    assert math.isnan(clearance_of(height, contact, 4.0, np.zeros((4 * STRIDE, 1), dtype=bool)))
-
-
-def test_touchdowns_are_counted_between_counted_samples():
-    contact = np.zeros((8, 1, 2), dtype=bool)
-    contact[:, 0, 0] = [0, 1, 0, 1, 1, 0, 1, 0]
-    contact[:, 0, 1] = 1
-    counted = np.ones((8, 1), dtype=bool)
-    np.testing.assert_array_equal(gait_measures.touchdowns(contact, counted), [[3, 0]])
-    counted[6:] = False
-    np.testing.assert_array_equal(gait_measures.touchdowns(contact, counted), [[2, 0]])
-    counted[0] = False
-    np.testing.assert_array_equal(gait_measures.touchdowns(contact, counted), [[1, 0]])
+def test_feet_without_a_stride_are_not_lifted_and_without_samples_unknown():
+    found = feet(stride([0.02] * 4), frequency=math.nan)
+    assert found["clearance"] == 0.0
+    assert math.isnan(found["landing_speed"])
+    nothing = feet(stride([0.02] * 4), counted=np.zeros((4 * STRIDE, 1), dtype=bool))
+    assert all(math.isnan(value) for value in nothing.values())
 
 
 def test_speed_limit_share_is_the_time_with_any_joint_over_its_limit():
@@ -116,62 +134,71 @@ def test_roll_and_pitch_are_those_of_the_orientation_whatever_the_heading():
         np.testing.assert_allclose(found, (roll, pitch))
 
 
-def walking(frequency=2.0, apex=0.02, touchdowns_extra=False):
-    """A trot with known clearance, touchdowns, duty factor and stride frequency, for 11 s."""
-    steps = 550
+def walking(strides=22, apex=0.02):
+    """A trot at 2 Hz for 11 s, at the rate of control and of the physics; the second foot bounces in every stride."""
+    steps = 25 * strides
     t = np.arange(steps) * DT
-    count = steps // STRIDE
-    assert frequency == 1.0 / (STRIDE * DT)
-    height, contact = stride([apex] * count, steps)
-    if touchdowns_extra:
-        contact[np.arange(count) * STRIDE + 20] = False  # one sample in the air: a bounce
+    columns = np.stack(stride([apex] * strides), axis=-1)
+    height, rise, contact = (np.repeat(column[:, None, None], 4, axis=2) for column in np.moveaxis(columns, -1, 0))
+    for i in range(strides):
+        bounce(height[:, 0, 1], contact[:, 0, 1], i * STRIDE + 80, 0.003)
     position = np.tile(MINI_QUADRUPED.stance, (steps, 1, 1))
-    position[:, 0, 0::2] += 0.3 * np.sin(2 * np.pi * frequency * t)[:, None]
+    position[:, 0, 0::2] += 0.3 * np.sin(2 * np.pi * 2.0 * t)[:, None]
     orientation = from_roll_pitch_yaw(np.stack([0.05 * np.ones(steps), 0.02 * np.sign(np.sin(20 * t)), t], axis=-1))
     base = np.concatenate([np.tile([0.0, 0.0, 0.184], (steps, 1)), orientation], axis=1)
-    return synthetic_rollout(
-        steps,
-        base_pose=base[:, None],
-        joint_position=position,
-        contact=np.repeat(contact[:, None, None], 4, axis=2),
-        foot_height=np.repeat(height[:, None, None], 4, axis=2),
-        velocity=np.tile([0.3, 0.0], (steps, 1, 1)),
+    rollout = synthetic_rollout(
+        steps, base_pose=base[:, None], joint_position=position, velocity=np.tile([0.3, 0.0], (steps, 1, 1))
     )
+    joints = np.ones((len(height), 1, 8))
+    force = np.where(contact, 10.0, 0.0)
+    force[2000, 0, 2] = 3.0 * MINI_QUADRUPED.total_mass * 9.81
+    physics = gait_measures.PhysicsSamples(height, rise, force, 0.04 * contact, 0.5 * joints, 2.0 * joints)
+    # As recorded: the last control step is missing.
+    return rollout, gait_measures.PhysicsSamples(*(values[:-4] for values in physics))
 
 
 def test_measures_of_a_synthetic_gait():
-    values = gait_measures.measures(walking(), PART)
-    assert list(values) == list(_GAIT_ROWS)
+    values = gait_measures.measures(*walking(), PART)
+    assert set(values) == set(_GAIT_ROWS)
     for name in gait_measures.PER_FOOT:
         assert values[name].shape == (1, 4)
     np.testing.assert_allclose(values["stride_frequency"], 2.0, rtol=2e-3)
     np.testing.assert_allclose(values["clearance"], 0.02)
-    np.testing.assert_allclose(values["touchdowns_per_stride"], 1.0, rtol=5e-3)
-    np.testing.assert_allclose(values["duty_factor"], 1.0 - SWING / STRIDE)
+    np.testing.assert_allclose(values["swings_per_stride"], 1.0, atol=0.06)
+    np.testing.assert_allclose(values["bounces_per_stride"], [[0.0, 1.0, 0.0, 0.0]], atol=0.06)
+    np.testing.assert_allclose(values["landing_speed"], 0.3, rtol=1e-6)
+    np.testing.assert_allclose(values["slip"], 0.04)
+    np.testing.assert_allclose(values["duty_factor"], [[0.6, 0.54, 0.6, 0.6]], atol=0.01)
+    np.testing.assert_allclose(values["peak_force"], 3.0)
+    heat = MINI_QUADRUPED.motors.joule_coefficients(MINI_QUADRUPED.joint_kinds).sum()
+    np.testing.assert_allclose(values["electrical_power"], 8 * 1.0 + 0.25 * heat)
+    np.testing.assert_allclose(values["torque_rate"], 0.0)
     np.testing.assert_allclose(values["roll"], 0.05)
     np.testing.assert_allclose(values["pitch"], 0.02, rtol=1e-2)
     assert values["joint_limit_share"] == 0.0
     assert values["speed_limit_share"] == 0.0
-    bouncing = gait_measures.measures(walking(touchdowns_extra=True), PART)
-    np.testing.assert_allclose(bouncing["touchdowns_per_stride"], 2.0, rtol=5e-3)
-    np.testing.assert_allclose(bouncing["clearance"], 0.02)  # a bounce is no swing
 
 
-def test_speed_limit_is_a_share_of_the_robots_own():
-    velocity = np.zeros((250, 1, 8))
-    velocity[50:150, 0, 3] = 0.96 * MINI_QUADRUPED.velocity_limit[3]
-    assert gait_measures.measures(synthetic_rollout(joint_velocity=velocity), PART)[
-        "speed_limit_share"
-    ] == pytest.approx(0.5)
-    velocity[50:150, 0, 3] = 0.94 * MINI_QUADRUPED.velocity_limit[3]
-    assert gait_measures.measures(synthetic_rollout(joint_velocity=velocity), PART)["speed_limit_share"] == 0.0
+def test_physics_recorder_has_every_physics_step_but_those_of_the_last_control_step():
+    recorder = gait_measures.PhysicsRecorder()
+    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], [1_600_000, 1_600_001], 3.0, before_step=recorder)
+    physics = recorder.samples()
+    assert physics.height.shape == (149 * 4, 2, 4)
+    # The first physics step of a control step begins where the control step before has ended.
+    np.testing.assert_allclose(physics.height[4::4], rollout.foot_height[:148], atol=1e-5)
+    found = gait_measures.measures(rollout, physics, PART)
+    assert 0.1 < found["landing_speed"].min() < found["landing_speed"].max() < 1.5
+    assert 1.0 < found["peak_force"].max() < 15.0
 
 
 def entry(**changes):
     return {
+        "followed": 1.0,
         "clearance": [0.02, 0.02, 0.02, 0.02],
-        "touchdowns_per_stride": [1.0, 1.0, 1.0, 1.0],
-        "speed_limit_share": 0.0,
+        "swings_per_stride": [1.0, 1.0, 1.0, 1.0],
+        "bounces_per_stride": [0.0, 0.0, 0.0, 0.0],
+        "landing_speed": [0.1, 0.2, 0.0, 0.1],
+        "slip": [0.01, 0.0, 0.0, 0.05],
         **changes,
     }
 
@@ -180,12 +207,14 @@ def entry(**changes):
     ("changes", "expected"),
     [
         ({}, 1.0),
-        ({"clearance": [0.02, 0.004, 0.02, 0.02]}, (0.4 + 1.0 + 1.0) / 3.0),
-        ({"touchdowns_per_stride": [1.0, 2.5, 1.0, 1.0]}, (1.0 + 0.4 + 1.0) / 3.0),
-        ({"touchdowns_per_stride": [1.0, 0.5, 1.2, 1.0]}, (1.0 + 0.5 + 1.0) / 3.0),
-        ({"speed_limit_share": 0.3}, (1.0 + 1.0 + 0.7) / 3.0),
-        ({"touchdowns_per_stride": [1.0, 0.0, 1.0, 1.0]}, 0.0),
-        ({"touchdowns_per_stride": [None] * 4}, 0.0),
+        ({"clearance": [0.02, 0.004, 0.02, 0.02]}, (0.4 + 4.0) / 5.0),
+        ({"swings_per_stride": [1.0, 0.5, 1.2, 1.0]}, (0.5 + 4.0) / 5.0),
+        ({"bounces_per_stride": [0.3, 0.0, 0.0, 0.1]}, (0.7 + 4.0) / 5.0),
+        ({"bounces_per_stride": [1.3, 0.0, 0.0, 0.1]}, 4.0 / 5.0),
+        ({"landing_speed": [0.4, 0.2, 0.2, 0.2]}, (0.5 + 4.0) / 5.0),
+        ({"slip": [0.1, 0.0, 0.0, 0.0]}, (0.5 + 4.0) / 5.0),
+        ({"followed": 0.25}, 0.25),  # a gait at another speed than that asked for
+        ({"landing_speed": [0.1, None, 0.1, 0.1]}, 0.0),
         ({"clearance": [None] * 4}, 0.0),
     ],
 )
