@@ -10,6 +10,7 @@ from quadruped_env.evaluation.confidence import mean_of, proportion
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
 from quadruped_env.evaluation.suite.suite_definition import Factor, Regulation
+from quadruped_env.simulation import flat
 from quadruped_env.simulation.terrain import Grid, terrain
 from quadruped_env.task import Task
 from quadruped_env.utils import rotations
@@ -53,25 +54,37 @@ def _rollout(
     seconds: float,
     progress: Progress | None,
 ) -> Rollout:
-    if not factor.slope:
-        return measured.run(part.commands, seeds, seconds, progress, factor.randomization)
     angle = math.radians(factor.slope)
+    commands = np.repeat(part.commands, len(seeds), axis=0)
 
-    def place(task: Task, step: int) -> None:
-        """Put the robots parallel to the ground: level, their front or hind feet would be in it."""
-        if step == 0:
-            start, robot = task.simulation.readings, task.simulation.robot
-            tilted = rotations.from_axis_angle(np.array([0.0, 1.0, 0.0]), -angle)
-            everyone = np.arange(task.num_envs)
-            height = robot.stance_height + _DROP
-            qpos = np.zeros((len(everyone), robot.num_positions))
-            qpos[:, :3] = height * np.array([-math.sin(angle), 0.0, math.cos(angle)])
-            qpos[:, 3:7] = rotations.multiply(tilted, start.orientation)
-            qpos[:, 7:] = start.joint_position
-            task.place(everyone, qpos, np.zeros((len(everyone), robot.num_velocities)))
+    def begin(task: Task, step: int) -> None:
+        """Put the robots parallel to an incline, and let all stand before they get their commands."""
+        if step == 0 and angle:
+            _place(task, angle)
+        if step == round(part.standing / task.control.config.timestep):
+            task.control.set_command(np.arange(len(commands)), commands)
 
-    ground = incline.variant(angle=angle)
-    return measured.run(part.commands, seeds, seconds, progress, factor.randomization, place, terrain=ground)
+    return measured.run(
+        [(0.0, 0.0)] * len(part.commands),
+        seeds,
+        seconds,
+        progress,
+        factor.randomization,
+        before_step=begin,
+        reached=part.commands,
+        terrain=incline.variant(angle=angle) if angle else flat,
+    )
+
+
+def _place(task: Task, angle: float) -> None:
+    """Put the robots onto an incline of an angle in rad: level, their front or hind feet would be in the ground."""
+    start, robot = task.simulation.readings, task.simulation.robot
+    height = robot.stance_height + _DROP
+    qpos = np.zeros((task.num_envs, robot.num_positions))
+    qpos[:, :3] = height * np.array([-math.sin(angle), 0.0, math.cos(angle)])
+    qpos[:, 3:7] = rotations.multiply(rotations.from_axis_angle([0.0, 1.0, 0.0], -angle), start.orientation)
+    qpos[:, 7:] = start.joint_position
+    task.place(np.arange(task.num_envs), qpos, np.zeros((task.num_envs, robot.num_velocities)))
 
 
 def measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:

@@ -191,8 +191,8 @@ class Transients(Part):
     """Time until the change, s."""
     after: float = 5.0
     """Time from the change to the end, s."""
-    window: float = 0.5
-    """Length of the centred moving mean over the velocities, s."""
+    window: float = 0.6
+    """Length of the centred moving mean over the velocities, about two strides, s."""
     final: float = 1.0
     """Time at the end whose mean is the final value, s."""
     band: float = 0.1
@@ -209,7 +209,7 @@ class Pushes(Part):
 
     commands: tuple[Command, ...] = ((0.3, 0.0), (0.3, 0.5), (0.0, 0.5), (-0.2, 0.0), (0.0, 0.0))
     """Commands of the scored pushes."""
-    sizes: tuple[float, ...] = (0.5, 1.0, 1.5, 2.0)
+    sizes: tuple[float, ...] = (1.0, 2.0, 3.0)
     """Sizes of the scored pushes: factors on `unit`."""
     unit: tuple[float, ...] = (1.0, 1.0, 0.5, 2.0, 2.0, 2.0)
     """Factors on a direction drawn on the sphere in six dimensions: m/s in the world frame, rad/s in the body frame."""
@@ -251,6 +251,8 @@ class Regulation(Part):
     factors: tuple[Factor, ...] = field(default_factory=_factors)
     commands: tuple[Command, ...] = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
     seconds: float = 8.0
+    standing: float = 0.5
+    """Time from the start until the command, s."""
     share: float = 0.2
     """Error up to which an episode keeps a velocity that is commanded, relative to the command."""
     tolerance: tuple[float, float] = (0.05, 0.1)
@@ -340,9 +342,9 @@ class Suite:
     joystick: Joystick = Joystick(64, _FIRST_SEED + _SEEDS_PER_PART)
     gait: GaitPart = GaitPart(4, _FIRST_SEED + 2 * _SEEDS_PER_PART)
     transients: Transients = Transients(16, _FIRST_SEED + 3 * _SEEDS_PER_PART)
-    pushes: Pushes = Pushes(12, _FIRST_SEED + 4 * _SEEDS_PER_PART)
+    pushes: Pushes = Pushes(16, _FIRST_SEED + 4 * _SEEDS_PER_PART)
     regulation: Regulation = Regulation(4, _FIRST_SEED + 5 * _SEEDS_PER_PART)
-    terrain: TerrainPart = TerrainPart(20, _FIRST_SEED + 6 * _SEEDS_PER_PART)
+    terrain: TerrainPart = TerrainPart(16, _FIRST_SEED + 6 * _SEEDS_PER_PART)
     recovery: Recovery = Recovery(4, _FIRST_SEED + 7 * _SEEDS_PER_PART)
 
     def to_dict(self) -> dict[str, Any]:

@@ -35,7 +35,7 @@ def test_centred_mean_by_hand():
     np.testing.assert_allclose(transients.centred_mean(values, 0), values)
 
 
-@pytest.mark.parametrize("tau", [0.3, 0.5, 0.7])
+@pytest.mark.parametrize("tau", [0.3, 0.5, 0.6])
 @pytest.mark.parametrize(("start", "end"), [(0.0, 0.5), (0.5, 0.0), (0.3, -0.3)])
 def test_settling_time_of_a_first_order_response_has_its_closed_form(tau, start, end):
     answer = transients.step_response(first_order(tau, start, end), end - start, PART, DT)
@@ -70,7 +70,7 @@ def test_overshoot_of_an_underdamped_response_has_its_closed_form():
 
 
 def test_oscillation_within_a_stride_is_no_overshoot_and_does_not_delay_settling():
-    swing = 0.1 * np.sin(2 * np.pi * 2.0 * TIME)[:, None]
+    swing = 0.1 * np.sin(2 * np.pi * 3.4 * TIME)[:, None]
     answer = transients.step_response(first_order(0.3) + swing, 0.5, PART, DT)
     quiet = transients.step_response(first_order(0.3), 0.5, PART, DT)
     np.testing.assert_allclose(answer.settling_time, quiet.settling_time, atol=2 * DT)
