@@ -111,7 +111,7 @@ def falls(measured: MeasuredController, progress: Progress, episodes: int = 200)
 
 
 def gait(measured: MeasuredController, progress: Progress) -> Row:
-    """Least clearance (mm), most touchdowns per stride, and the electrical cost of transport at 0.4 m/s."""
+    """Least clearance (mm), most bounces per stride, and the electrical cost of transport at 0.4 m/s."""
     commands = suite_gait.run(full_suite().gait, measured, progress)["commands"]
     groups = {
         "forwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] > 0.0],
@@ -119,9 +119,7 @@ def gait(measured: MeasuredController, progress: Progress) -> Row:
         "turning": [entry for entry in commands if entry["command"][1] != 0.0],
     }
     row = {f"clearance {name}, mm": 1e3 * float(np.min(_of_feet("clearance", group))) for name, group in groups.items()}
-    row |= {
-        f"touchdowns {name}": float(np.max(_of_feet("touchdowns_per_stride", group))) for name, group in groups.items()
-    }
+    row |= {f"bounces {name}": float(np.max(_of_feet("bounces_per_stride", group))) for name, group in groups.items()}
     costs = {tuple(entry["command"]): entry["electrical_cost_of_transport"] for entry in commands}
     return {**row, "electrical cost of transport": costs[0.4, 0.0] or math.nan}
 

@@ -26,7 +26,8 @@ from quadruped_env.reporting.plots import suite_plots as plots
 def suite_result(run_directory):
     """Quick results of the policy of `run_directory`."""
     evaluated = find_policy(str(run_directory))
-    return run_suite(MeasuredController.of_policy(evaluated.policy, evaluated.name), quick_suite())
+    measured = MeasuredController.of_policy(evaluated.policy, evaluated.name)
+    return run_suite(measured, quick_suite(), zero_action=True)
 
 
 def text_of(path):
@@ -43,14 +44,18 @@ def test_report_holds_the_suite_and_its_numbers(
     page, numbers, _ = write_report(evaluated, comparison, "the command", with_video=False, suite=suite_result)
     text = text_of(page)
     for words in (
-        "mq-eval 1 (quick)",
+        "mq-eval 2 (quick)",
         "never comparable with those of the full suite",
         "Every command",
         "Gait at every speed",
         "Changes of the command",
         "emergency stop",
         "Pushes",
-        "Disturbances",
+        "Changing commands",
+        "undisturbed",
+        "Regulation",
+        "up 8 degrees",
+        "zero action",
         "Terrain",
         "Recovery",
         "drop 10cm",
@@ -74,23 +79,25 @@ def test_report_holds_the_suite_and_its_numbers(
 def test_figures_are_svg_and_survive_unknown_values(suite_result):
     unknown = copy.deepcopy(suite_result)
     for name in ("forward_velocity_error", "yaw_rate_error"):
-        unknown["commands"][name]["signed"][0][0] = None
-    unknown["commands"]["fall_share"][0][0] = 1.0
+        unknown["commands"][name]["signed"][0] = None
+    unknown["commands"]["fall_share"][0] = 1.0
     for entry in unknown["gait"]["commands"]:
-        entry["touchdowns_per_stride"] = [None] * 4
+        entry["landing_speed"] = [None] * 4
         entry["clearance"] = [None] * 4
-    for draw in (plots.command_map, plots.gait_measures, plots.push_survival, plots.disturbances, plots.crossings):
+    unknown["regulation"]["nominal"]["commands"][0]["share"] = [None, None]
+    for draw in (plots.command_map, plots.gait_measures, plots.pushes, plots.regulation, plots.crossings):
         for result in (suite_result, unknown):
             assert ElementTree.fromstring(draw(result)).tag.endswith("svg")  # noqa: S314
     assert suite_section.section(unknown)["gait"]["rows"][0]["cells"] == ["-", "-"]
     assert dict(suite_findings(unknown))["Gait"] == "it does not step at any command."
 
 
-def gait_entry(command, clearance, touchdowns, speed_limit_share=0.0):
+def gait_entry(command, clearance, bounces, landings, speed_limit_share=0.0):
     return {
         "command": command,
         "clearance": clearance,
-        "touchdowns_per_stride": touchdowns,
+        "bounces_per_stride": bounces,
+        "landing_speed": landings,
         "speed_limit_share": speed_limit_share,
     }
 
@@ -98,41 +105,47 @@ def gait_entry(command, clearance, touchdowns, speed_limit_share=0.0):
 def test_findings_name_the_worst_of_everything(suite_result):
     result = copy.deepcopy(suite_result)
     result["gait"]["commands"] = [
-        gait_entry([0.3, 0.0], [0.02, 0.009, 0.02, 0.02], [1.0, 1.0, 1.0, 1.0]),
-        gait_entry([0.0, 0.5], [0.02, 0.02, 0.02, 0.02], [1.0, 1.25, 1.0, 1.0], 0.5),
+        gait_entry([0.3, 0.0], [0.02, 0.009, 0.02, 0.02], [0.0] * 4, [0.3, 0.4, 0.3, 0.3]),
+        gait_entry([0.0, 0.5], [0.02, 0.02, 0.02, 0.02], [0.0, 0.08, 0.0, 0.0], [0.3] * 4, 0.5),
     ]
     words = dict(suite_findings(result))["Gait"]
     assert words == (
-        "clean: the lowest foot clears the ground by 9 mm (0.3 m/s), and a foot touches down up to 1.2 times per "
-        "stride (0.5 rad/s); some joint is at its speed limit 50 % of the time (0.5 rad/s)."
+        "clean: the lowest foot clears the ground by 9 mm (0.3 m/s), a foot bounces up to 0.1 times per stride "
+        "(0.5 rad/s), and lands at up to 0.40 m/s (0.3 m/s); some joint is at its speed limit 50 % of the time "
+        "(0.5 rad/s)."
     )
     numbers = result["commands"]
-    numbers.update(forward_velocity=[-0.2, 0.0, 0.3, 0.6], yaw_rate=[-0.5, 0.0, 0.4], met={"mean": 0.694})
-    numbers["fall_share"] = [[0.0] * 3 for _ in range(4)]
-    for name in ("forward_velocity_error", "yaw_rate_error"):
-        numbers[name]["signed"] = [[0.0] * 3 for _ in range(4)]
-    numbers["forward_velocity_error"]["signed"][3][1] = -0.06
+    numbers.update(met={"mean": 0.694}, envelope={"forwards": 0.3, "backwards": 0.2, "left": 0.4, "right": 0.5})
     assert dict(suite_findings(result))["Envelope"] == (
         "it meets 69 % of all commands; of those in one direction alone, all up to 0.3 m/s forwards, 0.2 m/s "
         "backwards, 0.4 rad/s in place."
     )
-    numbers["fall_share"][1][0] = 0.25
+    numbers["envelope"]["left"] = 0.0
     assert dict(suite_findings(result))["Envelope"] == (
         "it meets 69 % of all commands; of those in one direction alone, all up to 0.3 m/s forwards, 0.2 m/s "
         "backwards; it misses the smallest one in place."
     )
+    rate = {"mean": 3.0, "low": 0.62, "high": 8.77, "count": 3}
+    result["joystick"] = {"moderate": {"falls_per_hour": rate, "windows_met": {"mean": 0.9}}}
+    assert dict(suite_findings(result))["Joystick"] == (
+        "moderate 3.0 falls per hour of changing commands (95 % interval 0.6 to 8.8), 90 % of the time close to the "
+        "command."
+    )
     result["gait"]["commands"][0]["clearance"][1] = 0.002
     assert dict(suite_findings(result))["Gait"].startswith("not clean: the lowest foot clears the ground by 2 mm")
     halves = [{"mean": mean, "low": mean, "high": mean, "censored": False} for mean in (1.1, 0.75, 1.2, 0.8)]
-    result["pushes"]["half_survival"] = halves
-    held = {"held": {"mean": 0.95}, "falls": {"mean": 0.0}}
-    result["disturbances"] = {"nominal": {"held": {"mean": 0.0}}, "a": held, "b": held, "hard": held}
+    result["pushes"]["obeyed"], result["pushes"]["horizontal"]["half_survival"] = {"mean": 0.8}, halves
+    kept = {"kept": {"mean": 0.95}, "falls": {"mean": 0.0}}
+    result["regulation"] = dict.fromkeys(("nominal", "friction_0.3", "payload_+1_kg", "up_8_degrees", "hard"), kept)
     words = dict(suite_findings(result))["Robustness"]
-    assert words.startswith("robust: half of the robots survive a push of 0.75 m/s to the left, the weakest direction;")
+    assert words.startswith("robust: it does what was asked after 80 % of the pushes; half of the robots survive one")
+    assert "0.75 m/s to the left, the weakest direction" in words
     assert "in 95 % of the episodes with one disturbance" in words
-    halves[1]["mean"] = 0.5
+    result["pushes"]["obeyed"]["mean"] = 0.6
     assert dict(suite_findings(result))["Robustness"].startswith("not robust")
-    assert dict(suite_findings(result))["Score"].endswith("in mq-eval 1 (quick, not comparable).")
+    assert dict(suite_findings(result))["Score"].endswith(
+        f"in mq-eval 2 (quick, not comparable); its zero action {result['zero_action']['score']['total']:.3f}."
+    )
 
 
 @pytest.fixture
@@ -145,6 +158,7 @@ def two_runs(run_directory, suite_result, tmp_path, monkeypatch):
         training = {"action_mode": "residual", "seed": i, "name": "ppo", "learning_rate": 0.002}
         (tmp_path / name / "config.json").write_text(json.dumps({"training": training, "task": {"a": 1}}))
         result = copy.deepcopy(suite_result)
+        del result["zero_action"]
         for component in COMPONENTS:
             result["score"]["components"][component] = 0.25 * (i + 1)
         result["score"]["total"] = 0.25 * (i + 1)
@@ -165,8 +179,18 @@ def test_policies_are_ranked_by_their_score_and_training_seeds_aggregated(two_ru
     assert [run["name"] for run in recipe["runs"]] == ["one", "two"]
     assert recipe["score"]["mean"] == pytest.approx(0.375)
     assert suite_section.ranking_in_words(found) == (
-        "Score in mq-eval 1 (quick), the best first: two 0.500, one 0.250."
+        "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250."
     )
+
+
+def test_the_zero_action_has_a_row_of_its_own_in_rankings(two_runs):
+    path = two_runs / "one" / "evaluation" / "suite.json"
+    stored = json.loads(path.read_text())
+    total = {"total": 0.3, "components": dict.fromkeys(COMPONENTS, 0.3)}
+    zero = {**{name: stored[name] for name in ("suite", "conditions")}, "name": "one, zero action", "score": total}
+    path.write_text(json.dumps({**stored, "zero_action": zero}))
+    order = [entry["name"] for entry in suite_section.ranking(policies("one", "two"))["policies"]]
+    assert order == ["two", "one, zero action", "one"]
 
 
 def test_ranking_needs_comparable_results_of_these_policies(two_runs):
@@ -193,7 +217,7 @@ def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
         found, several, tmp_path / "out", "", with_video=False, ranked=suite_section.ranking(found)
     )
     text = text_of(page)
-    assert "Score in mq-eval 1 (quick), the best first: two 0.500, one 0.250." in text
+    assert "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250." in text
     assert "2 training seeds of one recipe (one and two): interquartile mean 0.375" in text
     assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
 
@@ -204,17 +228,17 @@ def test_evaluate_prints_scores_and_writes_results(
     """The program with the comparison and the suite that were made before."""
     asked = []
 
-    def run(measured, suite, progress):
-        asked.append((measured.name, suite.quick))
+    def run(measured, suite, progress, zero_action):
+        asked.append((measured.name, suite.quick, zero_action))
         return suite_result
 
     monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)
     monkeypatch.setattr("quadruped_env.cli.common_options.compare", lambda *_, **__: comparison)
     arguments = ["evaluate", str(run_directory), "--suite", "--quick", "--no-video", "-o", str(tmp_path / "out")]
     assert main(arguments) == 0
-    assert asked == [("20260101-000000-ppo", True)]
+    assert asked == [("20260101-000000-ppo", True, True)]
     out = capsys.readouterr().out
-    assert re.search(r"score +commands +gait +transients", out)
+    assert re.search(r"score +commands +joystick +gait", out)
     assert f"{suite_result['score']['total']:.3f}" in out
     stored = json.loads((tmp_path / "out" / "suite.json").read_text())
     assert "--suite --quick" in stored["command_line"]

@@ -19,20 +19,24 @@ from quadruped_env.evaluation.suite.suite_definition import quick_suite
 from quadruped_env.policies import load_policy
 
 
-def result_of(measured, suite, progress):
+def result_of(measured, suite, progress=None, zero_action=False):
     """Results of a controller that is as good as its name is long."""
     score = len(measured.name) / 10.0
     estimate = {"mean": score, "low": score, "high": score, "count": 1}
-    return {
+    result = {
         "suite": suite.identity,
         "conditions": {"robot": measured.robot.identity},
         "name": measured.name,
         "score": {"total": score, "components": dict.fromkeys(COMPONENTS, score)},
-        "commands": {"met": estimate, "dead_zone": {"forwards": 0.0}},
-        "pushes": {"half_survival": [estimate]},
+        "commands": {"met": estimate, "envelope": {"forwards": 0.0}},
+        "joystick": {"undisturbed": {"falls_per_hour": estimate}},
+        "pushes": {"horizontal": {"half_survival": [estimate]}},
         "terrain": {"rough": {"highest_level": 3, "crossed": []}},
         "recovery": {"side": {"recovered": estimate, "time": estimate}},
     }
+    if zero_action:
+        result["zero_action"] = result_of(measured.zero_action(), suite)
+    return result
 
 
 def asked(directory, **options):
@@ -47,7 +51,10 @@ def test_rows_of_all_references_are_written_and_can_be_read(tmp_path, monkeypatc
     arguments = asked(tmp_path, policy=[f"mine={tmp_path / 'run'}"])
     assert suite_references.run(arguments) == 0
     rows = read_references(tmp_path / "references.json")
-    assert [row["name"] for row in rows] == ["standing", "article", "tuned", *SHIPPED, "mine"]
+    assert [row["name"] for row in rows] == [
+        *("standing", "article", "sinusoid", "tuned"),
+        *(row for name in (*SHIPPED, "mine") for row in (name, f"{name}, zero action")),
+    ]
     assert {row["origin"]["versions"]["numpy"] for row in rows} == {np.__version__}
     assert {row["suite"]["sha256"] for row in rows} == {quick_suite().sha256}
     assert rows[0]["terrain"] == {"rough": 3}
@@ -62,7 +69,7 @@ def test_some_rows_are_measured_again_and_the_others_stay(tmp_path, monkeypatch)
     monkeypatch.setattr(suite_references, "git_commit", lambda: "later")
     suite_references.run(asked(tmp_path, only=["tuned", "flat"]))
     rows = {row["name"]: row for row in read_references(tmp_path / "references.json")}
-    assert list(rows) == ["standing", "tuned", "flat"], "in the order of the references"
+    assert list(rows) == ["standing", "tuned", "flat", "flat, zero action"], "in the order of the references"
     assert rows["standing"] == first[0]
     assert (
         rows["tuned"]["origin"]["commit"] == rows["flat"]["origin"]["commit"] == "later" != first[1]["origin"]["commit"]
@@ -99,7 +106,7 @@ def shipped(tmp_path, monkeypatch):
 @functools.cache
 def quick_result():
     """Results of the policy of `shipped`."""
-    return run_suite(MeasuredController.of_policy(random_policy("position"), "flat"), quick_suite())
+    return run_suite(MeasuredController.of_policy(random_policy("position"), "flat"), quick_suite(), zero_action=True)
 
 
 def finished(directory, **changes):
@@ -115,12 +122,13 @@ def test_finished_results_give_the_row_and_go_onto_the_card(shipped, monkeypatch
     monkeypatch.setattr(suite_references, "run_suite", lambda *_: pytest.fail("the suite ran again"))
     for _ in range(2):  # the results are still those of the policy when they are on its card
         assert suite_references.run(asked(shipped.parent, only=["flat"], result=[path])) == 0
-    (row,) = read_references(shipped.parent / "references.json")
+    row, zero = read_references(shipped.parent / "references.json")
     result = json.loads(path.read_text())
     card = load_policy(shipped).card
     assert card["seed"] == 3
     assert card["suite"]["score"] == row["score"] == result["score"]
     assert card["suite"]["terrain"] == row["terrain"]
+    assert card["suite"]["zero_action"] == zero["score"]
     assert card["suite"]["findings"] == dict(suite_findings(result))
     assert set(card["suite"]["envelope"]) == {"forwards", "backwards", "left", "right"}
     np.testing.assert_array_equal(load_policy(shipped).weights[0], random_policy("position").weights[0])
