@@ -8,6 +8,7 @@ from quadruped_env.control.clock import Frequency, frequency_of
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.gait import COMMANDED, CommandedGait
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
 from quadruped_env.utils.plain import Plain, PlainFields
 
@@ -115,19 +116,43 @@ COMMANDS: Final = (
 """The velocity command, which every task has."""
 
 
+CLOCK_FREQUENCY: Final = 3.4
+"""Default frequency of the gait clock for the built-in robot, Hz."""
+
+
+def clock_frequency(robot: Robot) -> float:
+    """Default frequency of a robot's gait clock, Hz."""
+    return float(scaled(CLOCK_FREQUENCY, scale_of("Hz", robot)))
+
+
+def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> tuple[Command, ...]:
+    """Commands of a robot; the ranges of the built-in ones follow its size."""
+    return tuple(
+        replace(entry, range=scaled(entry.range, scale_of(entry.unit, robot)))
+        if any(entry is other for other in COMMANDS)
+        else entry
+        for entry in commands
+    )
+
+
 @dataclass(frozen=True)
 class ControlConfig:
     """Fields of a task's config that a `ControlInterface` needs."""
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: Frequency = 3.4
+    clock_frequency: Frequency = CLOCK_FREQUENCY
     """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
     observation_history: int = 1
     """Control steps whose observations a policy gets at once."""
     action: ActionConfig = field(default_factory=ActionConfig)
     commands: tuple[Command, ...] = COMMANDS
     """Components of the command, the velocity command first."""
+
+    @classmethod
+    def of_robot(cls, robot: Robot) -> Self:
+        """The defaults for a robot."""
+        return cls(clock_frequency=clock_frequency(robot), commands=commands_for(robot))
 
     @classmethod
     def of_task(cls, values: Plain, commands: Sequence[Command] = COMMANDS) -> Self:

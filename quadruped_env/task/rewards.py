@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 Positive = Parameter.positive
 
 _SMALLEST_COMMAND: Final = frozen(np.array([0.1, 0.2]))
-"""Command below which progress is reduced in proportion, m/s and rad/s."""
+"""Command below which progress is reduced in proportion, for the built-in robot, m/s and rad/s."""
 
 
 @reward_group(track_forward_velocity=8.0, track_yaw_rate=6.0)
@@ -53,13 +53,13 @@ def progress(context: TaskContext) -> Floats:
     """
     # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
     # a peak at the command would else pull the median there, not the mean.
-    size = np.maximum(np.abs(context.command), _SMALLEST_COMMAND)
+    size = np.maximum(np.abs(context.command), _SMALLEST_COMMAND * context.velocity_unit)
     share, whole = context.smooth_velocity * (np.sign(context.command) / size), np.abs(context.command) / size
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
 @reward(weight=5.0)
-def gait_clock(context: TaskContext, foot_lift: Annotated[float, Parameter.length()] = 0.02) -> Floats:
+def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.02) -> Floats:
     """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = max(0, 1 - sole height / 0.02 m)."""
     lift = quantities.foot_lift(context.sole_height, foot_lift)
     return quantities.clock_agreement(lift, context.leg_clock) * context.moving
@@ -93,19 +93,19 @@ def upright(context: TaskContext) -> Floats:
 
 
 @reward(weight=-20.0, unit="m^2")
-def base_height(context: TaskContext, base_height: Annotated[float, Parameter.length()] = 0.175) -> Floats:
+def base_height(context: TaskContext, base_height: Annotated[float, Positive("m")] = 0.175) -> Floats:
     """max(0, 0.175 m - height)^2: standing taller is not penalized."""
     return np.maximum(base_height - context.base_height, 0.0) ** 2
 
 
 @reward(weight=0.0, unit="m^2")
-def crouch(context: TaskContext, crouch_height: Annotated[float, Parameter.length()] = 0.145) -> Floats:
+def crouch(context: TaskContext, crouch_height: Annotated[float, Positive("m")] = 0.145) -> Floats:
     """max(0, height - 0.145 m)^2: the lower a robot, the harder a push must be to tip it over its feet."""
     return np.maximum(context.base_height - crouch_height, 0.0) ** 2
 
 
 @reward(weight=0.0, unit="m^2")
-def high_steps(context: TaskContext, step_height: Annotated[float, Parameter.length()] = 0.01) -> Floats:
+def high_steps(context: TaskContext, step_height: Annotated[float, Positive("m")] = 0.01) -> Floats:
     """Sum over the feet of max(0, sole height - 0.01 m)^2: the higher its feet, the sooner a push tips the robot."""
     return (np.maximum(context.sole_height - step_height, 0.0) ** 2).sum(axis=-1)
 

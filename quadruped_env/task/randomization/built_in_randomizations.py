@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.robot.motors import MAX_DELAY
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.model_fields import ModelField, MotorField, Payload
 from quadruped_env.task.randomization.randomization import Randomization, SensorError
@@ -40,7 +41,9 @@ def _joint_velocity(event: Event, values: Floats) -> None:
 
 
 def _base_velocity(event: Event, values: Floats) -> None:
-    event.qvel[:, :6] += values
+    event.qvel[:, :3] += values[:, :3]
+    # The value is one in m/s. A robot of another size turns by a rate in its own units.
+    event.qvel[:, 3:6] += values[:, 3:] / scale_of("m", event.robot)
 
 
 def _tilt(event: Event, values: Floats) -> None:
