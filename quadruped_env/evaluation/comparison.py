@@ -26,7 +26,7 @@ from quadruped_env.policies import (
     ZeroController,
     as_policy,
 )
-from quadruped_env.robot import MINI_QUADRUPED, Robot
+from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation import Terrain
 from quadruped_env.task import TaskConfig
@@ -71,7 +71,7 @@ def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> list[C
     return [(scaled(v, units[0], 2), scaled(w, units[1], 2)) for v, w in commands]
 
 
-def motion_of(command: Command, robot: Robot = MINI_QUADRUPED) -> str:
+def motion_of(command: Command, robot: Robot) -> str:
     """Motion that a command (m/s, rad/s) asks a robot for, one of `MOTIONS`; a curve counts as turning."""
     forward, yaw_rate = np.abs(command) > moving_threshold(robot)
     if yaw_rate:

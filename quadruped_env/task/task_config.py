@@ -17,7 +17,7 @@ import numpy as np
 
 from quadruped_env.control.clock import FIELD as CLOCK
 from quadruped_env.control.clock import UNITS as CLOCK_UNITS
-from quadruped_env.control.clock import Frequency, frequency_of
+from quadruped_env.control.clock import CommandedFrequency, Frequency, frequency_of
 from quadruped_env.control.control_config import (
     ActionConfig,
     Command,
@@ -337,7 +337,7 @@ class TaskConfig(PlainFields):
             section = getattr(self, name)
             schema = _schema(name, Choice.of(section), self.definition)
             if section is None or section.schema is not schema:
-                # A section of the built-in task, in a task with other terms.
+                # A section of the built-in task, in a task with other terms or another robot: its numbers stay.
                 values = {} if section is None else _known(section.to_dict(), schema)
                 object.__setattr__(self, name, _section(name, values, self.definition))
 
@@ -545,6 +545,9 @@ def _convert(hint: object, value: Plain, path: str, definition: TaskDefinition) 
         assert isinstance(hint, type)
         return _build(hint, value, path, definition)
     if hint == Frequency:
+        if isinstance(value, Mapping):
+            arm = scaled(CommandedFrequency.turn_arm, scale_of(CLOCK_UNITS["turn_arm"], definition.robot))
+            value = {"turn_arm": arm, **value}
         return frequency_of(value)
     if typing.get_origin(hint) is Literal:
         return value

@@ -8,14 +8,14 @@ import pytest
 from half_robot import ROBOT, SIZE, TIME
 from second_robot import ROBOT as OTHER
 
-from quadruped_env.control import ControlConfig, ControlInterface
+from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.units import scale_of, scaled_values
 from quadruped_env.simulation import BatchSimulation, build_model
-from quadruped_env.task import PRESETS, Task, TaskConfig, preset_values
+from quadruped_env.task import PRESETS, Task, TaskConfig, load_task_file, preset_values
 from quadruped_env.task.config_sections import Section, units_of
 from quadruped_env.task.task_config import values_for
 from quadruped_env.training.recipes import RECIPES
@@ -211,3 +211,42 @@ def test_standing_ends_at_the_same_speed_in_units_of_the_robot():
     safety = Safety.of(ROBOT)
     assert (safety.ramp_speed, safety.min_ramp_time, safety.limp_after) == (2.12132, 0.707107, 1.0)
     assert Safety.of(MINI_QUADRUPED) == Safety()
+
+
+def test_default_of_the_turn_arm_is_that_of_the_robot():
+    values = {"clock_frequency": {"speeds": [0.0, 0.4], "frequencies": [2.0, 3.0]}}
+    arms = [
+        TaskConfig.from_dict(values, TaskConfig().definition.with_robot(robot)).clock_frequency.turn_arm
+        for robot in (MINI_QUADRUPED, ROBOT)
+    ]
+    assert arms == [0.4, 0.2]
+
+
+def test_numbers_of_a_users_file_are_those_of_its_robot(tmp_path):
+    file = tmp_path / "task.py"
+    file.write_text(
+        "from typing import Annotated\n"
+        "from half_robot import ROBOT\n"
+        "from quadruped_env.task import Command, Parameter, Randomization, observation, reward, terrain\n"
+        "height = Command('height', 'm', (0.07, 0.09))\n"
+        "@reward(weight=-2.0, unit='points')\n"
+        "def own(context, size: Annotated[float, Parameter('m')] = 0.03):\n"
+        "    return context.base_height * 0.0\n"
+        "@observation(unit='rad/s', mirror=(1.0,), scale=0.5, noise=0.1)\n"
+        "def turning(readings, control):\n"
+        "    return readings.angular_velocity_b[:, 2:]\n"
+        "@terrain(size=4.0, hardest={'height': 0.02})\n"
+        "def bump(grid, height: Annotated[float, Parameter('m')] = 0.01):\n"
+        "    return height * grid.fade\n"
+        "nudge = Randomization('nudge', lambda event, v: None, 0.3, 'm/s', interval=('nudge_interval', (1.0, 2.0)))\n"
+    )
+    config = TaskConfig(definition=load_task_file(file)).on_terrain("bump")
+    assert config.command.height == (0.07, 0.09)
+    assert (config.reward.weights.own, config.reward.size, config.reward.weights.foot_slip) == (-2.0, 0.03, -0.6)
+    assert (config.randomization.nudge, config.randomization.nudge_interval) == (0.3, (1.0, 2.0))
+    assert config.randomization.noise_amplitude.turning == 0.1
+    assert (config.ground.extent, config.terrain.height, config.ground.heights().max()) == ((4.0, 4.0), 0.01, 0.01)
+    tiles = TaskConfig.from_dict({"terrain": {"name": "tiles", "kinds": ["bump", "steps"]}}, config.definition).ground
+    assert [tiles.tile(kind, 10).max() for kind in (0, 1)] == pytest.approx([0.02, 0.0275])
+    layout = ObservationLayout(ROBOT, config.definition.observations)
+    assert layout.scale[layout.slices["turning"]] == 0.5
