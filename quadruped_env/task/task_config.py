@@ -19,6 +19,8 @@ from quadruped_env.control.clock import FIELD as CLOCK
 from quadruped_env.control.clock import UNITS as CLOCK_UNITS
 from quadruped_env.control.clock import CommandedFrequency, Frequency, frequency_of
 from quadruped_env.control.control_config import (
+    COMMAND_RATE,
+    COMMAND_RATE_UNITS,
     ActionConfig,
     Command,
     ControlConfig,
@@ -26,6 +28,7 @@ from quadruped_env.control.control_config import (
     check_history,
     check_rates,
     clock_frequency,
+    command_rate,
     commands_for,
 )
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
@@ -72,10 +75,12 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     commands = commands_for(robot, definition.commands)
     command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in commands} | {
         "standing_fraction": parameter_entry(Parameter(low=0.0), 0.1),
-        "straight_fraction": parameter_entry(Parameter(low=0.0), 0.4),
-        "turning_fraction": parameter_entry(Parameter(low=0.0), 0.1),
-        "resample_interval": range_entry(scaled((3.0, 6.0), seconds), _POSITIVE_SECONDS),
+        "straight_fraction": parameter_entry(Parameter(low=0.0), 0.25),
+        "turning_fraction": parameter_entry(Parameter(low=0.0), 0.15),
+        "resample_interval": range_entry(scaled((1.0, 5.0), seconds), _POSITIVE_SECONDS),
     }
+    for name, unit, rate in zip(COMMAND_RATE, COMMAND_RATE_UNITS, command_rate(robot), strict=True):
+        command[name] = parameter_entry(Parameter.positive(unit), rate)
     units = {name: term.unit for term in definition.rewards for name in term.names}
     weights = {
         name: Entry(default, number, "1" if units[name] == "1" else f"1/({units[name]})")
@@ -310,7 +315,7 @@ class TaskConfig(PlainFields):
     clock_frequency: Frequency = _OF_THE_DEFINITION
     """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`. Default:
     3.4 Hz for the built-in robot, and in its units for others."""
-    observation_history: int = 1
+    observation_history: int = 3
     """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
     action: ActionConfig = field(default_factory=ActionConfig)
     command: Section = _OF_THE_DEFINITION
@@ -442,6 +447,7 @@ class TaskConfig(PlainFields):
             clock_frequency=self.clock_frequency,
             observation_history=self.observation_history,
             action=self.action,
+            command_rate=tuple(self.command[name] for name in COMMAND_RATE),
             commands=self.commands,
         )
 
