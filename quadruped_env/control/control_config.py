@@ -6,7 +6,7 @@ from typing import Final, Literal, Self
 
 from quadruped_env.control.clock import Frequency, frequency_of, middle_frequency
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.gait import COMMANDED, SINUSOID, CommandedGait
+from quadruped_env.gait import CLOCK_FREQUENCY, COMMANDED, SINUSOID, CommandedGait
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
@@ -118,10 +118,6 @@ COMMANDS: Final = (
     Command("yaw_rate", "rad/s", (-0.8, 0.8)),
 )
 """The velocity command, which every task has."""
-
-
-CLOCK_FREQUENCY: Final = 3.4
-"""Default frequency of the gait clock for the built-in robot, Hz."""
 
 
 def clock_frequency(robot: Robot) -> float:

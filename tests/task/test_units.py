@@ -151,7 +151,8 @@ def similar_contacts(model):
 )
 def test_episodes_of_the_half_size_robot_are_the_same_in_its_units(preset, terrain):
     """With a time step of its own, too: similar starts, commands, pushes, ground and noise, equal observations."""
-    changes = {"randomization": preset, "terrain": terrain, "observation_history": 2}
+    mode = "position" if preset == "hard" else "residual"
+    changes = {"randomization": preset, "terrain": terrain, "action": {"mode": mode}}
     tasks = []
     for robot, timestep in ((MINI_QUADRUPED, 0.005), (ROBOT, 0.005 * TIME)):
         definition = TaskConfig().definition.with_robot(robot)
