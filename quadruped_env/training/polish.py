@@ -16,10 +16,10 @@ import torch
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import BatchSimulation, flat
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import electrical_power
-from quadruped_env.task.terrain_section import leg_scale
 from quadruped_env.training.reflex import StoppedError
 from quadruped_env.training.strides import Strides
 
@@ -146,7 +146,7 @@ class _Search:
         # A gait's measures are those of an undisturbed robot on level ground.
         config = model.env.task.config.on_terrain(flat).randomized("none")
         self._robot = config.robot
-        self._scale = leg_scale(self._robot)
+        self._scale = scale_of("m", self._robot)
         forward, turn = config.command.forward_velocity, config.command.yaw_rate
         largest = np.where(_COMMANDS[:, 0] < 0.0, -forward[0], forward[1])
         self._commands = _COMMANDS * np.stack([largest, np.full_like(largest, turn[1])], axis=1)

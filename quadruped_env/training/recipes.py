@@ -8,9 +8,7 @@ from typing import Any, Final
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
-from quadruped_env.task import BUILT_IN
-from quadruped_env.task.randomization.randomization_presets import with_preset
-from quadruped_env.task.terrain_section import leg_scale
+from quadruped_env.task.task_config import values_for
 
 
 @dataclass(frozen=True)
@@ -24,8 +22,8 @@ class Recipe:
     ppo: Mapping[str, Any] = field(default_factory=dict)
     """Fields of `TrainConfig` for PPO alone."""
     task: Mapping[str, Any] = field(default_factory=dict)
-    """Changes to the task's config; `randomization` may be the name of a preset. Lengths of the reward are those of the
-    built-in robot."""
+    """Changes to the task's config; `randomization` may be the name of a preset. Its numbers are those of the built-in
+    robot."""
     on_gait: Mapping[str, Any] = field(default_factory=dict)
     """Further changes in the mode `residual`."""
 
@@ -118,18 +116,10 @@ def recipe(name: str) -> Recipe:
 def task_values(name: str, robot: Robot, action_mode: str) -> dict[str, Any]:
     """Changes of a recipe to the task's config in an action mode, for a robot, as plain values.
 
-    The preset is replaced by its values. They and the lengths of the reward follow the robot's size.
+    The preset is replaced by its values. All numbers follow the robot's size by their units.
 
     Raises:
         QuadrupedError: if there is no such recipe.
     """
     entry = recipe(name)
-    values = changed(entry.task, entry.on_gait if action_mode == "residual" else {})
-    if "randomization" in values:
-        values["randomization"] = with_preset(values["randomization"], robot)
-    if "reward" in values:
-        parameters = [item for term in BUILT_IN.rewards for item in term.parameters.items()]
-        lengths = {key for key, (parameter, _) in parameters if parameter.scales}
-        scale = leg_scale(robot)
-        values["reward"] = {key: scale * value if key in lengths else value for key, value in values["reward"].items()}
-    return values
+    return values_for(changed(entry.task, entry.on_gait if action_mode == "residual" else {}), robot)

@@ -22,8 +22,8 @@ import torch
 from numpy.typing import NDArray
 
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.task import Task
-from quadruped_env.task.terrain_section import leg_scale
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -94,7 +94,7 @@ class Reflex:
             self._leg[list(own)] = leg
         self._side = np.where(robot.left_legs, 1.0, -1.0)[self._leg]
         # The time in which a robot tips over grows with the square root of its size.
-        self._rate_scale = 1.0 / math.sqrt(leg_scale(robot))
+        self._rate_scale = 1.0 / math.sqrt(scale_of("m", robot))
         self.weights: Floats = np.zeros((int(self._row.max()) + 1, 12))
         """Weights (pairs of joints, inputs); an action's unit is its range."""
 
