@@ -82,7 +82,6 @@ def go_on_from(model: Any, parent: Parent) -> None:
             getattr(model, name).data.copy_(value.data)
     model.num_timesteps = parent.timesteps
     model.learning_rate.go_on(parent.timesteps, parent.budget_left)
-    model.learning_rate.stage(parent.timesteps, model.env.task)
 
 
 class _UnusableError(Exception):
@@ -176,8 +175,7 @@ def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = 
     if config.policy:
         policy, own = _own_policy(config.policy, own)
     arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
-    arguments["learning_rate"] = schedule = Schedule(config)
-    schedule.stage(0, env.task)
+    arguments["learning_rate"] = Schedule(config)
     kind = kind or algorithm_class(config.algo)
     if is_user_class(config.algo):
         arguments = accepted(kind, arguments)

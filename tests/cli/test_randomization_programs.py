@@ -52,7 +52,7 @@ def run(*arguments):
 
 def test_training_gets_the_plain_values_of_a_preset(asked, tmp_path):
     run("--randomization", "hard", "-o", str(tmp_path))
-    recipe = task_values("flat", MINI_QUADRUPED, "residual")
+    recipe = task_values("flat", MINI_QUADRUPED)
     assert asked[0].task == {**recipe, "randomization": preset_values("hard")}
     assert TaskConfig.from_dict(asked[0].task).randomization == RandomizationConfig(preset="hard")
 
