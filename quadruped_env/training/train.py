@@ -31,7 +31,7 @@ except ImportError as error:  # pragma: no cover
 
 
 class Trainer:
-    """What a training on another device has of its own; this class is that of the CPU."""
+    """Envs, model and callbacks of a training on the CPU; a subclass has those of another device."""
 
     recorder: type[Recorder] = Recorder
     """Callback of rank 0"""

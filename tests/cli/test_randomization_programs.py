@@ -35,7 +35,7 @@ def asked(monkeypatch):
 
     trainings = []
 
-    def stop(config, *arguments):
+    def stop(config, *arguments, **others):
         trainings.append(config)
         raise QuadrupedError("stopped")
 

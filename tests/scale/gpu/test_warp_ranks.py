@@ -33,7 +33,7 @@ from quadruped_env.training.resume import Parent  # noqa: E402
 from quadruped_env.training.train import learn as learn_model  # noqa: E402
 from quadruped_env.training.train import prepare  # noqa: E402
 
-CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 2})
+CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 2, "asymmetric_critic": False})
 ON_WARP = ("--device", "warp-cpu")
 ROLLOUT = ("observations", "actions", "rewards", "dones", "values", "actions_log_prob")
 

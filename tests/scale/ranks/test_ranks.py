@@ -34,7 +34,7 @@ def weights(model):
 
 def collected(config):
     """A plain model after a rollout."""
-    model = make_model(config, make_sb3_vec_env(config.num_envs, seed=config.seed))
+    model = make_model(config, make_sb3_vec_env(config.num_envs, seed=config.seed, privileged=True))
     _, callback = model._setup_learn(STEPS)
     model.set_logger(configure(None, []))
     model.collect_rollouts(model.env, callback, model.rollout_buffer, model.n_steps)
@@ -99,7 +99,7 @@ def test_one_rank_gives_the_bits_of_plain_training(run, tmp_path):
 
 def test_envs_of_the_ranks_are_those_of_one_rank():
     config = TrainConfig(**SMALL | {"seed": 5, "ranks": 2})
-    whole = make_model(config, make_sb3_vec_env(config.num_envs, seed=config.seed)).env.reset()
+    whole = make_model(config, make_sb3_vec_env(config.num_envs, seed=config.seed, privileged=True)).env.reset()
     shares = on_ranks(2, lambda group: training.prepare(config, None, None, group)[3].env.reset())
     np.testing.assert_array_equal(np.concatenate(shares), whole)
     assert len(np.unique(whole, axis=0)) == len(whole)
