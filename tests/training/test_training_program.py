@@ -40,7 +40,7 @@ def assert_refused(tmp_path, arguments, message):
 
 
 def stated_defaults(text):
-    """Default of an option by the option that leads to it, from its help: 3 with --recipe robust/rough, --algo sac."""
+    """Default of an option by the option that leads to it, from its help: 3 with --recipe rough, --algo sac."""
     first, *others = text.rpartition("(default: ")[2].removesuffix(")").split("; ")
     stated = {"": first}
     for value, _, options in (other.partition(" with ") for other in others):
