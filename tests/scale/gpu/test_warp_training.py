@@ -145,7 +145,7 @@ def test_time_limit_adds_the_value_of_the_last_observation():
     from quadruped_env.scale.gpu.warp_training import WarpModel
 
     config = TrainConfig(**{**TINY, "n_steps": 3, "batch_size": 12})
-    env = WarpVecEnv(TaskConfig(), 4, DEVICE, 0, False)
+    env = WarpVecEnv(TaskConfig(), 4, DEVICE, 0, config.asymmetric_critic)
     env.task.max_episode_steps = 2
     model = WarpModel(config, env)
     ppo, observations = model.ppo, env.get_observations()
