@@ -7,7 +7,9 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
+from quadruped_env.task import BUILT_IN
 from quadruped_env.task.randomization.randomization_presets import with_preset
+from quadruped_env.task.terrain_section import leg_scale
 
 
 @dataclass(frozen=True)
@@ -21,7 +23,8 @@ class Recipe:
     ppo: Mapping[str, Any] = field(default_factory=dict)
     """Fields of `TrainConfig` for PPO alone."""
     task: Mapping[str, Any] = field(default_factory=dict)
-    """Changes to the task's config; `randomization` may be the name of a preset."""
+    """Changes to the task's config; `randomization` may be the name of a preset. Lengths of the reward are those of the
+    built-in robot."""
 
 
 RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
@@ -40,6 +43,8 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
                     "kinds": ["flat", *["slope"] * 3, "rough", *["steps"] * 2, "stairs", "gaps", "wave"],
                 },
                 "randomization": "moderate",
+                # The feet rise above the steps that they climb.
+                "reward": {"foot_lift": 0.045},
             },
         ),
     }
@@ -61,10 +66,17 @@ def recipe(name: str) -> Recipe:
 def task_values(name: str, robot: Robot) -> dict[str, Any]:
     """Changes of a recipe to the task's config, for a robot, as plain values: those of the preset in place of its name.
 
+    They and the lengths of the reward follow the robot's size.
+
     Raises:
         QuadrupedError: if there is no such recipe.
     """
     values = dict(recipe(name).task)
     if "randomization" in values:
         values["randomization"] = with_preset(values["randomization"], robot)
+    if "reward" in values:
+        parameters = [item for term in BUILT_IN.rewards for item in term.parameters.items()]
+        lengths = {key for key, (parameter, _) in parameters if parameter.scales}
+        scale = leg_scale(robot)
+        values["reward"] = {key: scale * value if key in lengths else value for key, value in values["reward"].items()}
     return values

@@ -10,7 +10,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import make_parser
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
+from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, load_task_file, preset_values
 from quadruped_env.training import TrainConfig, recipes
 from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.training.recipes import RECIPES, Recipe, task_values
@@ -47,8 +47,10 @@ def test_recipes_are_what_their_names_say(asked):
     default = TaskConfig()
     assert flat.randomization == rough.randomization == RandomizationConfig(preset="moderate")
     for task in (flat, rough):
-        as_default = {"randomization": default.randomization, "terrain": default.terrain}
+        as_default = {"randomization": default.randomization, "terrain": default.terrain, "reward": default.reward}
         assert dataclasses.replace(task, **as_default) == default, "and nothing else"
+    assert flat.reward == default.reward
+    assert rough.reward == default.reward.replace(foot_lift=0.045), "more than the steps that it shall climb"
     assert (flat.terrain.name, rough.terrain.name, rough.terrain.curriculum) == ("flat", "tiles", True)
     assert {*rough.terrain.kinds} == {*TaskConfig.from_dict({"terrain": {"name": "tiles"}}).terrain.kinds}
 
@@ -99,6 +101,17 @@ def test_recipe_for_another_robot_has_that_robots_values(asked, tmp_path):
     config = asked("--recipe", "rough", "--task", str(file))
     heavy, built_in = config.task["randomization"]["payload"], preset_values("moderate")["payload"]
     assert heavy == pytest.approx([2.0 * end for end in built_in])
+
+
+def test_recipe_for_another_robot_asks_for_steps_of_its_size(asked, tmp_path):
+    file = tmp_path / "own.py"
+    file.write_text(
+        "from quadruped_env.robot import QuadrupedDesign\nROBOT = QuadrupedDesign(name='long', leg_length=0.25)\n"
+    )
+    config = asked("--recipe", "rough", "--task", str(file))
+    scale = load_task_file(file).robot.stance_height / MINI_QUADRUPED.stance_height
+    assert scale > 1.3
+    assert config.task["reward"]["foot_lift"] == pytest.approx(scale * 0.045)
 
 
 def test_help_lists_the_recipes_with_their_descriptions():
