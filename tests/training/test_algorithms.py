@@ -25,7 +25,7 @@ from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.sb3_models import algorithm_class, go_on_from, make_model
 from quadruped_env.training.schedules import Scheduled
 
-WIDTH = 34
+WIDTH = make_sb3_vec_env(1, seed=0).observation_space.shape[0]
 OFF_POLICY = [name for name, entry in ALGORITHMS.items() if not entry.on_policy]
 TINY = {
     "num_envs": 4,

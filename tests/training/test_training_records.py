@@ -361,9 +361,10 @@ def test_card_of_a_finished_run_has_its_steps_seconds_and_no_budget_left(run):
 
 
 def test_policy_that_is_saved_is_the_one_that_was_trained(run):
-    seen = np.random.default_rng(0).uniform(-1.0, 1.0, (20, 52)).astype(np.float32)
+    width = run.model.observation_space.shape[0]
+    seen = np.random.default_rng(0).uniform(-1.0, 1.0, (20, width)).astype(np.float32)
     expected, _ = run.model.predict(seen, deterministic=True)
-    observation = seen[:, :34]  # without the privileged readings
+    observation = seen[:, : run.model.policy.actor_width]  # without the privileged readings
     np.testing.assert_allclose(load_policy(run.directory).predict(observation), expected, atol=1e-5)
 
 
