@@ -89,7 +89,7 @@ def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tm
     seen = observations(WIDTH)
     expected, _ = model.predict(seen, deterministic=True)
     np.testing.assert_allclose(policy.predict(seen), expected, atol=2e-5)
-    assert np.ptp(expected, axis=0).min() > 0.05
+    assert np.ptp(expected, axis=0).min() > 0.01
     mirror = MirrorMap.of(env.task.control.layout)
     difference = np.abs(policy.predict(mirror.observation(seen)) - mirror.action(policy.predict(seen))).max()
     assert (difference < 1e-4) == symmetric

@@ -178,7 +178,7 @@ class Recorded(StepStatistics):
 
 def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
     # Some fall; the terrain has levels.
-    task = {"termination": {"max_tilt": 0.08}, "terrain": {"name": "tiles", "curriculum": True}}
+    task = {"termination": {"max_tilt": 0.04}, "terrain": {"name": "tiles", "curriculum": True}}
     config = TrainConfig(**SMALL | {"ranks": 2, "timesteps": 50 * STEPS, "n_steps": 40, "task": task})
 
     def run(group):
