@@ -45,8 +45,8 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     `action_mode="position"`: target = stance + 0.6 rad * action, the stance being 0.6 rad in the hips and -0.72 rad in
     the knees. `action_mode="residual"`: target = scripted gait(clock, command) + 0.4 rad * action, so that a zero
-    action is the gait: a trot in closed form (docs/gaits.md). Targets are clipped to the joint's range. Each motor is a 40 N m/rad, 1 N m s/rad position
-    servo with the torque-speed line of a DC motor (assets/mini_quadruped/README.md).
+    action is the gait: a trot in closed form (docs/gaits.md). Targets are clipped to the joint's range. Each motor is a
+    40 N m/rad, 1 N m s/rad position servo with the torque-speed line of a DC motor (assets/mini_quadruped/README.md).
 
     ## Observation space
     `Box((102,), float32)` with finite bounds: 34 readings that a real robot can measure, at this and the two control

@@ -17,6 +17,8 @@ from quadruped_env.task.reward_function import RewardFunction
 from quadruped_env.task.rewards import REWARDS
 
 LAYOUT = ObservationLayout(MINI_QUADRUPED)
+NOISE = np.concatenate([np.full(field.width(MINI_QUADRUPED), field.noise) for field in LAYOUT.fields])
+"""Amplitude of the noise per column of the observation."""
 OBSERVATION_WIDTH = LAYOUT.width
 ACTION_WIDTH = MINI_QUADRUPED.num_joints
 
