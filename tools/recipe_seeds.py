@@ -8,7 +8,7 @@ Runs are grouped by their recipe, and must not differ in anything but the seed. 
 measure, with a row for each seed and one of the medians. `errors`: signed errors of the mean velocities, 8 episodes of
 20 s per command. `env`: falls in 300 episodes of 20 s in the env of the policy's training, with its random commands and
 its randomization, and the 95 % interval of their share. `falls`: 1000 episodes of 20 s with the preset `hard`, and the
-share of time in which a robot sits or leans, tilted by more than 0.3 rad. `gait`: clearance and touchdowns per stride
+share of time in which a robot sits or leans, tilted by more than 0.3 rad. `gait`: clearance and bounces per stride
 of the worst foot in the suite's steady walking, over the commands forwards, backwards and on turns. `terrain`: the
 suite's crossings. `envelope`: the largest mean forward velocity and yaw rate over the commands at which none of 100
 episodes of 10 s falls. `curves`: a figure of all runs.

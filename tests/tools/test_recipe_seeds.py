@@ -48,11 +48,11 @@ def test_an_envelope_leaves_out_every_command_at_which_a_robot_falls(monkeypatch
 
 
 def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
-    def entry(command, clearance, touchdowns, cost=None):
+    def entry(command, clearance, bounces, cost=None):
         return {
             "command": command,
             "clearance": clearance,
-            "touchdowns_per_stride": touchdowns,
+            "bounces_per_stride": bounces,
             "electrical_cost_of_transport": cost,
         }
 
@@ -69,9 +69,9 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
             "clearance forwards, mm": 9.0,
             "clearance backwards, mm": 0.0,
             "clearance turning, mm": 10.0,
-            "touchdowns forwards": 1.2,
-            "touchdowns backwards": np.nan,
-            "touchdowns turning": 1.4,
+            "bounces forwards": 1.2,
+            "bounces backwards": np.nan,
+            "bounces turning": 1.4,
             "electrical cost of transport": 0.6,
         },
         nan_ok=True,
