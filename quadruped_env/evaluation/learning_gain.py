@@ -67,8 +67,9 @@ class LearningGain:
         """The result in a few words."""
         mean, low, high = self.difference.mean, self.difference.low, self.difference.high
         if self.is_better:
-            return f"better than doing nothing by {mean:.2f} return/s ({self.standard_errors:.1f} standard errors)"
-        return f"{NOT_BETTER}: {mean:+.2f} return/s (95 % interval {low:+.2f} to {high:+.2f})"
+            errors = f" ({self.standard_errors:.1f} standard errors)" if math.isfinite(self.standard_errors) else ""
+            return f"better than doing nothing by {mean:.2f} return/s{errors}"
+        return f"{NOT_BETTER}: {mean:+z.2f} return/s (95 % interval {low:+z.2f} to {high:+z.2f})"
 
     def table(self) -> str:
         """The results of both as a plain-text table."""
@@ -92,10 +93,10 @@ def _plain(performance: Performance) -> dict[str, Any]:
     return {name: value.to_dict() if isinstance(value, Estimate) else value for name, value in values.items()}
 
 
-def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, str, str]]:
+def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
     """Rows of a table of `LearningGain.to_dict`: quantity, value of the policy, value of the zero action."""
     shown = {
-        "reward per second": ("return_per_second", 1.0, "{:.2f}", ""),
+        "reward per second": ("return_per_second", 1.0, "{:z.2f}", ""),
         "commands met": ("commands_met", 100.0, "{:.0f}", " %"),
         "episodes with a fall": ("falls", 100.0, "{:.1f}", " %"),
         "electrical power": ("electrical_power", 1.0, "{:.1f}", " W"),
@@ -109,8 +110,13 @@ def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, str, str]]:
         return f"{mean}{unit}" if None in ends else f"{mean}{unit} [{ends[0]}, {ends[1]}]"
 
     both = document["policy"], document["zero"]
-    rows = [(label, *(cell(one, *how) for one in both)) for label, how in shown.items()]
-    return [*rows, ("own action, RMS", *(f"{one['own_action']:.3f} rad" for one in both))]
+    first, *others = [(label, *(cell(one, *how) for one in both)) for label, how in shown.items()]
+    return [
+        first,
+        ("gain in reward per second", cell(document, "difference", 1.0, "{:+z.2f}", ""), ""),
+        *others,
+        ("own action, RMS", *(f"{one['own_action']:.3f} rad" for one in both)),
+    ]
 
 
 def learning_gain(
@@ -140,7 +146,7 @@ def learning_gain(
         raise QuadrupedError(f"seconds: expected {START_UP + WINDOW:g} or more; found {seconds:g}")
     policy = as_policy(policy)
     config = without_curriculum(policy.config)
-    controllers = PolicyController(policy), ZeroController(policy.action_mode)
+    controllers: tuple[Controller, ...] = PolicyController(policy), ZeroController(policy.action_mode)
     ours, zeros = (
         _run(controller, config, episodes, seconds, part_of(progress, 0.5 * i, 0.5 * (i + 1)))
         for i, controller in enumerate(controllers)

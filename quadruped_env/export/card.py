@@ -31,7 +31,7 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
         f"## Use\n\n{_use(interface, manifest)}",
         f"## Before it walks\n\n{_entry(manifest)}",
         f"## Results\n\n{_results(manifest['evaluation'])}",
-        _learning(manifest["training"].get("learning")),
+        _learning(manifest["learning"]),
         f"## Training\n\n{_verbatim(json.dumps(manifest['training'], indent=2))}",
         f"## Files\n\n{_files(files)}",
     ]

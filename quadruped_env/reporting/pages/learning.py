@@ -29,11 +29,11 @@ def gain_section(gains: Mapping[str, LearningGain]) -> dict[str, Any]:
     rows = [[label, *(cell for table in tables for cell in table[i][1:])] for i, label in enumerate(labels)]
     first = next(iter(gains.values()))
     note = (
-        f"The policy and the zero action, which is the stance or the scripted gait underneath, in the policy's own task: "
-        f"its commands, randomization and terrain. {first.episodes} episodes of {first.seconds:g} s with the same "
-        f"seeds; a robot that falls begins again. 95 % intervals in brackets. A command is met if the mean velocities "
-        f"from {START_UP:g} s after its beginning are within {TOLERANCE[0]:g} m/s and {TOLERANCE[1]:g} rad/s of it. The "
-        f"policy's own action is what it adds to the joint targets of the zero action."
+        f"The zero action is the stance, or the scripted gait under the policy. Both ran in the policy's own task, "
+        f"with its commands, randomization and terrain: {first.episodes} episodes of {first.seconds:g} s with the same "
+        f"seeds; a robot that falls begins again. 95 % intervals are in brackets. A command is met if the mean "
+        f"velocities from {START_UP:g} s after its beginning are within {TOLERANCE[0]:g} m/s and {TOLERANCE[1]:g} "
+        f"rad/s of it. The own action is what the policy adds to the joint targets of the zero action."
     )
     return {"header": ["", *(each for name in gains for each in (name, "zero action"))], "rows": rows, "note": note}
 
