@@ -1,4 +1,4 @@
-"""What a policy adds over doing nothing: it and the zero action in the policy's own task, episode by episode."""
+"""Gain of a policy over doing nothing: both in the policy's own task, episode by episode."""
 
 import dataclasses
 import math

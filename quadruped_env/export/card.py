@@ -146,7 +146,7 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
 
 
 def _learning(learning: Mapping[str, Any] | None) -> str:
-    """What learning added over the zero action, for policies whose card has it."""
+    """Section of the gain over the zero action; empty for a policy whose card has none."""
     if learning is None:
         return ""
     rows = "\n".join(f"| {' | '.join(row)} |" for row in gain_rows(learning))

@@ -100,11 +100,11 @@ def test_verdict_needs_the_whole_interval_above_zero():
 
 def test_commands_are_met_by_their_means_after_a_second_and_without_a_fall():
     command, velocity, fallen = np.zeros((600, 2, 2)), np.zeros((600, 2, 2)), np.zeros((600, 2), bool)
-    # Met: far off in the first second, then a swing around 0.04 m/s and 0.09 rad/s beside the command.
+    # Met: far off in the first second, then a swing around a mean with errors of 0.04 m/s and 0.09 rad/s.
     command[:150, 0] = 0.3, 0.5
     velocity[50:150, 0] = 0.34, 0.41
     velocity[50:150, 0, 0] += 0.2 * np.sin(np.arange(100) * 0.2 * np.pi)
-    # Missed: 0.06 m/s off. Left out: it holds for less than 2 s. Missed: the robot falls under it.
+    # Missed: 0.06 m/s too slow. Left out: it holds for less than 2 s. Missed: the robot falls under it.
     command[150:300, 0] = velocity[150:300, 0] = 0.5, 0.0
     velocity[150:300, 0, 0] -= 0.06
     command[300:399, 0] = 0.1, 0.0

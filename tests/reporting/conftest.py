@@ -26,7 +26,7 @@ def run_directory(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def written(tmp_path_factory, comparison):
-    """A report: the texts of its `page` and `numbers`, its `figures`, the `directory` of its run and the `gain` of its policy."""
+    """A report: the texts of its `page` and `numbers`, its `figures`, the `directory` of its run, and its `gain`."""
     directory, figures, patch = make_run(tmp_path_factory.mktemp("written")), [], pytest.MonkeyPatch()
     save = matplotlib.figure.Figure.savefig
 

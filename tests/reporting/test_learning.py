@@ -1,4 +1,4 @@
-"""What a training added: on the pages of reports, in the learning curve, in the film, and on an exported card."""
+"""The gain of a training: on the pages of reports, in the learning curve and in the film."""
 
 import json
 import shutil

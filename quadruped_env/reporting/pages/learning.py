@@ -1,4 +1,4 @@
-"""What a training added, on a page: the table of policy and zero action, the line in the curve, and the film."""
+"""Gain of a training on a page: the table of policy and zero action, the line in the curve, and the film."""
 
 from collections.abc import Mapping
 from pathlib import Path
