@@ -76,6 +76,7 @@ def test_film_shows_before_half_way_and_after(run, comparison):
     joints = [clip.trace.joint_position[:50] for clip in clips]
     assert not any(np.array_equal(joints[i], joints[j]) for i, j in ((0, 1), (1, 2), (0, 2)))
     assert half_way(run / CHECKPOINTS / "00700s", 700)[1] == 400
+    assert half_way(run, 4100) is None, "after 1000 of 4100 steps, less than a quarter"
     shutil.rmtree(run / CHECKPOINTS)
     assert half_way(run, 1000) is None
     assert len(learning_clips(evaluated, comparison)) == 2

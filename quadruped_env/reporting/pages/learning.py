@@ -44,11 +44,16 @@ def zero_return(gain: LearningGain, config: TaskConfig) -> float:
 
 
 def half_way(directory: Path, timesteps: int) -> tuple[Path, int] | None:
-    """The checkpoint of a run's or checkpoint's directory that is closest to half of the steps, and its steps."""
+    """The checkpoint that is closest to half of the steps, and its steps; None if all are far from it.
+
+    Args:
+        directory: that of a run, or of its last checkpoint.
+        timesteps: steps of the whole training.
+    """
     inside = directory.parent.name == CHECKPOINTS
     places = directory.parent.iterdir() if inside else (directory / CHECKPOINTS).glob("*")
     steps = {path: read_json(path / CARD_FILE)["card"]["timesteps"] for path in places if (path / CARD_FILE).is_file()}
-    known = [(path, count) for path, count in steps.items() if count < timesteps]
+    known = [(path, count) for path, count in steps.items() if abs(count - timesteps / 2) <= timesteps / 4]
     return min(known, key=lambda found: (abs(found[1] - timesteps / 2), found[1]), default=None)
 
 
