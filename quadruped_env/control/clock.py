@@ -88,6 +88,13 @@ def frequency_at(frequency: Frequency, velocity: Floats) -> Floats:
     return np.full_like(velocity[:, 0], frequency)
 
 
+def middle_frequency(frequency: Frequency) -> float:
+    """The frequency of a constant clock, or the mean of a variable one's lowest and highest, Hz."""
+    if isinstance(frequency, CommandedFrequency):
+        return 0.5 * (min(frequency.frequencies) + max(frequency.frequencies))
+    return frequency
+
+
 def _check(condition: bool, name: str, value: object, rule: str) -> None:
     if not condition:
         raise QuadrupedError(f"config: {FIELD}.{name} must be {rule}; found {short(value)}")

@@ -1,12 +1,12 @@
 """Configuration that training and a real robot share: action scaling, control rate and commands."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal, Self
 
-from quadruped_env.control.clock import Frequency, frequency_of
+from quadruped_env.control.clock import Frequency, frequency_of, middle_frequency
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.gait import COMMANDED, CommandedGait
+from quadruped_env.gait import COMMANDED, SINUSOID, CommandedGait
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
 from quadruped_env.utils.plain import Plain, PlainFields
@@ -65,10 +65,10 @@ class ActionConfig(PlainFields):
     """Change of the joint target per unit of action in `position` mode, rad."""
     residual_scale: float = 0.4
     """Change of the joint target per unit of action in `residual` mode, rad."""
-    gait: Literal["tuned", "crouched", "low", "fast"] = "tuned"
-    """Scripted gait of the `residual` mode. `crouched` bends its legs further, for policies on terrain; the steps of
-    `low` are low and quick, so that a push tips the robot over less easily; `fast` takes longer strides. They need gait
-    clocks of their own frequencies, 3.6, 5 and 3.2 Hz."""
+    gait: Literal["sinusoid", "tuned", "crouched", "low", "fast"] = "sinusoid"
+    """Scripted gait of the `residual` mode: the trot in closed form, or one that a search found. `crouched` bends its
+    legs further, the steps of `low` are low and quick, `fast` takes longer strides; they need gait clocks of their own
+    frequencies, 3.6, 5 and 3.2 Hz."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -86,9 +86,13 @@ class ActionConfig(PlainFields):
         """Change of the joint target per unit of action in the selected mode, rad."""
         return self.residual_scale if self.mode == "residual" else self.position_scale
 
-    def scripted_gait(self, robot: Robot) -> CommandedGait | None:
-        """Gait of a robot to which actions are added; None in `position` mode."""
-        return CommandedGait.preset(self.gait, robot) if self.mode == "residual" else None
+    def scripted_gait(self, robot: Robot, clock: Frequency) -> CommandedGait | None:
+        """Gait of a robot with a clock to which actions are added; None in `position` mode."""
+        if self.mode != "residual":
+            return None
+        if self.gait == SINUSOID:
+            return CommandedGait.sinusoid(robot, middle_frequency(clock))
+        return CommandedGait.preset(self.gait, robot)
 
 
 @dataclass(frozen=True)
@@ -115,6 +119,10 @@ COMMANDS: Final = (
 """The velocity command, which every task has."""
 
 
+COMMAND_RATE: Final[Mapping[str, float]] = {"forward_acceleration": 1.0, "yaw_acceleration": 4.0}
+"""Fields of `config["command"]` with the largest rate of change of the velocity command, m/s^2 and rad/s^2."""
+
+
 @dataclass(frozen=True)
 class ControlConfig:
     """Fields of a task's config that a `ControlInterface` needs."""
@@ -123,9 +131,11 @@ class ControlConfig:
     """Time between actions, s."""
     clock_frequency: Frequency = 3.4
     """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
-    observation_history: int = 1
+    observation_history: int = 3
     """Control steps whose observations a policy gets at once."""
     action: ActionConfig = field(default_factory=ActionConfig)
+    command_rate: tuple[float, float] = (COMMAND_RATE["forward_acceleration"], COMMAND_RATE["yaw_acceleration"])
+    """Largest rate at which the commanded forward velocity (m/s^2) and yaw rate (rad/s^2) change."""
     commands: tuple[Command, ...] = COMMANDS
     """Components of the command, the velocity command first."""
 
@@ -148,12 +158,17 @@ class ControlConfig:
         history = values.get("observation_history", default.observation_history)
         check_history(history)
         try:
-            ranges = {command.name: command.range for command in commands} | values.get("command", {})
+            section = values.get("command", {})
+            ranges = {command.name: command.range for command in commands} | section
+            rates = {**COMMAND_RATE} | {name: section[name] for name in COMMAND_RATE if name in section}
+            for name, rate in rates.items():
+                check(is_quantity(rate, SMALLEST), f"command.{name}", rate, f"positive, at most {LARGEST:g}")
             return cls(
                 timestep=float(physics_timestep * decimation),
                 clock_frequency=frequency_of(values.get("clock_frequency", default.clock_frequency)),
                 observation_history=history,
                 action=ActionConfig(**values.get("action", {})),
+                command_rate=(rates["forward_acceleration"], rates["yaw_acceleration"]),
                 commands=tuple(replace(command, range=ranges[command.name]) for command in commands),
             )
         except TypeError as error:

@@ -54,6 +54,8 @@ class ControlInterface:
         """Action of the step before, (N, J)."""
         self.commands: Floats = memory.zeros("commands", max(len(config.commands), VELOCITY))
         """All components of the command, in the order of `config.commands`, (N, C)."""
+        self.requested: Floats = memory.zeros("requested", VELOCITY)
+        """Requested forward velocity and yaw rate, which `command` approaches at a limited rate, (N, 2)."""
         self.command: Floats = self.commands[:, :VELOCITY]
         """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
         self.moving: Floats = memory.zeros("moving")
@@ -73,7 +75,8 @@ class ControlInterface:
         self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
         self._env_ids, self._ages = np.arange(num_envs, like=like)[:, None], np.arange(depth, like=like)
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
-        self._gait, self._scale = config.action.scripted_gait(robot), config.action.scale
+        self._largest_change = config.timestep * frozen(np.array(config.command_rate))
+        self._gait, self._scale = config.action.scripted_gait(robot, config.clock_frequency), config.action.scale
         self._joint_phases = frozen(joint_phases(robot))
         self._leg_phases = self._joint_phases[:: robot.num_joints // robot.num_legs]
         self.stance: Floats = robot.stance[None]
@@ -93,16 +96,39 @@ class ControlInterface:
         self.command = self.commands[:, :VELOCITY]
 
     def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0, command: Floats | None = None) -> None:
-        """Reset some envs (R,): zero actions, the gait clock at a phase (R,) in rad, commands (R, C); None: zero."""
+        """Reset some envs (R,): zero actions, the gait clock at a phase (R,) in rad, commands (R, C); None: zero.
+
+        The velocities of the command hold at once.
+        """
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
+        if command is None:
+            command = np.zeros((len(env_ids), VELOCITY), like=self.phase)
+        self.set_command(env_ids, command)
         # Also for zero: clock and scripted gait follow the command.
-        self.set_command(env_ids, np.zeros((len(env_ids), VELOCITY), like=self.phase) if command is None else command)
+        self._set_velocity(env_ids, command[:, :VELOCITY])
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
-        """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change."""
-        self.commands[env_ids, : command.shape[1]] = command
-        velocity = command[:, :VELOCITY]
+        """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change.
+
+        The velocities approach the requested ones at the rate of `ControlConfig.command_rate`, as `advance` is called.
+        """
+        self.requested[env_ids] = command[:, :VELOCITY]
+        self.commands[env_ids, VELOCITY : command.shape[1]] = command[:, VELOCITY:]
+
+    def _approach_requested(self) -> None:
+        """Change the velocity commands towards the requested ones by at most the largest change."""
+        missing = self.requested - self.command
+        if not np.count_nonzero(missing):
+            return
+        near = np.abs(missing) <= self._largest_change
+        velocity = np.where(near, self.requested, self.command + np.copysign(self._largest_change, missing))
+        env_ids = np.flatnonzero((missing != 0.0).any(axis=1))
+        self._set_velocity(env_ids, velocity[env_ids])
+
+    def _set_velocity(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
+        """Set the velocity commands (R, 2) of some envs (R,) at once."""
+        self.command[env_ids] = velocity
         fast = np.abs(velocity) > MOVING_THRESHOLD
         self.moving[env_ids] = fast[:, 0] | fast[:, 1]
         self._phase_step[env_ids] = self._clock_step(velocity)
@@ -123,7 +149,8 @@ class ControlInterface:
         return np.maximum(self.steps - 1, 0) * self.config.timestep
 
     def advance(self) -> None:
-        """Begin a control step: advance the clock and set the action to zero."""
+        """Begin a control step: advance command and clock, and set the action to zero."""
+        self._approach_requested()
         self.steps += 1
         np.remainder(self.phase + self._phase_step, math.tau, out=self.phase)
         self.previous_action[:] = self.action

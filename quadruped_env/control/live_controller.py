@@ -298,8 +298,8 @@ class LiveController:
 
     def _follow(self, velocity: NDArray[np.float64]) -> None:
         """Set a velocity command (2,), in m/s and rad/s, if it has changed."""
-        command = np.concatenate([velocity, self._defaults[VELOCITY:]])
-        if not np.array_equal(command, self._control.commands[0]):
+        if not np.array_equal(velocity, self._control.requested[0]):
+            command = np.concatenate([velocity, self._defaults[VELOCITY:]])
             self._control.set_command(_ENV_IDS, command[None])
 
     def _take_in(self, measurement: Measurement) -> None:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from safetensors.numpy import save
 
 from quadruped_env.control.activations import ACTIVATIONS, OUTPUTS
-from quadruped_env.control.control_config import ActionConfig, ControlConfig
+from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.observations import ObservationField, ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -335,7 +335,7 @@ class Policy:
             "robot": self.robot.identity,
             "observation_layout": ObservationLayout(self.robot, self.fields).document(),
             "action_mode": self.action_mode,
-            "scripted_gait": gait_document(self.control.action, self.robot),
+            "scripted_gait": gait_document(self.control, self.robot),
             "control_rate_hz": 1.0 / self.control.timestep,
             "config": self.task,
             "card": self.card,
@@ -348,9 +348,9 @@ def config_hash(config: Any) -> str:
     return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
-def gait_document(action: ActionConfig, robot: Robot) -> dict[str, Any] | None:
+def gait_document(control: ControlConfig, robot: Robot) -> dict[str, Any] | None:
     """Scripted gait of a residual policy as JSON values; None for other policies."""
-    gait = action.scripted_gait(robot)
+    gait = control.action.scripted_gait(robot, control.clock_frequency)
     return None if gait is None else gait.parameters()
 
 

@@ -267,7 +267,7 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
     if not isinstance(layers, int) or layers < 1:
         raise _damaged(card_path, f"layers must be a whole number, 1 or more; found {short(layers)}")
     _check_hash(document, "config_sha256", config_hash(document["config"]), card_path, card_path)
-    if document.get("scripted_gait") != gait_document(control.action, robot):
+    if document.get("scripted_gait") != gait_document(control, robot):
         raise QuadrupedError(
             f"{card_path}: scripted_gait differs from this version's, to which the policy's actions would be added; "
             f"train again, or install the version that made it"

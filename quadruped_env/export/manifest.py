@@ -10,7 +10,6 @@ from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
 from quadruped_env.export.onnx_graph import OPSET
 from quadruped_env.export.onnx_interface import HISTORY, LAST_ACTION, Input, PolicyInterface
-from quadruped_env.gait.gaits import WHOLE_STEPS
 from quadruped_env.policies import Policy
 from quadruped_env.utils.plain import plain
 
@@ -195,7 +194,7 @@ def _gait(interface: PolicyInterface) -> dict[str, Any] | None:
         "w. The graph computes it",
         "forward_velocities_m_s": list(gait.speeds),
         "largest_yaw_rate_rad_s": gait.largest_yaw_rate,
-        "whole_steps": {"forward_velocity_m_s": WHOLE_STEPS[0], "yaw_rate_rad_s": WHOLE_STEPS[1]},
+        "whole_steps": dict(zip(("forward_velocity_m_s", "yaw_rate_rad_s"), gait.whole_steps, strict=True)),
         "joints": [
             {
                 "name": name,

@@ -13,7 +13,6 @@ from quadruped_env.control.velocity_command import MOVING_THRESHOLD
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
-from quadruped_env.gait.gaits import WHOLE_STEPS
 
 OPSET: Final = 26
 """Version of ONNX's operators: the newest that ONNX Runtime 1.31 runs."""
@@ -144,7 +143,7 @@ def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
     )
     shares = (
         graph.add("Div", graph.add("Abs", value), graph.constant(whole))
-        for value, whole in zip((speed, yaw_rate), WHOLE_STEPS, strict=True)
+        for value, whole in zip((speed, yaw_rate), gait.whole_steps, strict=True)
     )
     fade = graph.add("Min", graph.add("Max", *shares), graph.constant(1.0))
     # See `turn_size`.

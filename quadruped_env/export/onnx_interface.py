@@ -87,7 +87,7 @@ class PolicyInterface:
     @cached_property
     def gait(self) -> CommandedGait | None:
         """The scripted gait to which the actions are added; None for a policy without one."""
-        return self.policy.control.action.scripted_gait(self.policy.robot)
+        return self.policy.control.action.scripted_gait(self.policy.robot, self.policy.control.clock_frequency)
 
     @property
     def has_clock(self) -> bool:

@@ -73,9 +73,9 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
     samples = len(next(iter(inputs.values())))
     everything = np.arange(samples)
     control = ControlInterface(policy.robot, policy.control, samples, policy.fields)
-    control.reset(everything, inputs[graph_io.GAIT_PHASE][:, 0].astype(np.float64) if interface.has_clock else 0.0)
-    if graph_io.COMMAND in inputs:
-        control.set_command(everything, inputs[graph_io.COMMAND].astype(np.float64))
+    phase = inputs[graph_io.GAIT_PHASE][:, 0].astype(np.float64) if interface.has_clock else 0.0
+    command = inputs[graph_io.COMMAND].astype(np.float64) if graph_io.COMMAND in inputs else None
+    control.reset(everything, phase, command)
     readings = np.concatenate(
         [
             control.clock.copy() if entry is observations.gait_clock else inputs[entry.name].astype(np.float64)

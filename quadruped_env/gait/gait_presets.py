@@ -1,6 +1,7 @@
-"""Numbers of the scripted gaits: the tutorial's, and those that tools/tune_gait.py found."""
+"""Numbers of the scripted gaits: the tutorial's, the trot in closed form, and those that tools/tune_gait.py found."""
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any, Final, NamedTuple
 
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 
-PRESETS: Final = ("article", "trot", "walk", "bound", "pace", "tuned", "crouched", "low", "fast")
+PRESETS: Final = ("article", "sinusoid", "trot", "walk", "bound", "pace", "tuned", "crouched", "low", "fast")
 
 LEG_PHASES: Final = {
     "trot": (0.0, 0.5, 0.5, 0.0),
@@ -84,7 +85,63 @@ TUNED_FOR_ONE_SPEED: Final = {
 }
 """Preset -> angular frequency in rad/s, fore legs, hind legs; the phases are those of `LEG_PHASES`."""
 
+SINUSOID: Final = "sinusoid"
+"""Name of the trot in closed form, the base of `residual`."""
+
+CLOCK_FREQUENCY: Final = 3.4
+"""Frequency of the tuned robot's gait clock, Hz."""
+LIFT: Final = 0.2
+"""Angle by which the knee folds in a swing, rad."""
+TURN_GAIN: Final = 4.0
+"""Speed of a side in a turn, as a multiple of what the geometry asks for: the feet slide."""
+_SPEEDS: Final = (-1.0, 1.0)
+"""Forward velocities between which the amplitude is proportional to the velocity, m/s."""
+_LARGEST_YAW_RATE: Final = 0.8
+
+
+def sinusoid(frequency: float) -> dict[str, Any]:
+    """Parameters of the trot in closed form for the tuned robot, in the form of `COMMANDED`.
+
+    With leg length L, lift a, and the forward velocity u of the leg's side, a leg of phase p has
+
+        hip  = stance + a / (2 pi) + pi u / (8 f L) cos(p) + a / 4 sin(p)
+        knee = stance - a / pi                             - a / 2 sin(p)
+
+    The feet swing forward while sin(p) > 0. The lift is that of a knee that folds by a max(0, sin(p)) and a hip that
+    turns by half of it to keep the foot below, without their higher harmonics. During half a cycle on the ground the
+    hip turns by twice its amplitude, at a mean speed of (pi / 2) u: the servos lag behind their targets.
+
+    Args:
+        frequency: frequency of the clock f, Hz.
+    """
+    hip, knee = TUNED_ON.stance[:2].tolist()
+    stride = math.pi / (8.0 * frequency * TUNED_ON.stance_height)
+    half_track = float(abs(TUNED_ON.stance_feet[0, 1]))
+    none = dict.fromkeys(LegTable.__dataclass_fields__, (0.0, 0.0))
+    straight = {
+        "hip_sine": (LIFT / 4.0,) * 2,
+        "hip_offset": (hip + LIFT / math.tau,) * 2,
+        "knee_cosine": (0.0, 0.0),
+        "knee_sine": (-LIFT / 2.0,) * 2,
+        "knee_offset": (knee - LIFT / math.pi,) * 2,
+        "hip_cosine": tuple(stride * speed for speed in _SPEEDS),
+    }
+    side = {**none, "hip_cosine": (stride * TURN_GAIN * half_track,) * 2}
+    return {
+        "angular_frequency": math.tau * frequency,
+        "speeds": _SPEEDS,
+        "largest_yaw_rate": _LARGEST_YAW_RATE,
+        **dict.fromkeys(("fore", "hind"), straight),
+        **dict.fromkeys(("fore_turn", "hind_turn"), none),
+        **dict.fromkeys(("fore_side", "hind_side"), side),
+    }
+
+
 COMMANDED: Final[Mapping[str, Mapping[str, Any]]] = MappingProxyType(
-    json.loads((Path(__file__).parent / "commanded_gaits.json").read_text(encoding="utf-8"))
+    {
+        SINUSOID: sinusoid(CLOCK_FREQUENCY),
+        **json.loads((Path(__file__).parent / "commanded_gaits.json").read_text(encoding="utf-8")),
+    }
 )
-"""Parameters of the presets of `CommandedGait`, which follow a velocity command, as tools/tune_gait.py writes them."""
+"""Parameters of the presets of `CommandedGait`, which follow a velocity command: the sinusoid, and those that
+tools/tune_gait.py writes."""

@@ -8,8 +8,9 @@ For each leg, with phase p of the joint and angular frequency w:
 The form is that of the ROS 2 tutorial, whose parameters are the preset `article`. `CommandedGait` adapts it to a
 commanded forward velocity and yaw rate. Units: rad, rad/s, s.
 
-The other presets were tuned on the built-in robot. On another robot with a hip and a knee per leg, the feet make the
-same motions about its stance, as nearly as sinusoids can.
+The other presets are for the built-in robot. On another robot with a hip and a knee per leg, the feet make the same
+motions about its stance, as nearly as sinusoids can, in proportion to the height of its stance; times and speeds are in
+proportion to the square root of it.
 """
 
 import functools
@@ -27,11 +28,13 @@ from quadruped_env.gait.gait_presets import (
     COMMANDED,
     LEG_PHASES,
     PRESETS,
+    SINUSOID,
     TUNED_FOR_ONE_SPEED,
     TUNED_ON,
     LegTable,
+    sinusoid,
 )
-from quadruped_env.gait.waves import Waves, joint_phases, map_waves, wave_positions
+from quadruped_env.gait.waves import Waves, joint_phases, map_waves, relative_size, wave_positions
 from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
@@ -45,8 +48,8 @@ _KNEES: Final = slice(1, None, 2)
 
 _TABLES: Final = ("fore", "hind", "fore_turn", "hind_turn", "fore_side", "hind_side")
 
-WHOLE_STEPS: Final = (0.05, 0.15)
-"""Forward velocity (m/s) and yaw rate (rad/s) from which on a command is followed with whole steps."""
+_WHOLE_STEPS: Final = (0.05, 0.15)
+"""Forward velocity (m/s) and yaw rate (rad/s) from which on the tuned robot takes whole steps."""
 
 
 @dataclass(frozen=True)
@@ -95,13 +98,13 @@ class SinusoidalGait:
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
         """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
 
-        `tuned`, `crouched`, `low` and `fast` are those of `CommandedGait` at 0.4 m/s straight ahead.
+        `sinusoid`, `tuned`, `crouched`, `low` and `fast` are those of `CommandedGait` at 0.4 m/s straight ahead.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
         """
         if name in COMMANDED:
-            return CommandedGait.preset(name, robot).at((0.4, 0.0))
+            return CommandedGait.preset(name, robot).at((0.4 * math.sqrt(relative_size(robot)), 0.0))
         if name not in _PRESETS:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
@@ -189,7 +192,8 @@ def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
         np.stack([hip_offset, knee_offset], axis=1).ravel(),
     )
     mapped = map_waves(robot, *waves)
-    return _sinusoids(robot, gait.angular_frequency, np.repeat(phases[:, 0], 2), *mapped)
+    frequency = gait.angular_frequency / math.sqrt(relative_size(robot))
+    return _sinusoids(robot, frequency, np.repeat(phases[:, 0], 2), *mapped)
 
 
 def _sinusoids(
@@ -301,9 +305,10 @@ class CommandedGait:
         right is the mirror image of one to the left.
         """
         # A wider robot's feet are moved farther by the same yaw rate.
-        width = half_track(self.robot) / half_track(TUNED_ON)
+        width = half_track(self.robot) / half_track(TUNED_ON) / relative_size(self.robot)
+        largest = self.largest_yaw_rate * math.sqrt(relative_size(self.robot))  # of the tuned robot
         ahead, outer, inner = (
-            np.array(map_waves(self.robot, *(straight + width * self.largest_yaw_rate * change)))
+            np.array(map_waves(self.robot, *(straight + width * largest * change)))
             for change in (0.0 * turn, turn + side, turn - side)
         )
         return (
@@ -323,7 +328,9 @@ class CommandedGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """`tuned`, `crouched`, `low` or `fast`: the robot's own of `Robot.gaits`, or else the preset, mapped to it.
+        """A gait by name: the robot's own of `Robot.gaits`, or else the preset, mapped to it.
+
+        `sinusoid` is the trot in closed form, `tuned`, `crouched`, `low` and `fast` were found by searches.
 
         Raises:
             QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
@@ -334,6 +341,19 @@ class CommandedGait:
                 f"CommandedGait.preset: {name!r} follows no command; those that do are {', '.join(COMMANDED)}"
             )
         return _commanded(name, robot)
+
+    @classmethod
+    def sinusoid(cls, robot: Robot, frequency: float) -> "CommandedGait":
+        """The trot in closed form, whose strides are those of a gait clock.
+
+        Args:
+            robot: robot that walks.
+            frequency: frequency of its clock, Hz.
+
+        Raises:
+            QuadrupedError: if the scripted gaits do not fit the robot.
+        """
+        return _sinusoid(robot, frequency)
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
@@ -364,12 +384,16 @@ class CommandedGait:
         fade, stance = self.fade(command)[:, None], self.robot.stance
         return fade * sine, fade * cosine, stance + fade * (offset - stance)
 
-    @staticmethod
-    def fade(command: Floats) -> Floats:
+    @property
+    def whole_steps(self) -> tuple[float, float]:
+        """Forward velocity (m/s) and yaw rate (rad/s) from which on a command is followed with whole steps."""
+        root = math.sqrt(relative_size(self.robot))
+        return _WHOLE_STEPS[0] * root, _WHOLE_STEPS[1] / root
+
+    def fade(self, command: Floats) -> Floats:
         """Size of the steps (N,), 0 for a command of zero and 1 for one that is worth whole steps."""
-        return np.minimum(
-            1.0, np.maximum(np.abs(command[:, 0]) / WHOLE_STEPS[0], np.abs(command[:, 1]) / WHOLE_STEPS[1])
-        )
+        forward, turning = self.whole_steps
+        return np.minimum(1.0, np.maximum(np.abs(command[:, 0]) / forward, np.abs(command[:, 1]) / turning))
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> Floats:
         """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
@@ -400,6 +424,21 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
         ) from error
 
 
+@functools.cache
+def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
+    if SINUSOID in (robot.gaits or {}):
+        return _commanded(SINUSOID, robot)
+    return _from_numbers(sinusoid(frequency * math.sqrt(relative_size(robot))), robot)
+
+
 def _from_numbers(numbers: Mapping[str, Any], robot: Robot, native: bool = False) -> CommandedGait:
     tables = {table: LegTable(**numbers[table]) for table in _TABLES}
+    if not native:
+        root = math.sqrt(relative_size(robot))
+        numbers = {
+            **numbers,
+            "angular_frequency": numbers["angular_frequency"] / root,
+            "speeds": tuple(speed * root for speed in numbers["speeds"]),
+            "largest_yaw_rate": numbers["largest_yaw_rate"] / root,
+        }
     return CommandedGait(**{**numbers, **tables}, robot=robot, native=native)

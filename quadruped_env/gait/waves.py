@@ -29,11 +29,16 @@ def joint_phases(robot: Robot, gait: str = "trot") -> Floats:
     return np.repeat(phases * math.tau, 2)
 
 
+def relative_size(robot: Robot) -> float:
+    """Height of a robot's stance over that of the tuned one."""
+    return robot.stance_height / TUNED_ON.stance_height
+
+
 def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Waves:
     """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot.
 
-    Its feet make the same motions about its stance, as nearly as sinusoids can: inverse kinematics gives the joint
-    positions of a cycle, and projection their waves.
+    Its feet make the same motions about its stance, in proportion to its height and as nearly as sinusoids can: inverse
+    kinematics gives the joint positions of a cycle, and projection their waves.
 
     Raises:
         QuadrupedError: if the robot has not one leg with hip and knee in each corner, or a straight one in the stance.
@@ -46,7 +51,7 @@ def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Wav
     joints = (sine * np.sin(angle) + cosine * np.cos(angle) + offset).reshape(-1, robot.num_legs, 2)
     # The tuned robot's legs are in the order of the corners.
     feet = TUNED_ON.foot_centres(joints[:, np.argsort(legs)].reshape(len(joints), -1))
-    away = (feet - TUNED_ON.foot_centres(TUNED_ON.stance))[:, legs, ::2]
+    away = relative_size(robot) * (feet - TUNED_ON.foot_centres(TUNED_ON.stance))[:, legs, ::2]
     mapped = postures_with_feet_at(robot, robot.foot_centres(robot.stance)[:, ::2] + away)
     mapped = mapped.reshape(_SAMPLES, *np.shape(sine))
     wave = 2.0 / _SAMPLES

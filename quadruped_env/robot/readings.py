@@ -94,11 +94,11 @@ class Readings:
 
     @classmethod
     def from_sensordata(cls, model: mujoco.MjModel, sensordata: Floats, robot: Robot) -> Self:
-        """Readings as views of sensordata (N, model.nsensordata)."""
+        """Readings as views of sensordata (..., model.nsensordata), whose leading axes they have in place of N."""
         views = {}
         for field, columns in sensor_columns(model, robot).items():
-            view = sensordata[:, columns]
-            views[field] = view.reshape(len(view), robot.num_legs, 3) if field in _FOOT_VECTORS else view
+            view = sensordata[..., columns]
+            views[field] = view.reshape(*view.shape[:-1], robot.num_legs, 3) if field in _FOOT_VECTORS else view
         return cls(**views)
 
     @classmethod

@@ -9,6 +9,7 @@ from pydrake.multibody.plant import ExternallyAppliedSpatialForce
 from pydrake.systems.analysis import Simulator
 
 from quadruped_env.sim2sim.drake_model import DrakeModel, errors_only
+from quadruped_env.utils import rotations
 
 Floats = NDArray[np.float64]
 
@@ -126,9 +127,12 @@ class DrakeRobot:
         return found
 
     def push(self, velocity: Floats) -> None:
-        """Add a velocity (3,) in the world frame to the base, m/s."""
+        """Add a velocity to the base: in the world frame, m/s (3,), or with that about the body's axes, rad/s (6,)."""
         v = self.plant.GetVelocities(self.context)
-        v[self._model.base_velocity][3:] += velocity
+        base = v[self._model.base_velocity]
+        base[3:] += velocity[:3]
+        if len(velocity) > 3:
+            base[:3] += rotations.rotate(self.orientation(), velocity[3:])
         self.plant.SetVelocities(self.context, v)
 
     def set_force(self, force: Floats) -> None:

@@ -57,6 +57,7 @@ class DrakeSimulation:
         self.sensordata = np.zeros((num_envs, model.nsensordata))
         self.sensor_columns = sensor_columns(model, robot)
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
+        self._record(1)
         self._imu = Site.of_sensor(model, robot.sensors["base_position"][0])
         self._feet, self._foot_zones, self._trunk_zones = (
             [Site.of_sensor(model, name) for name in robot.sensors[field]]
@@ -66,7 +67,16 @@ class DrakeSimulation:
     def step(self, joint_target: Floats, substeps: int, env_ids: EnvIds | None = None) -> None:
         """See `Simulation.step`."""
         running = np.arange(self.num_envs) if env_ids is None else env_ids
-        for _ in range(self._steps_in(substeps)):
+        steps = self._steps_in(substeps)
+        if substeps != len(self._recorded):
+            self._record(substeps)
+        # Drake's step at which each physics step of the task begins, as nearly as they fit.
+        begins = {round(k * steps / substeps): k for k in range(substeps)}
+        for step in range(steps):
+            if step in begins:
+                for i in running[~self._failed[running]] if step else ():
+                    self._read(i)
+                self._recorded[begins[step], running] = self.sensordata[running]
             running = running[~self._failed[running]]
             torque = self._servos.torque(joint_target, self._joint_position, self._joint_velocity)
             friction = self._servos.friction(self._joint_velocity) if self._servos.has_friction else None
@@ -80,6 +90,11 @@ class DrakeSimulation:
                 self._joint_position[i], self._joint_velocity[i] = self.robots[i].joints()
         for i in running[~self._failed[running]]:
             self._read(i)
+
+    def _record(self, substeps: int) -> None:
+        """Make room for the readings of a number of physics steps."""
+        self._recorded = np.zeros((substeps, *self.sensordata.shape))
+        self.substeps = Readings.from_sensordata(self.model, self._recorded, self.robot)
 
     def _steps_in(self, substeps: int) -> int:
         """Steps of Drake in a number of physics steps of the task."""

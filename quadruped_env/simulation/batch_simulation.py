@@ -17,7 +17,6 @@ from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, S
 
 _WARNING_COUNT = 1
 _DISABLE: Final = mujoco.mjtDisableBit
-_NO_SENSORS: Final = int(_DISABLE.mjDSBL_SENSOR)
 _NO_FORCES: Final = int(_DISABLE.mjDSBL_CONSTRAINT) | int(_DISABLE.mjDSBL_SPRING) | int(_DISABLE.mjDSBL_DAMPER)
 
 
@@ -54,6 +53,7 @@ class BatchSimulation:
         self.sensordata = self._sensordata.view()
         self.sensordata.flags.writeable = False
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
+        self._record(0)
         self._qpos = self.batch.bind("qpos")
         self._qvel = self.batch.bind("qvel")
         self._ctrl = self.batch.bind("ctrl")
@@ -72,17 +72,23 @@ class BatchSimulation:
         if env_ids is not None and not len(env_ids):
             return
         self._ctrl[:] = joint_target
-        if substeps > 1:
-            # The last substep overwrites what the sensors would read before it: a tenth of the time.
-            self._switch_off(_NO_SENSORS)
-            self._try(self.batch.step, env_ids, nstep=substeps - 1)
+        if substeps != len(self._recorded):
+            self._record(substeps)
+        rows = slice(None) if env_ids is None else env_ids
         self._switch_off(0)
-        self._try(self.batch.step, env_ids)
+        for recorded in self._recorded:
+            self._try(self.batch.step, env_ids)
+            recorded[rows] = self._computed[rows]
         self._read(self._force_columns, env_ids)
         # Positions and velocities do not depend on forces, and finding contacts would take as long again.
         self._switch_off(_NO_FORCES)
         self._try(self.batch.forward, env_ids, stage=SETTLED)
         self._read(self._other_columns, env_ids)
+
+    def _record(self, substeps: int) -> None:
+        """Make room for the readings of a number of physics steps."""
+        self._recorded = np.zeros((substeps, *self._computed.shape))
+        self.substeps = Readings.from_sensordata(self.model, self._recorded, self.robot)
 
     def _switch_off(self, parts: int) -> None:
         """Switch off parts of MuJoCo, besides those that the model switches off: the bits of `disableflags`."""
@@ -136,7 +142,7 @@ class BatchSimulation:
 
     def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
         """See `Simulation.push`."""
-        self._qvel[env_ids, :3] += velocity
+        self._qvel[env_ids, : velocity.shape[1]] += velocity
 
     def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
         """See `Simulation.set_force`."""

@@ -48,6 +48,9 @@ class Simulation(Protocol):
     """Heights of the ground; None if it is a plane at height 0."""
     readings: Readings
     """Live readings; `Readings` says at which substep each is taken."""
+    substeps: Readings
+    """Readings at the beginning of each physics step of the latest control step, (S, N, ...): all of one instant, also
+    the forces. Live, and meaningless before the first step. Of envs that a step leaves out they are older."""
     sensordata: NDArray[np.float64]
     """MuJoCo's sensor data (N, model.nsensordata), live and read-only; the readings are views of it."""
     sensor_columns: dict[str, slice]
@@ -69,9 +72,14 @@ class Simulation(Protocol):
         ...
 
     def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
-        """Add a velocity (R, 3) in the world frame, in m/s, to the base of some envs (R,).
+        """Add a velocity to the base of some envs (R,).
 
         Readings change with the next step.
+
+        Args:
+            env_ids: indices of the envs.
+            velocity: linear velocity in the world frame in m/s (R, 3), or with it the angular velocity in the body
+                frame in rad/s (R, 6).
         """
         ...
 

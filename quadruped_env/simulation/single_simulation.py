@@ -13,8 +13,6 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
 
-_NO_SENSORS = int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
-
 
 class SingleSimulation:
     """`Simulation` with one env.
@@ -45,32 +43,30 @@ class SingleSimulation:
         self.readings = Readings.from_sensordata(self.model, self.sensordata, self.robot)
         self._ctrl = self.data.ctrl
         self._warnings = self.data.warning.number[DIVERGENCE_WARNINGS]
-        self._options = self.model.opt
+        self._record(0)
+
+    def _record(self, substeps: int) -> None:
+        """Make room for the readings of a number of physics steps."""
+        self._recorded = np.zeros((substeps, *self.sensordata.shape))
+        self.substeps = Readings.from_sensordata(self.model, self._recorded, self.robot)
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
         if env_ids is not None and not len(env_ids):
             return
         self._ctrl[:] = joint_target[0]
-        model, data, options = self.model, self.data, self._options
-        flags = options.disableflags
+        if substeps != len(self._recorded):
+            self._record(substeps)
+        model, data = self.model, self.data
         # The last call ended after the first half of a step (mj_step1), so that the second half comes first.
         finish_step = mujoco.mj_step2 if self._settled else mujoco.mj_step
         self._settled = False
         try:
-            if substeps > 1:
-                # The last substep overwrites what the sensors would read before it: 4 % of the time.
-                options.disableflags = flags | _NO_SENSORS
-                try:
-                    finish_step(model, data)
-                    if substeps > 2:
-                        mujoco.mj_step(model, data, substeps - 2)
-                    mujoco.mj_step1(model, data)
-                finally:
-                    options.disableflags = flags
+            for recorded in self._recorded:
+                finish_step(model, data)
+                recorded[0] = data.sensordata
+                mujoco.mj_step1(model, data)
                 finish_step = mujoco.mj_step2
-            finish_step(model, data)
-            mujoco.mj_step1(model, data)
             self._settled = True
         except mujoco.FatalError:
             self._failed = True
@@ -109,7 +105,7 @@ class SingleSimulation:
         """See `Simulation.push`."""
         if not len(env_ids):
             return
-        self.data.qvel[:3] += velocity[0]
+        self.data.qvel[: velocity.shape[1]] += velocity[0]
         self._settled = False
 
     def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
@@ -160,7 +156,7 @@ class SingleSimulation:
     def __getstate__(self) -> dict[str, Any]:
         # The readings are views of the data, and unpickling would turn them into copies: `_bind` creates them again.
         attributes = self.__dict__.copy()
-        for name in ("readings", "sensordata", "_ctrl", "_warnings", "_options"):
+        for name in ("readings", "sensordata", "substeps", "_recorded", "_ctrl", "_warnings"):
             del attributes[name]
         return attributes
 

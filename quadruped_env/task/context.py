@@ -10,6 +10,7 @@ from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation.height_field import HeightField
+from quadruped_env.task import quantities
 
 Floats = NDArray[np.float64]
 
@@ -41,6 +42,8 @@ class TaskContext:
     """Height of each foot's lowest point over the ground below it (N, L), m."""
     leg_clock: Floats
     """Sine of each leg's phase, (N, L); positive while the foot should swing."""
+    substeps: Readings
+    """Readings at the beginning of each physics step of the latest control step, (S, N, ...)."""
 
     def __init__(
         self,
@@ -67,6 +70,11 @@ class TaskContext:
         """`smooth_velocity` minus the command in force during the step, (N, 2)."""
         self.fallen: Floats = np.zeros(n, like=like)
         """1.0 where the episode ends in a fall in this step, else 0.0, (N,)."""
+        self.landing_speed: Floats = np.zeros((n, self.robot.num_legs), like=like)
+        """Downward speed at which each foot has touched down in this control step, else 0, (N, L), m/s."""
+        self.slip: Floats = np.zeros((n, self.robot.num_legs), like=like)
+        """Squared sliding speed of each sole while it is on the ground, mean over the step, (N, L), m^2/s^2."""
+        self._airborne: Floats = self.memory.zeros("airborne", self.robot.num_legs)
         self.contact_threshold = contact_threshold
         """Normal force above which a foot is in contact, N."""
         self._height_field = height_field
@@ -88,8 +96,10 @@ class TaskContext:
         """1.0 where a motion is commanded, else 0.0, (N,)."""
         self.read()
 
-    def update(self) -> None:
-        """Update everything after a control step."""
+    def update(self, substeps: Readings) -> None:
+        """Update everything after a control step, whose readings at the physics' rate are given."""
+        self.substeps = substeps
+        self._contacts()
         self.velocity[:, 0] = self.readings.linear_velocity_b[:, 0]
         self.velocity[:, 1] = self.readings.angular_velocity_b[:, 2]
         self.smooth_velocity += self._smoothing * (self.velocity - self.smooth_velocity)
@@ -108,6 +118,22 @@ class TaskContext:
             self.base_height = self.base_height - self._height_field.at(readings.base_position)
             self.sole_height = self.sole_height - self._height_field.at(readings.foot_position)
         self.leg_clock = self.control.leg_clock()
+
+    def _contacts(self) -> None:
+        """Compute landings and slip from the readings of each physics step."""
+        substeps = self.substeps
+        on_ground = (substeps.foot_force > self.contact_threshold).astype(np.float64)
+        sliding = on_ground * quantities.sliding_squared(
+            substeps.foot_velocity, substeps.foot_angular_velocity, self.robot.foot_radius
+        )
+        down = np.maximum(-substeps.foot_velocity[..., 2], 0.0)
+        self.landing_speed.fill(0.0)
+        self.slip.fill(0.0)
+        for touching, sole, slip in zip(on_ground, down, sliding, strict=True):
+            np.maximum(self.landing_speed, self._airborne * touching * sole, out=self.landing_speed)
+            self.slip += slip
+            np.subtract(1.0, touching, out=self._airborne)
+        self.slip /= len(on_ground)
 
     def ground_height(self, positions: Floats) -> Floats:
         """Height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""

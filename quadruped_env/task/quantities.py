@@ -25,10 +25,11 @@ def clock_agreement(lift: Real, clock_sine: Real) -> Floats:
 
 
 def foot_lift(sole_height: Floats, full: float) -> Floats:
-    """Lift of each foot (N, L): -1 on the ground, 1 at the full height and above, 1 - 2 (1 - height / full)^2 between.
+    """Lift of each foot (N, L): 1 - 2 (1 - height / full)^2, at least -1: -1 on the ground, 1 at the full height.
 
     Unlike contact it is continuous, so a small increase in height already increases the reward. The slope is largest
-    at the ground, so it does not pay to drag one foot and lift the others higher.
+    at the ground, so it does not pay to drag one foot and lift the others higher. Beyond the full height it falls
+    again: a foot that is thrown up gains nothing.
 
     Args:
         sole_height: height of each foot over the ground (N, L), m.
@@ -36,34 +37,43 @@ def foot_lift(sole_height: Floats, full: float) -> Floats:
     """
     # Scaled so that the square of the missing height is 2 on the ground.
     root = math.sqrt(2.0)
-    missing = np.maximum(root - sole_height * (root / full), 0.0)
-    return 1.0 - missing**2
+    missing = root - sole_height * (root / full)
+    return np.maximum(1.0 - missing**2, -1.0)
 
 
 def mechanical_power(torque: Real, velocity: Real) -> Floats:
-    """Mechanical power of the motors (N,), W; negative power counts as zero."""
+    """Mechanical power of the motors (...,), W; negative power counts as zero."""
     return np.maximum(torque * velocity, 0.0).sum(axis=-1)
 
 
 def electrical_power(torque: Real, velocity: Real, joule_coefficient: Floats) -> Floats:
-    """Electrical power of the motors (N,), W: `mechanical_power`, and the heat in their windings.
+    """Electrical power of the motors (...,), W: `mechanical_power`, and the heat in their windings.
 
     Args:
-        torque: motor torques (N, J), N m.
-        velocity: joint velocities (N, J), rad/s.
+        torque: motor torques (..., J), N m.
+        velocity: joint velocities (..., J), rad/s.
         joule_coefficient: heat per squared torque of each motor (J,), W/(N m)^2; `MotorConfig.joule_coefficients`.
     """
     return mechanical_power(torque, velocity) + (torque**2 * joule_coefficient).sum(axis=-1)
 
 
+def mean_over_steps(values: Floats) -> Floats:
+    """Mean (N,) over physics steps of values (S, N)."""
+    # One by one: a sum along the first axis adds those of a single env in pairs.
+    total = values[0].copy()
+    for step in values[1:]:
+        total += step
+    return total / len(values)
+
+
 def sliding_squared(foot_velocity: Floats, foot_angular_velocity: Floats, radius: float) -> Floats:
-    """Squared horizontal velocity of each foot's lowest point (N, L), m^2/s^2.
+    """Squared horizontal velocity of each foot's lowest point (..., L), m^2/s^2.
 
     The lowest point of a ball that rolls without slipping is at rest: v + omega x (0, 0, -r).
 
     Args:
-        foot_velocity: velocity of the ball's centre (N, L, 3), m/s.
-        foot_angular_velocity: angular velocity of the foot (N, L, 3), rad/s.
+        foot_velocity: velocity of the ball's centre (..., L, 3), m/s.
+        foot_angular_velocity: angular velocity of the foot (..., L, 3), rad/s.
         radius: r, m.
     """
     along_x = foot_velocity[..., 0] - foot_angular_velocity[..., 1] * radius

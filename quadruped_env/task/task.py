@@ -254,7 +254,7 @@ class Task:
         sensors = self._randomizer.sensors
         ctrl = target if sensors is None else sensors.joint_target(target)
         self.simulation.step(ctrl, self.config.decimation, running)
-        self.context.update()
+        self.context.update(self.simulation.substeps)
         diverged = self.simulation.diverged()
         terminated = self._terminations(self.context, diverged)
         self.context.fallen[:] = terminated

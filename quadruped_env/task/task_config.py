@@ -16,7 +16,15 @@ import mujoco
 import numpy as np
 
 from quadruped_env.control.clock import Frequency, frequency_of
-from quadruped_env.control.control_config import ActionConfig, Command, ControlConfig, check, check_history, check_rates
+from quadruped_env.control.control_config import (
+    COMMAND_RATE,
+    ActionConfig,
+    Command,
+    ControlConfig,
+    check,
+    check_history,
+    check_rates,
+)
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import MotorConfig
@@ -56,9 +64,11 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     """Fields of the sections that depend on the task's definition."""
     command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in definition.commands} | {
         "standing_fraction": parameter_entry(Parameter(low=0.0), 0.1),
-        "straight_fraction": parameter_entry(Parameter(low=0.0), 0.4),
-        "turning_fraction": parameter_entry(Parameter(low=0.0), 0.1),
-        "resample_interval": range_entry((3.0, 6.0), _POSITIVE_SECONDS),
+        "straight_fraction": parameter_entry(Parameter(low=0.0), 0.25),
+        "turning_fraction": parameter_entry(Parameter(low=0.0), 0.15),
+        "resample_interval": range_entry((1.0, 5.0), _POSITIVE_SECONDS),
+        "forward_acceleration": parameter_entry(Parameter.positive("m/s^2"), COMMAND_RATE["forward_acceleration"]),
+        "yaw_acceleration": parameter_entry(Parameter.positive("rad/s^2"), COMMAND_RATE["yaw_acceleration"]),
     }
     weights = {term: Entry(default, number) for term, default in definition.weights.items()}
     reward: dict[str, Entry] = {
@@ -266,7 +276,7 @@ class TaskConfig(PlainFields):
     """Physics time step, s."""
     clock_frequency: Frequency = 3.4
     """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
-    observation_history: int = 1
+    observation_history: int = 3
     """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
     action: ActionConfig = field(default_factory=ActionConfig)
     command: Section = _OF_THE_DEFINITION
@@ -395,6 +405,7 @@ class TaskConfig(PlainFields):
             clock_frequency=self.clock_frequency,
             observation_history=self.observation_history,
             action=self.action,
+            command_rate=tuple(self.command[name] for name in COMMAND_RATE),
             commands=self.commands,
         )
 

@@ -37,14 +37,6 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
             "level ground of any friction, and an undisturbed robot",
             {"asymmetric_critic": True},
             task={"randomization": {"friction": [0.6, 1.0]}},
-            # The gait has clean steps to keep. From scratch, weights this large would pay for marching. Without a cost
-            # of touchdowns, feet that rise this high bounce at 0.5 m/s.
-            on_gait={
-                "reward": {
-                    "weights": {"gait_clock": 18.0, "contact_clock": 14.0, "touchdowns": -100.0},
-                    "foot_lift": 0.024,
-                }
-            },
         ),
         "robust": Recipe(
             "another robot in each episode, with sensor noise, latency and pushes",
@@ -61,9 +53,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
                 "reward": {
                     # By default a fall costs about a second's reward: less than what a policy that follows its commands
                     # a little better earns between two falls.
-                    "weights": {"fall": -300.0, "high_steps": -10_000.0},
                     "foot_lift": 0.006,
-                    "step_height": 0.008,
                 },
             },
         ),
@@ -94,7 +84,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
                     "kinds": ["flat", *["slope"] * 3, "rough", *["steps"] * 2, "stairs", "gaps", "wave"],
                 },
                 "randomization": "moderate",
-                "reward": {"weights": {"gait_clock": 14.0, "joint_speed": -0.3}, "foot_lift": 0.045},
+                "reward": {"foot_lift": 0.045},
             },
         ),
         "fast": Recipe(
@@ -107,7 +97,6 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
                 "action": {"gait": "fast"},
                 "clock_frequency": 3.2,
                 "command": {"forward_velocity": [-0.4, 0.9], "yaw_rate": [-1.5, 1.5]},
-                "reward": {"weights": {"joint_speed": -0.3}},
             },
         ),
     }

@@ -113,6 +113,7 @@ class WarpSimulation:
         self._fields: dict[str, TensorArray] = {}
         self._graphs: dict[Any, Any] = {}
         self._initial_history = self._filled_history()
+        self._record(1)
         self._settle()
 
     def step(self, joint_target: TensorArray, substeps: int, env_ids: TensorArray | None = None) -> None:
@@ -125,18 +126,29 @@ class WarpSimulation:
         if env_ids is not None:
             raise QuadrupedError("step: on a GPU all envs advance together; reset those whose episode has ended")
         self._ctrl.copy_(joint_target.tensor)
+        if substeps != len(self._recorded):
+            self._record(substeps)
         self._launch(("step", substeps), lambda: self._advance(substeps))
         self._check_overflow()
         self.sensordata.tensor.copy_(self._measured)
+        self._past.tensor.copy_(_view(self._recorded))
+
+    def _record(self, substeps: int) -> None:
+        """Make room for the readings of a number of physics steps."""
+        shape = substeps, self.num_envs, self.model.nsensordata
+        with warp.ScopedDevice(self._device):
+            self._recorded = warp.zeros(shape, dtype=float)
+        self._past = TensorArray(torch.zeros(shape, dtype=torch.float64, device=self.torch_device))
+        past: Any = self._past
+        self.substeps = Readings.from_sensordata(self.model, past, self.robot)
 
     def _advance(self, substeps: int) -> None:
-        """Physics steps from the second half of one to the first half of another, as in the other drivers."""
+        """Physics steps, and the first half of another, as in the other drivers."""
         model, data = self.warp_model, self.data
-        data.sensordata.zero_()
         for substep in range(substeps):
-            if substep:
-                mujoco_warp.step1(model, data)
+            mujoco_warp.step1(model, data)
             mujoco_warp.step2(model, data)
+            warp.copy(self._recorded[substep], data.sensordata)
         warp.launch(
             restart_diverged,
             dim=self.num_envs,
@@ -239,7 +251,7 @@ class WarpSimulation:
     def push(self, env_ids: TensorArray, velocity: TensorArray) -> None:
         """See `Simulation.push`."""
         index = env_ids.tensor
-        self._qvel[index, :3] += velocity.tensor.float()
+        self._qvel[index, : velocity.shape[1]] += velocity.tensor.float()
         self._settle()
 
     def set_force(self, env_ids: TensorArray, force: TensorArray) -> None:

@@ -40,7 +40,11 @@ def _joint_velocity(event: Event, values: Floats) -> None:
 
 
 def _base_velocity(event: Event, values: Floats) -> None:
-    event.qvel[:, :6] += values
+    event.qvel[:, :3] += values
+
+
+def _base_rotation(event: Event, values: Floats) -> None:
+    event.qvel[:, 3:6] += values
 
 
 def _tilt(event: Event, values: Floats) -> None:
@@ -56,7 +60,17 @@ def _payload_position(event: Event, values: Floats) -> None:
 
 
 def _push(event: Event, values: Floats) -> None:
+    event.simulation.push(event.env_ids, values)
+
+
+def _horizontal_push(event: Event, values: Floats) -> None:
     event.simulation.push(event.env_ids, _horizontal(values))
+
+
+def _rotating_push(event: Event, values: Floats) -> None:
+    both = np.zeros_like(values, shape=(len(values), 6))
+    both[:, 3:] = values
+    event.simulation.push(event.env_ids, both)
 
 
 def _force(event: Event, values: Floats) -> None:
@@ -104,9 +118,18 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "start_base_velocity",
         _base_velocity,
         0.2,
-        "m/s, rad/s",
-        6,
-        description="linear and angular velocity of the base along and about each axis at the start",
+        "m/s",
+        3,
+        description="velocity of the base along each axis at the start",
+        source="part of the task",
+    ),
+    Randomization(
+        "start_base_rotation",
+        _base_rotation,
+        0.2,
+        "rad/s",
+        3,
+        description="angular velocity of the base about each of its axes at the start",
         source="part of the task",
     ),
     Randomization(
@@ -290,14 +313,24 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         _push,
         0.0,
         "m/s",
-        2,
+        3,
         interval=("push_interval", (4.0, 8.0)),
-        description="velocity that a push adds to the base along each horizontal axis",
+        description="velocity that a push adds to the base along each axis of the world",
         source=f"+-1 m/s: {_MINUTES}",
     ),
     Randomization(
+        "push_rotation",
+        _rotating_push,
+        0.0,
+        "rad/s",
+        3,
+        interval=("push_interval", (4.0, 8.0)),
+        description="angular velocity that a push adds to the base about each of its axes",
+        source="+-0.5 rad/s in roll and pitch, +-0.8 rad/s in yaw: mjlab's velocity task",
+    ),
+    Randomization(
         "push_speed",
-        _push,
+        _horizontal_push,
         None,
         "m/s",
         2,
