@@ -15,7 +15,7 @@ from quadruped_env.evaluation.metrics import START_UP, WINDOW
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, in_mujoco
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
 from quadruped_env.task import Task, TaskConfig
-from quadruped_env.task.quantities import electrical_power
+from quadruped_env.task.quantities import electrical_power, mean_over_steps
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
 
@@ -183,13 +183,13 @@ def _run(
     fallen = np.zeros((steps, robots), np.bool_)
     rewards, power, squares = np.zeros(robots), np.zeros(robots), 0.0
     for step in range(steps):
-        command[step] = task.command
         transition = task.act(controller, observation)
-        readings = task.simulation.readings
+        readings, substeps = task.simulation.readings, task.context.substeps
+        command[step] = task.command
         velocity[step, :, 0], velocity[step, :, 1] = readings.linear_velocity_b[:, 0], readings.angular_velocity_b[:, 2]
         fallen[step] = transition.terminated
         rewards += transition.reward
-        power += electrical_power(readings.joint_torque, readings.joint_velocity, coefficient)
+        power += mean_over_steps(electrical_power(substeps.joint_torque, substeps.joint_velocity, coefficient))
         squares += float((task.control.action**2).mean())
         observation = transition.observation
         if transition.terminated.any():
@@ -212,7 +212,8 @@ def commands_met(velocity: Floats, command: Floats, fallen: Mask, dt: float) -> 
 
     A command holds until it changes, the robot falls or the time is over. It is met if the mean velocities from
     `START_UP` after its beginning to its end are within `TOLERANCE` of it. A command under which the robot falls is not
-    met. Other commands that hold for less than `START_UP` + `WINDOW` are left out.
+    met. Other commands that hold for less than `START_UP` + `WINDOW` are left out, and so are those through which a
+    command passes as it approaches the requested one.
 
     Args:
         velocity: forward velocity, m/s, and yaw rate, rad/s, (T, N, 2).
