@@ -20,18 +20,17 @@ Floats = NDArray[np.float64]
 
 
 class ZeroController:
-    """Zero action: the robot stands, or walks with the scripted gait of the mode `residual`.
+    """Zero action: the robot stands, or in mode `residual` walks with the scripted gait.
 
     Args:
-        action_mode: `position` or `residual`.
-        name: name in reports.
+        action_mode: action mode of the task.
     """
 
-    follows_command = False
+    name = "zero"
 
-    def __init__(self, action_mode: str = "position", name: str = "zero") -> None:
+    def __init__(self, action_mode: str = "position") -> None:
         self.action_mode = action_mode
-        self.name = name
+        self.follows_command = action_mode == "residual"
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""

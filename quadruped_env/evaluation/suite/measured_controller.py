@@ -89,8 +89,7 @@ class MeasuredController:
 
     def zero_action(self) -> "MeasuredController":
         """The zero action in the same task: a policy's gait alone, or its stance."""
-        name = f"{self.name}, zero action"
-        return MeasuredController(name, ZeroController(self.controller.action_mode, name), self.config)
+        return MeasuredController(f"{self.name}, zero action", ZeroController(self.controller.action_mode), self.config)
 
     @property
     def robot(self) -> Robot:
