@@ -3,7 +3,7 @@
 import json
 
 from quadruped_env.cli.train import with_recipe
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.suite.suite import COMPONENTS, RECOVERY
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig
 from quadruped_env.scale.sweep.search import Proposals
@@ -18,7 +18,7 @@ SUITE_RESULTS = {
     "conditions": {"robot": {"name": "mini"}, "mujoco": "4"},
     "name": "standing",
     "score": SCORE,
-    **{name: {} for name in COMPONENTS},
+    **{name: {} for name in (*COMPONENTS, RECOVERY)},
     "terrain": {"stairs": {"highest_level": 3}},
     "policy": {"name": "standing", "card": {}},
 }

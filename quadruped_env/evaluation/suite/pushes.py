@@ -57,8 +57,8 @@ def _at(times: Floats, velocity: Floats) -> BeforeStep:
 def obeyed(part: Pushes, rollout: Rollout) -> dict[str, Any]:
     """Shares of the episodes that do what was asked after the push, and that do not fall, as plain values.
 
-    Without a fall, the mean velocities over the last `final` seconds must be close to the command; a robot that was
-    told to stand must also stand still.
+    Without a fall, the mean velocities over the last `final` seconds must be close to the command; under a command
+    to stand, the robot must also stand still.
     """
     last = np.zeros_like(rollout.valid)
     last[len(last) - round(part.final / rollout.timestep) :] = True

@@ -154,7 +154,7 @@ def test_every_robot_is_pushed_once_by_its_own_push(recorded):
         PART, sizes=(0.1, 0.2), num_seeds=2, before=(0.1, 0.4), after=0.2, final=0.1, horizontal_sizes=(0.0,)
     )
     result = pushes.run(part, STANDING)
-    ids = np.concatenate([env_ids for env_ids, _, _ in recorded[:-1]])  # the last call pushes horizontally, nobody
+    ids = np.concatenate([env_ids for env_ids, _, _ in recorded[:-1]])  # the last call pushes no robot
     np.testing.assert_array_equal(np.sort(ids), np.arange(20))
     found = np.concatenate([velocity for _, velocity, _ in recorded[:-1]])[np.argsort(ids)] / PART.unit
     np.testing.assert_allclose(np.linalg.norm(found, axis=1), np.tile([0.1, 0.1, 0.2, 0.2], 5))

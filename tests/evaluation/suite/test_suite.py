@@ -58,7 +58,7 @@ def test_standing_scores_nothing(result):
     assert list(components) == list(COMPONENTS)
     assert not any(components.values())
     assert document["score"]["total"] == 0.0
-    # It stands when it is told to, survives pushes, and is stood up: all of that is reported.
+    # It stands under a command to stand, survives pushes, and is stood up: all of that is reported.
     assert document["commands"]["standing"]["mean"] == 1.0
     assert document["pushes"]["survived"]["mean"] > 0.5
     assert document["recovery"]["drop_10cm"]["recovered"]["mean"] == 1.0
