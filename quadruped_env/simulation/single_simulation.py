@@ -52,11 +52,11 @@ class SingleSimulation:
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
+        if substeps != len(self._recorded):
+            self._record(substeps)
         if env_ids is not None and not len(env_ids):
             return
         self._ctrl[:] = joint_target[0]
-        if substeps != len(self._recorded):
-            self._record(substeps)
         model, data = self.model, self.data
         # The last call ended after the first half of a step (mj_step1), so that the second half comes first.
         finish_step = mujoco.mj_step2 if self._settled else mujoco.mj_step

@@ -4,7 +4,7 @@ import itertools
 import math
 
 import numpy as np
-from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
+from tasks import ACTION_WIDTH, FRAME_WIDTH
 
 from quadruped_env.policies import Policy
 from quadruped_env.task import ActionConfig, TaskConfig
@@ -16,10 +16,11 @@ TINY = ((0.2, 0.0), (0.4, 0.0), (0.0, 0.0), (-0.2, 0.0), (0.0, 0.5))
 def random_policy(mode, **config):
     """A policy with random weights, for a task with this action mode and config."""
     rng = np.random.default_rng(0)
-    widths = (OBSERVATION_WIDTH, 16, ACTION_WIDTH)
+    task = TaskConfig(action=ActionConfig(mode=mode), **config)
+    widths = (FRAME_WIDTH * task.observation_history, 16, ACTION_WIDTH)
     weights = tuple(
         (0.3 * rng.normal(size=shape) / math.sqrt(shape[0])).astype(np.float32) for shape in itertools.pairwise(widths)
     )
     biases = tuple(np.zeros(width, np.float32) for width in widths[1:])
     card = {"command": "python train/ppo.py", "seed": 0, "best return": math.nan}
-    return Policy.for_task(weights, biases, "tanh", TaskConfig(action=ActionConfig(mode=mode), **config), card)
+    return Policy.for_task(weights, biases, "tanh", task, card)
