@@ -40,7 +40,7 @@ def main() -> int:
         type=json_object,
         default={},
         metavar="JSON",
-        help="other settings of the training, such as '{\"clock_noise\": 0}'",
+        help="other settings of the training, such as '{\"n_steps\": 16}'",
     )
     parser.add_argument("--limit", type=float, default=60.0, help="s of learning after which a seed has failed")
     parser.add_argument("--interval", type=float, default=1.0, help="s of learning between tests")

@@ -59,12 +59,12 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.evaluation.evaluated_policy import find_policy
     from quadruped_env.sim2sim import transfer_results
     from quadruped_env.sim2sim.engines import check_drake
-    from quadruped_env.sim2sim.transfer import COMMANDS, run_transfer
+    from quadruped_env.sim2sim.transfer import run_transfer
 
     evaluated = find_policy(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     evaluated.policy.check_is_data("sim2sim")
     check_drake()
-    commands = COMMANDS if arguments.velocities is None else [(v, w) for v, w in arguments.velocities]
+    commands = None if arguments.velocities is None else [(v, w) for v, w in arguments.velocities]
     transfer = run_transfer(
         evaluated.policy,
         commands,

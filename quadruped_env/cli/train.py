@@ -1,7 +1,7 @@
 """Train a walking policy with PPO, or with another algorithm.
 
 mini-quadruped train                          two minutes or less, then a policy that walks
-mini-quadruped train --recipe robust          named settings: flat, robust, rough, fast
+mini-quadruped train --recipe rough           for terrain of all kinds
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
@@ -28,7 +28,6 @@ from quadruped_env.cli.common_options import (
     check_level_has_terrain,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.control.policy_files import policy_directory
@@ -42,9 +41,9 @@ from quadruped_env.scale.ranks.training_launch import LAUNCHERS, check_ranks, la
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import ALGORITHMS, base_of, check_used
+from quadruped_env.training.algorithms import ALGORITHMS, algorithm, base_of, check_used
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
-from quadruped_env.training.train_config import GPU_DEFAULTS, defaults, on_gpu, possible_on, shortness
+from quadruped_env.training.train_config import GPU_DEFAULTS, on_gpu, shortness
 from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.interpreter import module_command, program_command
@@ -55,7 +54,7 @@ RUNS: Final = Path("runs")
 _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
 _SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed", "--device")
 """Options of the settings that `--help` shows."""
-_CHOICES: Final = {"recipe": RECIPES, "algo": ALGORITHMS, "action_mode": ACTION_MODES, "device": ("cpu", "cuda")}
+_CHOICES: Final = {"recipe": RECIPES, "algo": ALGORITHMS, "device": ("cpu", "cuda")}
 """Options that change the defaults of others, with their values."""
 
 
@@ -253,31 +252,25 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
         robot: robot of the task.
         whole: sections of the task's config that the user chose as a whole, in place of the recipe's.
     """
-    name, action_mode = (typed.get(option, getattr(TrainConfig, option)) for option in ("recipe", "action_mode"))
-    own = typed.get("task", {})
+    name, own = typed.get("recipe", TrainConfig.recipe), typed.get("task", {})
     chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
-    task = {
-        section: values for section, values in task_values(name, robot, action_mode).items() if section not in chosen
-    }
+    task = {section: values for section, values in task_values(name, robot).items() if section not in chosen}
     task = changed(task, own)
     return {**default_settings(typed), **typed, **({"task": task} if task else {})}
 
 
 def default_settings(typed: Mapping[str, Any]) -> dict[str, Any]:
-    """Fields of `TrainConfig`, without the task, whose defaults depend on the recipe, algorithm, mode and device."""
-    name, algo, action_mode, device = (typed.get(option, getattr(TrainConfig, option)) for option in _CHOICES)
+    """Fields of `TrainConfig`, without the task, whose defaults depend on the recipe, algorithm and device."""
+    name, algo, device = (typed.get(option, getattr(TrainConfig, option)) for option in _CHOICES)
     entry = recipe(name)
-    of_recipe = dict(entry.training)
-    if base_of(algo) == TrainConfig.algo:
-        of_recipe |= possible_on(device, entry.ppo)
-    if typed.get("policy"):
-        of_recipe["asymmetric_critic"] = False  # a plain policy class would let the actor see its columns
-    on_device = GPU_DEFAULTS if on_gpu(device) else {}
     return {
         "name": recorded_name(algo).rpartition(":")[2].lower(),
-        **defaults(algo, action_mode, device),
-        **of_recipe,
-        **on_device,
+        **algorithm(algo).defaults,
+        **entry.training,
+        **(entry.ppo if base_of(algo) == TrainConfig.algo else {}),
+        **(GPU_DEFAULTS if on_gpu(device) else {}),
+        # The actor of a policy class of one's own may see all columns that the critic sees.
+        **({"asymmetric_critic": False} if typed.get("policy") else {}),
     }
 
 

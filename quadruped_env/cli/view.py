@@ -1,6 +1,6 @@
 """Watch the robot walk, in a browser.
 
-    mini-quadruped view                         the latest run's policy, or the shipped robust
+    mini-quadruped view                         the latest run's policy, or the shipped flat
     mini-quadruped view flat trot runs/<name>   up to three robots side by side: policies, scripted gaits, runs
     mini-quadruped view walk.csv                a recording of joint states (or a bag), played through the motors
 

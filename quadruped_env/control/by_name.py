@@ -9,7 +9,7 @@ from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import LoopController, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.policy import CARD_FILE, Policy
-from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, is_code, read_policy, training_advice
+from quadruped_env.control.policy_files import SHIPPED, is_code, read_policy, training_advice
 from quadruped_env.errors import QuadrupedError, did_you_mean
 from quadruped_env.gait import PRESETS
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -89,7 +89,7 @@ def find_controllers(
 
     Args:
         names: controllers to start with, each as in `find_controller` or given itself; if empty, the latest run that
-            fits this robot, or else the shipped `LIVE_POLICY`.
+            fits this robot, or else the shipped `DEFAULT`.
         runs: directory of the training runs.
         load: reads policies.
         robot: robot that is controlled.
@@ -102,7 +102,7 @@ def find_controllers(
         spec.make()
     offered = [
         *_latest_runs(runs, load),
-        *(find_controller(name, load, robot) for name in (LIVE_POLICY, *SHIPPED, *reversed(PRESETS))),
+        *(find_controller(name, load, robot) for name in (*SHIPPED, *reversed(PRESETS))),
         ControllerSpec(STANDING, ZeroController),
     ]
     specs: dict[str, ControllerSpec] = {}

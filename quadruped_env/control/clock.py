@@ -15,6 +15,8 @@ from quadruped_env.utils.plain import Plain, PlainFields, plain
 Floats = NDArray[np.float64]
 
 FIELD: Final = "clock_frequency"
+UNITS: Final = {"speeds": "m/s", "frequencies": "Hz", "turn_arm": "m"}
+"""Unit of each field of a `CommandedFrequency`."""
 
 
 @dataclass(frozen=True)

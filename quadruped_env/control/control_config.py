@@ -6,8 +6,9 @@ from typing import Final, Literal, Self
 
 from quadruped_env.control.clock import Frequency, frequency_of, middle_frequency
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.gait import COMMANDED, SINUSOID, CommandedGait
+from quadruped_env.gait import CLOCK_FREQUENCY, COMMANDED, SINUSOID, CommandedGait
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
 from quadruped_env.utils.plain import Plain, PlainFields
 
@@ -119,8 +120,31 @@ COMMANDS: Final = (
 """The velocity command, which every task has."""
 
 
+def clock_frequency(robot: Robot) -> float:
+    """Default frequency of a robot's gait clock, Hz."""
+    return float(scaled(CLOCK_FREQUENCY, scale_of("Hz", robot)))
+
+
+def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> tuple[Command, ...]:
+    """Commands of a robot; the ranges of the built-in ones follow its size."""
+    return tuple(
+        replace(entry, range=scaled(entry.range, scale_of(entry.unit, robot)))
+        if any(entry is other for other in COMMANDS)
+        else entry
+        for entry in commands
+    )
+
+
 COMMAND_RATE: Final[Mapping[str, float]] = {"forward_acceleration": 1.0, "yaw_acceleration": 4.0}
-"""Fields of `config["command"]` with the largest rate of change of the velocity command, m/s^2 and rad/s^2."""
+"""Fields of `config["command"]` with the largest rate of change of the velocity command, for the built-in robot."""
+COMMAND_RATE_UNITS: Final = ("m/s^2", "rad/s^2")
+
+
+def command_rate(robot: Robot) -> tuple[float, float]:
+    """Default of the largest rate of change of a robot's forward velocity and yaw rate commands, m/s^2 and rad/s^2."""
+    rates = zip(COMMAND_RATE.values(), COMMAND_RATE_UNITS, strict=True)
+    forward, turn = (float(scaled(rate, scale_of(unit, robot))) for rate, unit in rates)
+    return forward, turn
 
 
 @dataclass(frozen=True)
@@ -129,7 +153,7 @@ class ControlConfig:
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: Frequency = 3.4
+    clock_frequency: Frequency = CLOCK_FREQUENCY
     """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
     observation_history: int = 3
     """Control steps whose observations a policy gets at once."""
@@ -138,6 +162,13 @@ class ControlConfig:
     """Largest rate at which the commanded forward velocity (m/s^2) and yaw rate (rad/s^2) change."""
     commands: tuple[Command, ...] = COMMANDS
     """Components of the command, the velocity command first."""
+
+    @classmethod
+    def of_robot(cls, robot: Robot) -> Self:
+        """The defaults for a robot."""
+        return cls(
+            clock_frequency=clock_frequency(robot), command_rate=command_rate(robot), commands=commands_for(robot)
+        )
 
     @classmethod
     def of_task(cls, values: Plain, commands: Sequence[Command] = COMMANDS) -> Self:

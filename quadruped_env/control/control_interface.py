@@ -11,7 +11,7 @@ from quadruped_env.control.clock import frequency_at
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
+from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.gait import joint_phases, wave_positions
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
@@ -79,6 +79,7 @@ class ControlInterface:
         self._gait, self._scale = config.action.scripted_gait(robot, config.clock_frequency), config.action.scale
         self._joint_phases = frozen(joint_phases(robot))
         self._leg_phases = self._joint_phases[:: robot.num_joints // robot.num_legs]
+        self._moving_threshold = frozen(moving_threshold(robot))
         self.stance: Floats = robot.stance[None]
         """Joint positions of the stance (1, J), rad."""
         self._observation_low, self._observation_high = (
@@ -129,7 +130,7 @@ class ControlInterface:
     def _set_velocity(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
         """Set the velocity commands (R, 2) of some envs (R,) at once."""
         self.command[env_ids] = velocity
-        fast = np.abs(velocity) > MOVING_THRESHOLD
+        fast = np.abs(velocity) > self._moving_threshold
         self.moving[env_ids] = fast[:, 0] | fast[:, 1]
         self._phase_step[env_ids] = self._clock_step(velocity)
         if self._gait is not None:

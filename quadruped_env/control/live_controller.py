@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.utils.rotations import rotate_inverse
 
@@ -70,6 +71,12 @@ class Safety:
     """Time in the stance before walking, s."""
     max_tilt: float = 1.0
     """Angle between the base's up axis and the world's above which the robot counts as fallen, rad."""
+
+    @classmethod
+    def of(cls, robot: Robot) -> Self:
+        """The defaults for a robot: its motion follows its size, and times without messages do not."""
+        units = {"ramp_speed": "rad/s", "min_ramp_time": "s", "settle": "s"}
+        return cls(**{name: scaled(getattr(cls, name), scale_of(unit, robot)) for name, unit in units.items()})
 
 
 class Mode(Enum):
@@ -135,11 +142,11 @@ class LiveController:
             policy.check_is_data("live controller")
             check_same_robot(policy.robot.identity, robot)
         if config is None:
-            config = ControlConfig() if policy is None else policy.control
+            config = ControlConfig.of_robot(robot) if policy is None else policy.control
         if policy is not None:
             # Here, not when it acts: by then the robot would be on its feet.
             policy.check_control(config)
-        self.safety = safety or Safety()
+        self.safety = safety or Safety.of(robot)
         self.mode = Mode.WAITING
         self._say = say
         self._controller = controller

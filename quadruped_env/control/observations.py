@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import frozen
 from quadruped_env.utils.plain import Plain
 
@@ -39,8 +40,8 @@ class ControlState(Protocol):
 
 
 Reader = Callable[..., Floats]
-PerRobot = float | Callable[[Robot], float]
-"""Number, or function that computes it from the robot."""
+PerRobot = float | Callable[[Robot], float | Floats]
+"""Number, or function that computes it from the robot; as an array, one number per column."""
 MirrorRule = Literal["joints", "feet"] | tuple[float, ...]
 
 
@@ -59,7 +60,8 @@ class Field:
     bound: PerRobot
     """Bound to which the scaled value is clipped, +-bound."""
     noise: float
-    """Amplitude of uniform noise on the reading if `randomization.observation_noise` is 1, in the reading's unit."""
+    """Amplitude of uniform noise on the reading if `randomization.observation_noise` is 1, in the reading's unit; of a
+    built-in field, for the built-in robot."""
     description: str
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -99,6 +101,16 @@ def observation(
     return lambda read: ObservationField(read.__name__, read, unit, mirror, scale, bound, noise, first_line(read))
 
 
+def per_unit(number: float, *units: str) -> Callable[[Robot], Floats]:
+    """Scale of a built-in field: a number per unit for the built-in robot, and for another one per unit of its size.
+
+    Args:
+        number: factor from the reading to the scaled value.
+        units: unit of the reading; or one per column.
+    """
+    return lambda robot: np.array([number / scale_of(unit, robot) for unit in units])
+
+
 def _named(module: str, name: str) -> Field:
     return getattr(importlib.import_module(module), name)
 
@@ -121,7 +133,7 @@ def projected_gravity(readings: Readings, control: ControlState) -> Floats:
 
 
 # Mirroring flips the x and z components of an axial vector.
-@observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=0.25, bound=4.0, noise=0.1)
+@observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=per_unit(0.25, "rad/s"), bound=4.0, noise=0.1)
 def angular_velocity(readings: Readings, control: ControlState) -> Floats:
     """Angular velocity in the base frame (gyroscope)."""
     return readings.angular_velocity_b
@@ -146,7 +158,7 @@ def last_action(readings: Readings, control: ControlState) -> Floats:
     return control.action
 
 
-@observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0)
+@observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=per_unit(4.0, "m/s", "rad/s"), bound=4.0)
 def command(readings: Readings, control: ControlState) -> Floats:
     """Commanded forward velocity and yaw rate."""
     return control.command
@@ -188,10 +200,9 @@ class ObservationLayout:
     slices: dict[str, slice] = field(init=False)
     """Columns of each field, by name."""
     scale: Floats = field(init=False)
-    """Factor per column, (width,); `low`, `high` and `noise` have the same shape."""
+    """Factor per column, (width,); `low` and `high` have the same shape."""
     low: Floats = field(init=False)
     high: Floats = field(init=False)
-    noise: Floats = field(init=False)
 
     def __post_init__(self) -> None:
         names = [entry.name for entry in self.fields]
@@ -206,17 +217,22 @@ class ObservationLayout:
             "scale": self._columns("scale", widths),
             "low": -bounds,
             "high": bounds,
-            "noise": self._columns("noise", widths),
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
     def _columns(self, attribute: str, widths: Sequence[int]) -> Floats:
-        numbers = [self._number(getattr(entry, attribute)) for entry in self.fields]
-        return frozen(np.repeat(np.array(numbers, dtype=np.float64), widths))
+        numbers = [self._numbers(getattr(entry, attribute)) for entry in self.fields]
+        columns = [np.broadcast_to(number, width) for number, width in zip(numbers, widths, strict=True)]
+        return frozen(np.concatenate(columns))
 
-    def _number(self, value: PerRobot) -> float:
-        return float(value(self.robot) if callable(value) else value)
+    def _numbers(self, value: PerRobot) -> Floats:
+        return np.asarray(value(self.robot) if callable(value) else value, dtype=np.float64)
+
+    def _plain(self, value: PerRobot) -> float | list[float]:
+        """One number if it is that of all columns, else one per column."""
+        numbers = np.unique(self._numbers(value))
+        return float(numbers[0]) if len(numbers) == 1 else self._numbers(value).tolist()
 
     def document(self) -> list[dict[str, Plain]]:
         """The layout as plain values, as stored in a policy's file."""
@@ -225,9 +241,9 @@ class ObservationLayout:
                 "name": entry.name,
                 "width": entry.width(self.robot),
                 "unit": entry.unit,
-                "scale": self._number(entry.scale),
-                "low": -self._number(entry.bound),
-                "high": self._number(entry.bound),
+                "scale": self._plain(entry.scale),
+                "low": -float(self._numbers(entry.bound)),
+                "high": float(self._numbers(entry.bound)),
             }
             for entry in self.fields
         ]

@@ -37,12 +37,10 @@ from quadruped_env.utils.provenance import TaskFile
 
 CHECKPOINTS: Final = "checkpoints"
 """Directory of a run's checkpoints, each with the files of a policy."""
-SHIPPED: Final = ("flat", "robust", "rough")
+SHIPPED: Final = ("flat", "rough")
 """Names of the policies that the package has."""
 DEFAULT: Final = SHIPPED[0]
 """The one that programs take."""
-LIVE_POLICY: Final = "robust"
-"""The one that live nodes and the viewer run by default: a robot's masses, motors and delays are never the model's."""
 
 
 def is_code(source: str | Path) -> bool:
@@ -110,7 +108,7 @@ def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -
 
 
 def read_policy(source: str | Path, terms: Terms | None = None) -> Policy:
-    """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
+    """Load a shipped policy by name (`flat`, `rough`), or the policy in the directory of a training run.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
     stable-baselines3 is needed. A file of terms that a run names is not executed. It is needed only if it defines the

@@ -2,10 +2,18 @@
 
 from typing import Final
 
+from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of, scaled
+
 FORWARD_STEP: Final = 0.1
-"""Forward velocity, m/s per key press."""
+"""Forward velocity for the built-in robot, m/s per key press."""
 TURN_STEP: Final = 0.2
-"""Yaw rate, rad/s per key press."""
+"""Yaw rate for the built-in robot, rad/s per key press."""
+
+
+def key_steps(robot: Robot) -> tuple[float, float]:
+    """Forward velocity (m/s) and yaw rate (rad/s) per key press for a robot, rounded to one digit."""
+    return scaled(FORWARD_STEP, scale_of("m/s", robot), 1), scaled(TURN_STEP, scale_of("rad/s", robot), 1)
 
 
 def next_step(value: float, size: float, steps: int) -> float:

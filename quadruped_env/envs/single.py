@@ -44,28 +44,29 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     | 6, 7 | `RH_hip_joint`, `RH_knee_joint` | |
 
     `action_mode="position"`: target = stance + 0.6 rad * action, the stance being 0.6 rad in the hips and -0.72 rad in
-    the knees. `action_mode="residual"`: target = tuned gait(clock, command) + 0.4 rad * action, so that a zero action
-    is the scripted gait. Targets are clipped to the joint's range. Each motor is a 40 N m/rad, 1 N m s/rad position
-    servo with the torque-speed line of a DC motor (assets/mini_quadruped/README.md).
+    the knees. `action_mode="residual"`: target = scripted gait(clock, command) + 0.4 rad * action, so that a zero
+    action is the gait: a trot in closed form (docs/gaits.md). Targets are clipped to the joint's range. Each motor is a
+    40 N m/rad, 1 N m s/rad position servo with the torque-speed line of a DC motor (assets/mini_quadruped/README.md).
 
     ## Observation space
-    `Box((34,), float32)` with finite bounds, of readings that a real robot can measure. Value = reading * scale,
-    clipped to the bounds:
+    `Box((102,), float32)` with finite bounds: 34 readings that a real robot can measure, at this and the two control
+    steps before, the latest first. Value = reading * scale, clipped to the bounds:
 
     {observations}
 
-    With the config's `observation_history` they are stacked over several control steps, the latest first, and
-    `clock_frequency` may be a function of the command (docs/environment.md).
+    The config's `observation_history` sets the number of steps, and `clock_frequency` may be a function of the command
+    (docs/environment.md).
 
     ## Command
     Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; 10 % of the commands are
-    zero, another 40 % have zero yaw rate, another 10 % zero forward velocity. A new command is drawn every 3 to 6 s.
-    `reset(options={"command": (vx, wz)})` fixes it for the episode.
+    zero, another 25 % have zero yaw rate, another 15 % zero forward velocity. A new command is drawn every 1 to 5 s,
+    and approached by at most 1 m/s^2 and 4 rad/s^2. `reset(options={"command": (vx, wz)})` fixes it for the episode.
 
     ## Reward
     The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
     each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are those of the base in the
-    body frame; v~ and w~ are averaged over about one gait cycle (first-order low-pass filter, 0.4 s).
+    body frame; v~ and w~ are averaged over about one gait cycle (first-order low-pass filter, 0.4 s). Landings, slip
+    and power are measured at every physics step.
 
     {rewards}
 

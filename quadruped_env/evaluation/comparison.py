@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import Range
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD
+from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
@@ -27,6 +27,7 @@ from quadruped_env.policies import (
     as_policy,
 )
 from quadruped_env.robot import Robot
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation import Terrain
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.progress import Progress, part_of
@@ -46,7 +47,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     (0.3, 0.5),
     (0.3, -0.5),
 )
-"""Forward velocity in m/s and yaw rate in rad/s of every episode of the default evaluation."""
+"""Forward velocity in m/s and yaw rate in rad/s of every episode of the default evaluation, for the built-in robot."""
 
 NUM_SEEDS: Final = 8
 MAX_SECONDS: Final = 600.0
@@ -64,14 +65,20 @@ CONTROLLERS: Final = {
 """Name -> label, in the order of tables."""
 
 
-def motion_of(command: Command) -> str:
-    """Motion that a command (m/s, rad/s) asks for, one of `MOTIONS`; a curve counts as turning."""
-    forward, yaw_rate = command
-    if abs(yaw_rate) > MOVING_THRESHOLD:
+def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> list[Command]:
+    """Commands for the built-in robot as those for another one, rounded to two digits."""
+    units = scale_of("m/s", robot), scale_of("rad/s", robot)
+    return [(scaled(v, units[0], 2), scaled(w, units[1], 2)) for v, w in commands]
+
+
+def motion_of(command: Command, robot: Robot) -> str:
+    """Motion that a command (m/s, rad/s) asks a robot for, one of `MOTIONS`; a curve counts as turning."""
+    forward, yaw_rate = np.abs(command) > moving_threshold(robot)
+    if yaw_rate:
         return "turning"
-    if abs(forward) <= MOVING_THRESHOLD:
+    if not forward:
         return "standing"
-    return "forwards" if forward > 0 else "backwards"
+    return "forwards" if command[0] > 0 else "backwards"
 
 
 def words(command: Command) -> str:
@@ -104,7 +111,7 @@ class Comparison:
 
     def conditions(self, motion: str | None) -> list[int]:
         """Indices of the commands that ask for one of `MOTIONS`; None: of all commands."""
-        return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command))]
+        return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command, self.robot))]
 
     def estimate(self, controller: str, metric: str, motion: str | None = None) -> Estimate:
         """Mean of a metric over a motion's commands and the seeds, with its confidence interval."""
@@ -148,7 +155,10 @@ class Comparison:
                 name: {"unit": metric.unit or "1", "meaning": metric.meaning, "limit": metric.limit_of(self.robot)}
                 for name, metric in METRICS.items()
             },
-            "commands": [{"forward_velocity": v, "yaw_rate": w, "motion": motion_of((v, w))} for v, w in self.commands],
+            "commands": [
+                {"forward_velocity": v, "yaw_rate": w, "motion": motion_of((v, w), self.robot)}
+                for v, w in self.commands
+            ],
             "seeds": list(self.seeds),
             "seconds": self.seconds,
             "controllers": {
@@ -173,7 +183,7 @@ def compare(
     policies: Policy | Agent | Mapping[str, Policy | Agent],
     num_seeds: int = NUM_SEEDS,
     seconds: float = DEFAULT_SECONDS,
-    commands: Sequence[Command] = COMMANDS,
+    commands: Sequence[Command] | None = None,
     progress: Progress | None = None,
     terrain: str | Terrain | None = None,
     randomization: str = "none",
@@ -189,7 +199,7 @@ def compare(
             methods of `Agent`.
         num_seeds: episodes per command.
         seconds: length of an episode, s.
-        commands: forward velocity in m/s and yaw rate in rad/s.
+        commands: forward velocity in m/s and yaw rate in rad/s; None: `COMMANDS`, in the units of the robot.
         progress: called with the fraction done.
         terrain: a terrain, or the name of one of the task's, in place of the tasks' own.
         randomization: a preset in place of the tasks' own randomization: `none`, `moderate` or `hard`.
@@ -210,6 +220,8 @@ def compare(
             f"seconds: expected {START_UP + WINDOW:g} to {MAX_SECONDS:g}; found {seconds:g}. The first {START_UP:g} s "
             f"of an episode do not count, and velocities are means over {WINDOW:g} s"
         )
+    if commands is None:
+        commands = commands_for(next(iter(known.values())).config.robot)
     configs = {
         name: evaluation_task(
             policy.config if terrain is None else policy.config.on_terrain(terrain), commands, randomization

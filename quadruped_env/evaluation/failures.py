@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Command, Comparison
 from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means, without_fall_in_words
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.evaluation.verdict import VELOCITY_TOLERANCE, YAW_RATE_TOLERANCE
+from quadruped_env.evaluation.verdict import tolerances
+from quadruped_env.robot import Robot
 from quadruped_env.utils.rotations import tilt, up_in_body
 
 SHOWN: Final = 3
-_TOLERANCES: Final = np.array([VELOCITY_TOLERANCE[1], YAW_RATE_TOLERANCE[1]])
-"""Errors of forward velocity, m/s, and yaw rate, rad/s, that count as 1 tolerance."""
+_ERRORS: Final = ("forward_velocity_error", "yaw_rate_error")
 _LEANING: Final = 0.3
 """Component of the world's up direction along a base axis above which the robot leans to that side."""
 _DRIFT: Final = 0.3
@@ -48,8 +48,8 @@ def worst_episodes(comparison: Comparison, controller: str = "policy", count: in
     worst = []
     for i, command in enumerate(comparison.commands):
         rows = comparison.rows(i)
-        errors = np.stack([comparison.values[controller][m][i] for m in ("forward_velocity_error", "yaw_rate_error")])
-        off = np.max(errors / _TOLERANCES[:, None], axis=0)
+        errors = np.stack([comparison.values[controller][m][i] for m in _ERRORS])
+        off = np.max(errors / _tolerances(comparison.robot)[:, None], axis=0)
         fell = rollout.fallen[rows]
         alive = rollout.valid[:, rows].sum(axis=0)
         badness = np.where(fell, np.inf, np.nan_to_num(off))
@@ -59,12 +59,17 @@ def worst_episodes(comparison: Comparison, controller: str = "policy", count: in
     return [_failure(rollout, row, command, -badness) for badness, _, row, command in sorted(worst)[:count]]
 
 
+def _tolerances(robot: Robot) -> NDArray[np.float64]:
+    """Errors of forward velocity, m/s, and yaw rate, rad/s, that count as 1 (2,)."""
+    return np.array([tolerances(metric, robot)[1] for metric in _ERRORS])
+
+
 def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Failure:
     one = rollout.select([row])
     alive = int(one.valid[:, 0].sum())
     fell_at = (alive + 1) * one.timestep if one.fallen[0] else None
     means, whole = window_means(one.velocity, one.valid, one.timestep)
-    off = np.abs(means[:, 0] - command) / _TOLERANCES
+    off = np.abs(means[:, 0] - command) / _tolerances(one.robot)
     off[~whole[:, 0]] = 0.0
     moment = fell_at
     if moment is None:
@@ -75,7 +80,7 @@ def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Fa
         parts = [f"It {without_fall_in_words(one.orientation[:, 0], one.timestep)}."]
     else:
         parts = [_fall(one, alive, fell_at)]
-    parts.append(_velocities(command, done))
+    parts.append(_velocities(command, done, one.robot))
     if fell_at is None:
         parts.append(_drift(one, command))
     return Failure(row, command, int(one.seeds[0]), fell_at, moment, badness, " ".join(filter(None, parts)))
@@ -95,10 +100,10 @@ def _fall(one: Rollout, alive: int, fell_at: float) -> str:
     return f"It fell at {fell_at:.1f} s, {direction}, at {angle:.0f}° of tilt."
 
 
-def _velocities(command: Command, done: NDArray[np.float64]) -> str:
+def _velocities(command: Command, done: NDArray[np.float64], robot: Robot) -> str:
     """Mean velocities and their commands, the one with the larger relative error first."""
     names = ("forward_velocity", "yaw_rate")
-    off = np.abs(done - command) / _TOLERANCES
+    off = np.abs(done - command) / _tolerances(robot)
     worse, other = (names[i] for i in np.argsort(-off))
     shown = {
         name: f"mean {METRICS[name].label.lower()} {METRICS[name].show(got)} {METRICS[name].unit} (command {target:g})"

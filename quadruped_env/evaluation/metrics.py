@@ -14,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD
+from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.robot import Robot
 from quadruped_env.task.quantities import electrical_power, mechanical_power
@@ -116,7 +116,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
     """Every metric of `METRICS`, in SI units, one number per episode: name -> (N,); NaN where undefined."""
     r, dt, counted = rollout, rollout.timestep, counted_samples(rollout)
     forward, yaw_rate, command = r.velocity[..., 0], r.velocity[..., 1], r.command[0]
-    straight = np.abs(command[:, 1]) <= MOVING_THRESHOLD
+    straight = np.abs(command[:, 1]) <= moving_threshold(r.robot)[1]
     heading = heading_of(r.orientation)
     speed = masked_mean(forward, counted)
     hips = [joints[0] for joints in r.robot.leg_joints]

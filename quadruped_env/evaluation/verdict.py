@@ -12,6 +12,8 @@ from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.suite.findings import suite_findings
+from quadruped_env.robot import Robot
+from quadruped_env.robot.units import scale_of
 
 STABLE_FALL_RATE: Final = 0.05
 """Maximum fraction of falls of a robot that walks reliably."""
@@ -21,14 +23,24 @@ WALKING_SHARE: Final = 0.5
 """Minimum fraction of the commanded forward velocity for which the verdict says that the robot walks."""
 CREEPING_SHARE: Final = 0.2
 """Minimum fraction of the commanded forward velocity for which the robot moves forward at all."""
-VELOCITY_TOLERANCE: Final = (0.05, 0.1)
-"""Maximum forward velocity errors of a policy that follows its commands closely, and roughly, m/s."""
-YAW_RATE_TOLERANCE: Final = (0.1, 0.2)
-"""Maximum yaw rate errors of a policy that follows its commands closely, and roughly, rad/s."""
-LEVEL: Final = 0.005
-"""Difference below which two errors count as equal, m/s or rad/s."""
-STILL: Final = 0.03
-"""Maximum error of a robot that stands still, m/s or rad/s."""
+_TOLERANCES: Final = {"forward_velocity_error": (0.05, 0.1), "yaw_rate_error": (0.1, 0.2)}
+"""Maximum errors of a policy that follows its commands closely, and roughly, for the built-in robot, m/s and rad/s."""
+_EQUAL: Final = 0.005
+"""Difference below which two errors count as equal, for the built-in robot, m/s or rad/s."""
+_STILL: Final = 0.03
+"""Maximum error of a robot that stands still, for the built-in robot, m/s or rad/s."""
+
+
+def tolerances(metric: str, robot: Robot) -> tuple[float, float]:
+    """Maximum errors of a policy of a robot that follows its commands closely, and roughly."""
+    size = scale_of(METRICS[metric].unit, robot)
+    close, rough = (size * value for value in _TOLERANCES[metric])
+    return close, rough
+
+
+def equal_up_to(metric: str, robot: Robot) -> float:
+    """Difference below which two errors count as equal."""
+    return _EQUAL * scale_of(METRICS[metric].unit, robot)
 
 
 @dataclass(frozen=True)
@@ -117,7 +129,7 @@ def _flaws(comparison: Comparison, ranks: Mapping[str, str]) -> list[str]:
     error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
     if math.isnan(error):
         flaws.append("falls too early to measure its forward velocity error")
-    elif error > VELOCITY_TOLERANCE[1]:
+    elif error > tolerances("forward_velocity_error", comparison.robot)[1]:
         flaws.append(f"has a forward velocity error of {error:.2f} m/s")
     if has("standing") and not _stands(comparison):
         flaws.append("does not stand still")
@@ -126,7 +138,7 @@ def _flaws(comparison: Comparison, ranks: Mapping[str, str]) -> list[str]:
     turn_error = comparison.estimate("policy", "yaw_rate_error", "turning").mean
     if has("turning") and math.isnan(turn_error):
         flaws.append("falls too early in turns to measure its yaw rate")
-    elif turn_error > YAW_RATE_TOLERANCE[1]:
+    elif turn_error > tolerances("yaw_rate_error", comparison.robot)[1]:
         flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the commanded rate")
     behind = [motion for motion, rank in ranks.items() if rank == "less accurate"]
     if behind:
@@ -154,7 +166,7 @@ def _forwards(comparison: Comparison) -> str:
         return "it falls too early to tell."
     fastest = max(comparison.conditions("forwards"), key=lambda i: comparison.commands[i][0])
     commanded = f"{min(speeds):g} to {max(speeds):g} m/s" if len(speeds) > 1 else f"{speeds[0]:g} m/s"
-    closeness = _closeness(error.mean, VELOCITY_TOLERANCE)
+    closeness = _closeness(error.mean, tolerances(metric, comparison.robot))
     distance = comparison.estimate_at("policy", "distance", fastest).mean
     speed = comparison.estimate_at("policy", "forward_velocity", fastest).mean
     reached = f"reaches {speed:.2f} m/s and travels {distance:.1f} m in {comparison.seconds:g} s"
@@ -174,8 +186,8 @@ def _standing(comparison: Comparison) -> str:
 
 
 def _stands(comparison: Comparison) -> bool:
-    errors = [comparison.estimate("policy", m, "standing").mean for m in ("forward_velocity_error", "yaw_rate_error")]
-    return all(error < STILL for error in errors)
+    limits = {metric: _STILL * scale_of(METRICS[metric].unit, comparison.robot) for metric in _TOLERANCES}
+    return all(comparison.estimate("policy", m, "standing").mean < limit for m, limit in limits.items())
 
 
 def _backwards(comparison: Comparison) -> str:
@@ -196,7 +208,7 @@ def _turning(comparison: Comparison) -> str:
     tuned = reached_share(comparison, "tuned", "turning")
     against = "" if math.isnan(tuned) else f", the tuned gait {_percent(tuned)}"
     return (
-        f"{_closeness(error.mean, YAW_RATE_TOLERANCE)} its yaw rate commands, "
+        f"{_closeness(error.mean, tolerances('yaw_rate_error', comparison.robot))} its yaw rate commands, "
         f"with an error of {_with_interval(error, 'yaw_rate_error')}; it reaches {_percent(share)} of the commanded "
         f"yaw rate{against}."
     )
@@ -211,12 +223,13 @@ def _rank(comparison: Comparison, other: str, motion: str) -> str:
     """Rank of the policy against another controller: `more accurate`, `less accurate` or `equally accurate`.
 
     Judged by the paired differences of the error: their interval must not include zero, and their mean must exceed
-    `LEVEL`. `not comparable` if there is no pair of episodes in which both have a value.
+    `equal_up_to`. `not comparable` if there is no pair of episodes in which both have a value.
     """
-    difference = comparison.difference(error_of(motion), "policy", other, motion)
+    metric = error_of(motion)
+    difference = comparison.difference(metric, "policy", other, motion)
     if math.isnan(difference.mean):
         return "not comparable"
-    if not abs(difference.mean) > LEVEL or difference.low <= 0.0 <= difference.high:
+    if not abs(difference.mean) > equal_up_to(metric, comparison.robot) or difference.low <= 0.0 <= difference.high:
         return "equally accurate"
     return "more accurate" if difference.mean < 0.0 else "less accurate"
 

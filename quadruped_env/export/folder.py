@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
-from quadruped_env.evaluation.comparison import Command, compare
+from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.export.card import CARD_PAGE, card_page
 from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, RESULTS, manifest
@@ -84,7 +84,8 @@ def export_policy(
         part.mkdir()
         if with_film:
             prepare_video(part / FILM_FILE)
-            comparison = compare(policy, num_seeds=1, seconds=FILM_SECONDS, commands=FILM_COMMANDS)
+            commands = commands_for(policy.robot, FILM_COMMANDS)
+            comparison = compare(policy, num_seeds=1, seconds=FILM_SECONDS, commands=commands)
             save_film(part / FILM_FILE, filmed(comparison), progress)
             contents[FILM_FILE] = (part / FILM_FILE).read_bytes()
         page = card_page(interface, document, FILM_FILE if with_film else None, [*contents, MANIFEST_FILE])

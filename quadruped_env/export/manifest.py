@@ -7,7 +7,7 @@ from quadruped_env._version import __version__
 from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD, VELOCITY
+from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.export.onnx_graph import OPSET
 from quadruped_env.export.onnx_interface import HISTORY, LAST_ACTION, Input, PolicyInterface
 from quadruped_env.policies import Policy
@@ -137,7 +137,7 @@ def _command(policy: Policy) -> dict[str, Any]:
     return {
         "meaning": "velocity of the base in its own frame: forward along x, and yaw rate about z, positive to the left",
         "idle": "the robot stands",
-        "standing_up_to": MOVING_THRESHOLD,
+        "standing_up_to": plain(moving_threshold(policy.robot)),
         "components": components,
     }
 
@@ -208,7 +208,7 @@ def _gait(interface: PolicyInterface) -> dict[str, Any] | None:
 
 def _entry(policy: Policy, interface: PolicyInterface) -> dict[str, Any]:
     """State in which the policy may start, the way to it, and reasons to stop; numbers of the live controller."""
-    safety = Safety()
+    safety = Safety.of(policy.robot)
     own = {entry.name for entry in interface.inputs}
     return {
         "pose": "the stance, at rest, on its feet",

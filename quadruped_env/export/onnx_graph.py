@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
 from quadruped_env.control.clock import CommandedFrequency
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD
+from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
@@ -74,9 +74,10 @@ def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
     """Sine and cosine of the phase, 0 where standing is commanded (N, 2), and the phase after this step (N, 1)."""
     if not interface.has_clock:
         return "", ""
-    size = graph.add("Abs", graph_io.COMMAND)
-    largest = graph.add("ReduceMax", size, graph.integers([1]), keepdims=1)
-    moving = graph.add("Cast", graph.add("Greater", largest, graph.constant(MOVING_THRESHOLD)), to=_FLOAT)
+    threshold = graph.constant(moving_threshold(interface.policy.robot))
+    excess = graph.add("Sub", graph.add("Abs", graph_io.COMMAND), threshold)
+    largest = graph.add("ReduceMax", excess, graph.integers([1]), keepdims=1)
+    moving = graph.add("Cast", graph.add("Greater", largest, graph.constant(0.0)), to=_FLOAT)
     both = graph.add("Concat", graph.add("Sin", graph_io.GAIT_PHASE), graph.add("Cos", graph_io.GAIT_PHASE), axis=1)
     later = graph.add("Add", graph_io.GAIT_PHASE, _phase_step(graph, interface))
     phase = graph.add("Mod", later, graph.constant(math.tau), fmod=1, output=graph_io.NEXT_GAIT_PHASE)

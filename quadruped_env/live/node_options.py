@@ -56,13 +56,12 @@ def chosen_terrain(arguments: argparse.Namespace) -> "Terrain":
     Raises:
         QuadrupedError: if there is no such terrain or level, or the file of `--task` cannot be loaded.
     """
-    from quadruped_env.simulation import find_terrain
+    from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
     from quadruped_env.task.task_definition import BUILT_IN, load_task_file
-    from quadruped_env.task.terrain_section import leg_scale
 
     definition = BUILT_IN if arguments.task is None else load_task_file(arguments.task)
     terrain = find_terrain(arguments.terrain, definition.terrains)
-    return terrain.variant(arguments.seed, arguments.level, leg_scale(definition.robot))
+    return terrain.variant(arguments.seed, arguments.level, terrain_scale(terrain, definition.robot))
 
 
 def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:

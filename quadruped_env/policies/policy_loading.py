@@ -26,7 +26,7 @@ from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 def load_policy(
     source: str | Path, task_file: str | Path | None = None, robot: Robot | None = None, trust_task: bool = False
 ) -> Policy:
-    """Load a shipped policy by name (`flat`, `robust`, `rough`), or the policy in the directory of a training run.
+    """Load a shipped policy by name (`flat`, `rough`), or the policy in the directory of a training run.
 
     The name of a Python file means the policy that it defines as code; see `load_agent`. The file is executed.
 

@@ -9,9 +9,9 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD, out_of_range
+from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.evaluation.comparison import Command, evaluation_task
+from quadruped_env.evaluation.comparison import Command, commands_for, evaluation_task, motion_of
 from quadruped_env.evaluation.confidence import bootstrap_mean, number
 from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
@@ -32,7 +32,7 @@ COMMANDS: Final[tuple[Command, ...]] = (
     (0.3, 0.5),
     (0.0, 0.0),
 )
-"""Forward velocity in m/s and yaw rate in rad/s of the default episodes."""
+"""Forward velocity in m/s and yaw rate in rad/s of the default episodes, for the built-in robot."""
 NUM_SEEDS: Final = 3
 SECONDS: Final = 10.0
 MAX_SECONDS: Final = 120.0
@@ -72,7 +72,7 @@ class Transfer:
         """
         wanted = self.commands[controller][command][tuple(TARGETS).index(velocity)]
         here, there = self.means(controller, velocity, command)
-        if abs(wanted) <= MOVING_THRESHOLD or not here * wanted > 0.0:
+        if not here * wanted > 0.0:
             return math.nan
         return 1.0 if math.isnan(there) else 1.0 - there / here
 
@@ -93,7 +93,7 @@ class Transfer:
             command
             for i, command in enumerate(self.commands[controller])
             for name, wanted in zip(TARGETS, command, strict=True)
-            if abs(wanted) > MOVING_THRESHOLD and math.isnan(self.loss(controller, name, i))
+            if wanted and math.isnan(self.loss(controller, name, i))
         ]
 
     def carries_over(self) -> bool | None:
@@ -157,7 +157,7 @@ class Transfer:
 
 def run_transfer(
     policy: Policy,
-    commands: Sequence[Command] = COMMANDS,
+    commands: Sequence[Command] | None = None,
     num_seeds: int = NUM_SEEDS,
     seconds: float = SECONDS,
     here: Engine | None = None,
@@ -171,7 +171,8 @@ def run_transfer(
 
     Args:
         policy: the trained policy.
-        commands: forward velocity in m/s and yaw rate in rad/s; they may lie outside the training ranges.
+        commands: forward velocity in m/s and yaw rate in rad/s; they may lie outside the training ranges. None:
+            `COMMANDS`, in the units of the robot.
         num_seeds: episodes per command.
         seconds: length of an episode, s.
         here: the engine to compare with. None: MuJoCo, with the task's contact model.
@@ -183,6 +184,8 @@ def run_transfer(
         QuadrupedError: if there is no command or seed, a command is not finite, the episodes are too short or too long,
             or Drake cannot simulate the robot.
     """
+    if commands is None:
+        commands = commands_for(policy.config.robot, COMMANDS)
     checked = _checked(commands, num_seeds, seconds)
     for command in checked:
         if outside := out_of_range(command, policy.config.commands):
@@ -190,7 +193,7 @@ def run_transfer(
     engines = here or MuJoCo(), there or Drake()
     config = evaluation_task(policy.config.on_terrain("flat"), checked, "none")
     settings = [{"name": engine.name, **engine.settings(config)} for engine in engines]
-    standing = [command for command in checked if max(map(abs, command)) <= MOVING_THRESHOLD]
+    standing = [command for command in checked if motion_of(command, policy.config.robot) == "standing"]
     runs: list[tuple[Controller, Sequence[Command]]] = [
         (PolicyController(policy), checked),
         (CommandedGaitController(), checked),

@@ -7,6 +7,8 @@ from typing import Annotated, Final
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, did_you_mean, short
+from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation.terrain import ROUNDING, START, Floats, Grid, Terrain, Tiles, terrain
 from quadruped_env.utils.parameters import Parameter
 
@@ -52,8 +54,9 @@ def slope(
     """Slopes of 10 degrees up and down in turn, 2 m long, in squares around the start."""
     pairs = max(1, math.floor(grid.ring_end / (2.0 * length) + ROUNDING))
     # In a tile there is less space than that.
-    cells = math.floor(min(length, 0.5 * grid.ring_end / pairs) / FINE + ROUNDING)
-    length = cells * FINE
+    cell = FINE * grid.scale
+    cells = math.floor(min(length, 0.5 * grid.ring_end / pairs) / cell + ROUNDING)
+    length = cells * cell
     ring = np.where(grid.inside(2.0 * pairs * length), grid.ring, 0.0)
     return grid.first * math.tan(angle) * (length - np.abs(length - ring % (2.0 * length)))
 
@@ -62,7 +65,7 @@ def slope(
 def steps(grid: Grid, height: Height = 0.02, width: Length = 0.4) -> Floats:
     """Square blocks of 0.4 m, high by 2 cm and low in turn."""
     blocks = math.floor(grid.ring_end / width + ROUNDING)
-    column, line = (np.floor((np.abs(along) - START) / width + ROUNDING) for along in (grid.x, grid.y))
+    column, line = (np.floor((np.abs(along) - START * grid.scale) / width + ROUNDING) for along in (grid.x, grid.y))
     return height * ((column + line) % 2.0) * grid.inside(blocks * width)
 
 
@@ -107,6 +110,11 @@ TERRAINS: Final = (flat, rough, hills, slope, steps, stairs, gaps, wave, tiles)
 """Built-in terrains. A policy that was trained on flat ground can walk on `rough` and `hills`."""
 NAMES: Final = ", ".join(entry.name for entry in TERRAINS)
 """Their names, for the help of an option."""
+
+
+def terrain_scale(terrain: Terrain, robot: Robot) -> float:
+    """Factor on a terrain's lengths for a robot: that of its legs; 1 for a user's terrain, whose lengths stay."""
+    return scale_of("m", robot) if any(terrain.function is entry.function for entry in TERRAINS) else 1.0
 
 
 def find_terrain(name: object, terrains: Sequence[Terrain] = TERRAINS) -> Terrain:

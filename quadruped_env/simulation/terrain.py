@@ -60,26 +60,28 @@ class Grid:
     """Random generator from the terrain's seed."""
     tile: bool = False
     """True for a tile of `tiles`, whose edge must be level at height 0."""
+    scale: float = 1.0
+    """Leg length relative to the built-in robot's: factor on the lengths of this module."""
 
     @classmethod
-    def square(cls, size: float, cell: float, random: np.random.Generator, tile: bool = False) -> Self:
+    def square(
+        cls, size: float, cell: float, random: np.random.Generator, tile: bool = False, scale: float = 1.0
+    ) -> Self:
         """Grid of a square around the start, with points `cell` apart, m."""
         along = np.linspace(-0.5 * size, 0.5 * size, round(size / cell) + 1)
-        return cls(*np.meshgrid(along, along), size, random, tile)
+        return cls(*np.meshgrid(along, along), size, random, tile, scale)
 
     @property
     def fade(self) -> Floats:
         """Factor (P, P) that is 0 around the start and at the edge, and 1 between them."""
         full, edge, border = (_TILE_FULL, _TILE_EDGE, TILE_BORDER) if self.tile else (_FULL, _EDGE, 0.0)
-        from_start = np.hypot(self.x, self.y)
-        return smoothstep((from_start - START) / (full - START)) * smoothstep(
-            (self._to_edge - border) / (edge - border)
-        )
+        from_start, to_edge = np.hypot(self.x, self.y) / self.scale, self._to_edge / self.scale
+        return smoothstep((from_start - START) / (full - START)) * smoothstep((to_edge - border) / (edge - border))
 
     @property
     def descent(self) -> Floats:
         """Factor (P, P) that goes from 0 to 1 in the strip along the edge; 0 everywhere in a tile."""
-        return np.zeros_like(self.x) if self.tile else 1.0 - smoothstep(self._to_edge / _EDGE)
+        return np.zeros_like(self.x) if self.tile else 1.0 - smoothstep(self._to_edge / (_EDGE * self.scale))
 
     @property
     def first(self) -> float:
@@ -93,12 +95,12 @@ class Grid:
     @property
     def ring(self) -> Floats:
         """Distance (P, P) from the level square around the start, m; its contour lines are squares."""
-        return np.maximum(np.abs(self.x), np.abs(self.y)) - START
+        return np.maximum(np.abs(self.x), np.abs(self.y)) - START * self.scale
 
     @property
     def ring_end(self) -> float:
         """Largest `ring` at which the ground may be uneven, m."""
-        return 0.5 * self.size - (TILE_BORDER if self.tile else _EDGE) - START
+        return 0.5 * self.size - ((TILE_BORDER if self.tile else _EDGE) + START) * self.scale
 
     def inside(self, width: float) -> NDArray[np.bool_]:
         """Mask (P, P) of the points whose `ring` is from 0 up to a width, m."""
@@ -145,7 +147,7 @@ class Terrain:
     level: int | None = None
     """Level from 1 to `LEVELS`, which determines the parameters in `hardest`; None: they have their defaults."""
     scale: float = 1.0
-    """Leg length relative to the built-in robot's, a factor on the lengths of the levels."""
+    """Factor on all its lengths, which are the built-in robot's; those of a user's terrain are as they are: 1."""
     values: tuple[tuple[str, float], ...] = ()
     """Name and value of the parameters that differ from their defaults, or from those of the level."""
     file: TaskFile | None = field(default=None, compare=False)
@@ -171,21 +173,22 @@ class Terrain:
     @property
     def extent(self) -> tuple[float, float]:
         """Side lengths of the height field along x and y, m."""
-        return self.size, self.size
+        return self.size * self.scale, self.size * self.scale
 
     def defaults(self, level: int | None, scale: float = 1.0) -> dict[str, float]:
         """Values of all parameters at a level, or without one.
 
-        Lengths are in proportion to the level and the leg length, angles to the level.
+        Those of the levels are in proportion to the level.
 
         Args:
             level: from 1 to `LEVELS`; None: the defaults of the parameters.
-            scale: leg length relative to the built-in robot's.
+            scale: factor on lengths.
 
         Raises:
             QuadrupedError: if the level is not valid, or the terrain has no levels.
         """
-        values = {name: default for name, (_, default) in self.parameters.items()}
+        factors = {name: scale if entry.unit == "m" else 1.0 for name, (entry, _) in self.parameters.items()}
+        values = {name: factors[name] * default for name, (_, default) in self.parameters.items()}
         if level is None:
             return values
         if self.hardest is None:
@@ -195,8 +198,7 @@ class Terrain:
                 f"terrain {self.name}: level must be a whole number from 1 to {LEVELS}; found {short(level)}"
             )
         for name, value in self.hardest.items():
-            length = scale if self.parameters[name][0].unit == "m" else 1.0
-            values[name] = value * length * level / LEVELS
+            values[name] = value * factors[name] * level / LEVELS
         return values
 
     def variant(self, seed: int = 0, level: int | None = None, scale: float = 1.0, **values: float) -> Self:
@@ -205,7 +207,7 @@ class Terrain:
         Args:
             seed: seed of its random numbers.
             level: from 1 to `LEVELS`; None: no level.
-            scale: leg length relative to the built-in robot's; it counts only with a level.
+            scale: factor on all lengths except `values`.
             values: values of parameters by name.
 
         Raises:
@@ -216,13 +218,16 @@ class Terrain:
             if name not in self.parameters:
                 valid = ", ".join(self.parameters) or "none"
                 raise QuadrupedError(f"terrain {self.name}: unknown parameter {name!r}; its parameters are: {valid}")
-            parameter = self.parameters[name][0]
+            parameter = self.parameter(name, scale)
             if not parameter.accepts(value):
                 raise QuadrupedError(f"terrain {self.name}: {name} must be {parameter.rule()}; found {short(value)}")
         changed = ((name, float(value)) for name, value in sorted(values.items()) if value != defaults[name])
-        return replace(
-            self, seed=seed, level=level, scale=1.0 if level is None else float(scale), values=tuple(changed)
-        )
+        return replace(self, seed=seed, level=level, scale=float(scale), values=tuple(changed))
+
+    def parameter(self, name: str, scale: float) -> Parameter:
+        """Unit and valid range of a parameter; limits of lengths are times a factor."""
+        parameter = self.parameters[name][0]
+        return parameter.scaled(scale) if parameter.unit == "m" else parameter
 
     def provenance(self) -> dict[str, Any]:
         """Name of the terrain and, as `terrain_file`, name and SHA-256 of the file that defines it, for results."""
@@ -234,7 +239,8 @@ class Terrain:
         Raises:
             QuadrupedError: if the function raises an error or returns something else.
         """
-        return self.heights_on(Grid.square(self.size, self.cell, np.random.default_rng(self.seed)))
+        random = np.random.default_rng(self.seed)
+        return self.heights_on(Grid.square(self.extent[0], self.cell * self.scale, random, scale=self.scale))
 
     def heights_on(self, grid: Grid) -> Floats:
         """Heights (P, P) in m on a grid, which may be a tile's; errors as in `heights`."""
@@ -296,16 +302,18 @@ class Tiles(Terrain):
     """Number of levels, from 1 on."""
 
     @property
+    def tile_size(self) -> float:
+        """Side length of a tile, m."""
+        return TILE * self.scale
+
+    @property
     def extent(self) -> tuple[float, float]:
         """See `Terrain`."""
-        return self.levels * TILE + 2.0 * _MARGIN, len(self.kinds) * TILE + 2.0 * _MARGIN
-
-    def variant(self, seed: int = 0, level: int | None = None, scale: float = 1.0, **values: float) -> Self:
-        """See `Terrain`; `scale` is that of all tiles."""
-        return replace(super().variant(seed, level, scale, **values), scale=float(scale))
+        x, y = ((count * TILE + 2.0 * _MARGIN) * self.scale for count in (self.levels, len(self.kinds)))
+        return x, y
 
     def of(self, kinds: Sequence[Terrain], levels: int, seed: int = 0, scale: float = 1.0) -> Self:
-        """Tiles of other kinds and levels; `scale` is the leg length relative to the built-in robot's.
+        """Tiles of other kinds and levels; `scale` is the factor on the tiles, and the kinds keep their own.
 
         Raises:
             QuadrupedError: if a kind has no levels.
@@ -313,14 +321,14 @@ class Tiles(Terrain):
         for kind in kinds:
             if kind.hardest is None:
                 raise QuadrupedError(f"terrain {self.name}: the kind {kind.name} has no levels")
-        plain = tuple(kind.variant() for kind in kinds)
+        plain = tuple(kind.variant(scale=kind.scale) for kind in kinds)
         file = next((kind.file for kind in kinds if kind.file is not None), None)
         return replace(self, kinds=plain, levels=levels, seed=seed, scale=float(scale), file=file)
 
     def centres(self) -> Floats:
         """Middle of each tile (K, L, 2) in the world, m: kind k at level l + 1 has index [k, l]."""
-        along_x = TILE * (np.arange(self.levels) - 0.5 * (self.levels - 1))
-        along_y = TILE * (np.arange(len(self.kinds)) - 0.5 * (len(self.kinds) - 1))
+        along_x = self.tile_size * (np.arange(self.levels) - 0.5 * (self.levels - 1))
+        along_y = self.tile_size * (np.arange(len(self.kinds)) - 0.5 * (len(self.kinds) - 1))
         return np.stack(np.meshgrid(along_x, along_y), axis=-1)
 
     def tile(self, kind: int, level: int) -> Floats:
@@ -334,8 +342,8 @@ class Tiles(Terrain):
             QuadrupedError: if the kind's heights are not valid, or not 0 on the edge.
         """
         random = np.random.default_rng([self.seed, kind, level])
-        grid = Grid.square(TILE, self.cell, random, tile=True)
-        heights = self.kinds[kind].variant(level=level, scale=self.scale).heights_on(grid)
+        grid = Grid.square(self.tile_size, self.cell * self.scale, random, tile=True, scale=self.scale)
+        heights = self.kinds[kind].variant(level=level, scale=self.kinds[kind].scale).heights_on(grid)
         edges = np.concatenate([heights[[0, -1]].ravel(), heights[:, [0, -1]].ravel()])
         if edges.any():
             raise QuadrupedError(

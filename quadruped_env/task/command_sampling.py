@@ -1,7 +1,6 @@
 """Random sampling of commands."""
 
 from collections.abc import Sequence
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +12,6 @@ from quadruped_env.task.randomization.randomization import between
 from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
-
-_STRAIGHT_SPEEDS: Final = (0.75, 0.95)
-"""Range of the speeds of `straight_only`, as shares of the largest one. At lower speeds some trainings march on the
-spot, or keep short strides for hundreds of thousands of steps."""
 
 
 class CommandSampler:
@@ -33,20 +28,11 @@ class CommandSampler:
         self.purposes = Purposes({"command/kind": 1, **{f"command/{name}": 1 for name in names}, "command/interval": 1})
         ranges = frozen(np.array([config[name] for name in names]))
         self._low, self._high = ranges[:, 0], ranges[:, 1]
-        self.straight_only = False
-        """True: every command is straight ahead, in the direction with the larger range, and fast."""
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:
         """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
         kind, config = draws[:, 0], self._config
         interval = between(config.resample_interval, draws[:, -1])
-        if self.straight_only:
-            command = np.zeros_like(draws[:, 1:-1])
-            low, high = self._low[0], self._high[0]
-            slowest, fastest = _STRAIGHT_SPEEDS
-            speeds = max(low, high, key=abs) * (slowest + (fastest - slowest) * draws[:, 1])
-            command[:, 0] = np.clip(speeds, low, high)
-            return command, interval
         command = self._low + (self._high - self._low) * draws[:, 1:-1]
         standing = config.standing_fraction
         straight = standing + config.straight_fraction

@@ -23,6 +23,14 @@ class Entry:
 Schema = Mapping[str, Entry]
 
 
+def units_of(schema: Schema) -> dict[str, Plain]:
+    """Unit of each field, nested for a section within the section."""
+    return {
+        name: units_of(entry.default.schema) if isinstance(entry.default, Section) else entry.unit
+        for name, entry in schema.items()
+    }
+
+
 class Section(Mapping[str, Plain]):
     """One section of a task's config. Fields are attributes and items; `replace` returns a changed copy.
 
@@ -105,9 +113,10 @@ class Section(Mapping[str, Plain]):
         changed = {field: value for field, value in self._values.items() if value != self._schema[field].default}
         return {field: value.changes() if isinstance(value, Section) else value for field, value in changed.items()}
 
-    def has(self, schema: Schema) -> bool:
-        """True if the section was created with this schema."""
-        return self._schema is schema
+    @property
+    def schema(self) -> Schema:
+        """Fields of the section, with their defaults and units."""
+        return self._schema
 
     def to_dict(self) -> dict[str, Plain]:
         """Plain values for JSON."""

@@ -10,8 +10,10 @@ from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.readings import Readings
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import quantities
+from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 
@@ -79,6 +81,8 @@ class TaskContext:
         self._airborne: Floats = self.memory.zeros("airborne", self.robot.num_legs)
         self.contact_threshold = contact_threshold
         """Normal force above which a foot is in contact, N."""
+        self.velocity_unit = frozen(np.array([scale_of(unit, self.robot) for unit in ("m/s", "rad/s")]))
+        """Size of a velocity and of a rate for the robot relative to the built-in one, (2,)."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
         self.bind(readings, control)

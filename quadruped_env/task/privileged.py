@@ -8,7 +8,15 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.observations import Field, MirrorRule, ObservationLayout, PerRobot, Reader, first_line
+from quadruped_env.control.observations import (
+    Field,
+    MirrorRule,
+    ObservationLayout,
+    PerRobot,
+    Reader,
+    first_line,
+    per_unit,
+)
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.context import TaskContext
@@ -55,19 +63,19 @@ def privileged(
     return lambda read: PrivilegedReading(read.__name__, read, unit, mirror, scale, bound, 0.0, first_line(read))
 
 
-@privileged(unit="m/s", mirror=(1.0, -1.0, 1.0), scale=2.0, bound=4.0)
+@privileged(unit="m/s", mirror=(1.0, -1.0, 1.0), scale=per_unit(2.0, "m/s"), bound=4.0)
 def base_velocity(state: TrueState) -> Floats:
     """Linear velocity of the base in its own frame."""
     return state.context.readings.linear_velocity_b
 
 
-@privileged(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=4.0, bound=4.0)
+@privileged(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=per_unit(4.0, "m/s", "rad/s"), bound=4.0)
 def smooth_velocity(state: TrueState) -> Floats:
     """Forward velocity and yaw rate, averaged as for the rewards of tracking and progress."""
     return state.context.smooth_velocity
 
 
-@privileged(unit="m", mirror=(1.0,), scale=10.0, bound=2.0)
+@privileged(unit="m", mirror=(1.0,), scale=per_unit(10.0, "m"), bound=2.0)
 def base_height(state: TrueState) -> Floats:
     """Height of the base's centre over the ground below it, relative to the stance."""
     return (state.context.base_height - state.context.robot.stance_height)[:, None]
@@ -79,7 +87,7 @@ def foot_contact(state: TrueState) -> Floats:
     return state.context.contact
 
 
-@privileged(unit="m", mirror="feet", scale=20.0, bound=4.0)
+@privileged(unit="m", mirror="feet", scale=per_unit(20.0, "m"), bound=4.0)
 def foot_height(state: TrueState) -> Floats:
     """Height of each foot's lowest point over the ground below it."""
     return state.context.sole_height
@@ -100,14 +108,14 @@ def added_mass(state: TrueState) -> Floats:
     return (state.model_values("body_mass") - own).sum(axis=1, keepdims=True)
 
 
-@privileged(unit="s", mirror=(1.0,), scale=20.0, bound=4.0)
+@privileged(unit="s", mirror=(1.0,), scale=per_unit(20.0, "s"), bound=4.0)
 def action_latency(state: TrueState) -> Floats:
     """Mean delay from joint target to motor."""
     delays = state.model_values("actuator_delay")
     return delays.reshape(len(delays), -1).mean(axis=1, keepdims=True)
 
 
-@privileged(unit="s", mirror=(1.0,), scale=20.0, bound=4.0)
+@privileged(unit="s", mirror=(1.0,), scale=per_unit(20.0, "s"), bound=4.0)
 def observation_latency(state: TrueState) -> Floats:
     """Age of the readings when the policy receives them."""
     return np.zeros_like(state.context.velocity[:, :1]) if state.sensors is None else state.sensors.latency

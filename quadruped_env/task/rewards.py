@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 Positive = Parameter.positive
 
 _SMALLEST_COMMAND: Final = frozen(np.array([0.1, 0.2]))
-"""Command below which progress is reduced in proportion, m/s and rad/s."""
+"""Command below which progress is reduced in proportion, for the built-in robot, m/s and rad/s."""
 
 
 @reward_group(track_forward_velocity=8.0, track_yaw_rate=9.0)
@@ -53,13 +53,13 @@ def progress(context: TaskContext) -> Floats:
     """
     # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
     # a peak at the command would else pull the median there, not the mean.
-    size = np.maximum(np.abs(context.command), _SMALLEST_COMMAND)
+    size = np.maximum(np.abs(context.command), _SMALLEST_COMMAND * context.velocity_unit)
     share, whole = context.smooth_velocity * (np.sign(context.command) / size), np.abs(context.command) / size
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
 @reward(weight=5.0)
-def gait_clock(context: TaskContext, foot_lift: Annotated[float, Parameter.length()] = 0.02) -> Floats:
+def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.02) -> Floats:
     """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, |1 - sole height / 0.02 m|)."""
     lift = quantities.foot_lift(context.sole_height, foot_lift)
     return quantities.clock_agreement(lift, context.leg_clock) * context.moving
@@ -79,7 +79,7 @@ def upright(context: TaskContext) -> Floats:
 
 
 @reward(weight=-2.0, unit="m^2/s^2")
-def base_motion(context: TaskContext, base_arm: Annotated[float, Parameter.length()] = 0.2) -> Floats:
+def base_motion(context: TaskContext, base_arm: Annotated[float, Positive("m")] = 0.2) -> Floats:
     """v_y^2 + v_z^2 + (0.2 m)^2 (w_x^2 + w_y^2): motion of the base that no command asks for."""
     v, w = context.readings.linear_velocity_b, context.readings.angular_velocity_b
     return v[:, 1] ** 2 + v[:, 2] ** 2 + base_arm**2 * (w[:, 0] ** 2 + w[:, 1] ** 2)

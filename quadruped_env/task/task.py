@@ -122,15 +122,6 @@ class Task:
         return self.control.command
 
     @property
-    def straight_only(self) -> bool:
-        """True if random commands are straight ahead only, from the next one on: the first stage of a training."""
-        return self._randomizer.commands.straight_only
-
-    @straight_only.setter
-    def straight_only(self, straight_only: bool) -> None:
-        self._randomizer.commands.straight_only = straight_only
-
-    @property
     def smooth_velocity(self) -> Floats:
         """Forward velocity (m/s) and yaw rate (rad/s), averaged over about one gait cycle, (N, 2); live."""
         return self.context.smooth_velocity

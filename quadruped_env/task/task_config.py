@@ -9,26 +9,33 @@ import dataclasses
 import functools
 import typing
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal, Self
 
 import mujoco
 import numpy as np
 
-from quadruped_env.control.clock import Frequency, frequency_of
+from quadruped_env.control.clock import FIELD as CLOCK
+from quadruped_env.control.clock import UNITS as CLOCK_UNITS
+from quadruped_env.control.clock import CommandedFrequency, Frequency, frequency_of
 from quadruped_env.control.control_config import (
     COMMAND_RATE,
+    COMMAND_RATE_UNITS,
     ActionConfig,
     Command,
     ControlConfig,
     check,
     check_history,
     check_rates,
+    clock_frequency,
+    command_rate,
+    commands_for,
 )
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.robot.units import scale_of, scaled, scaled_values
 from quadruped_env.simulation import build_model
 from quadruped_env.simulation.terrain import Terrain
 from quadruped_env.task.config_sections import (
@@ -41,12 +48,13 @@ from quadruped_env.task.config_sections import (
     parameter_entry,
     range_entry,
     section_entry,
+    units_of,
 )
 from quadruped_env.task.randomization.model_fields import ModelField
 from quadruped_env.task.randomization.randomization import ends_of, is_active
 from quadruped_env.task.randomization.randomization_presets import preset_values, with_preset
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
-from quadruped_env.task.terrain_section import Choice, ground_of, leg_scale, terrain_schema, values_of
+from quadruped_env.task.terrain_section import Choice, ground_of, terrain_schema, values_of
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.plain import Plain, PlainFields, plain
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
@@ -62,26 +70,32 @@ _OF_THE_DEFINITION: Final[Plain] = None
 @functools.cache
 def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
     """Fields of the sections that depend on the task's definition."""
-    command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in definition.commands} | {
+    robot = definition.robot
+    seconds = scale_of("s", robot)
+    commands = commands_for(robot, definition.commands)
+    command: dict[str, Entry] = {entry.name: Entry(entry.range, pair, entry.unit) for entry in commands} | {
         "standing_fraction": parameter_entry(Parameter(low=0.0), 0.1),
         "straight_fraction": parameter_entry(Parameter(low=0.0), 0.25),
         "turning_fraction": parameter_entry(Parameter(low=0.0), 0.15),
-        "resample_interval": range_entry((1.0, 5.0), _POSITIVE_SECONDS),
-        "forward_acceleration": parameter_entry(Parameter.positive("m/s^2"), COMMAND_RATE["forward_acceleration"]),
-        "yaw_acceleration": parameter_entry(Parameter.positive("rad/s^2"), COMMAND_RATE["yaw_acceleration"]),
+        "resample_interval": range_entry(scaled((1.0, 5.0), seconds), _POSITIVE_SECONDS),
     }
-    weights = {term: Entry(default, number) for term, default in definition.weights.items()}
+    for name, unit, rate in zip(COMMAND_RATE, COMMAND_RATE_UNITS, command_rate(robot), strict=True):
+        command[name] = parameter_entry(Parameter.positive(unit), rate)
+    units = {name: term.unit for term in definition.rewards for name in term.names}
+    weights = {
+        name: Entry(default, number, "1" if units[name] == "1" else f"1/({units[name]})")
+        for name, default in definition.weights.items()
+    }
     reward: dict[str, Entry] = {
         "weights": section_entry("reward.weights", weights),
-        "velocity_time_constant": parameter_entry(_POSITIVE_SECONDS, 0.4),
-        "contact_threshold": parameter_entry(Parameter("N", 0.0), 1.0),
+        "velocity_time_constant": parameter_entry(_POSITIVE_SECONDS, scaled(0.4, seconds)),
+        "contact_threshold": parameter_entry(Parameter("N", 0.0), scaled(1.0, scale_of("N", robot))),
     }
     termination: dict[str, Entry] = {}
-    size = leg_scale(definition.robot)
     for section, terms in ((reward, definition.rewards), (termination, definition.terminations)):
         for term in terms:
             for name, (parameter, default) in term.parameters.items():
-                entry = parameter_entry(parameter, size * default if parameter.scales else default)
+                entry = parameter_entry(parameter, scaled(default, definition.scale(term, parameter.unit)))
                 if name in section and (section[name].default, section[name].unit) != (entry.default, entry.unit):
                     raise QuadrupedError(
                         f"config: two terms have a parameter {name!r} with different defaults or units; rename one"
@@ -89,23 +103,30 @@ def _schemas(definition: TaskDefinition) -> dict[str, Schema]:
                 section.setdefault(name, entry)
     randomization: dict[str, Entry] = {}
     for entry_ in definition.randomizations:
-        setting = entry_.default
+        factor = definition.scale(entry_, entry_.unit)
+        setting, valid = scaled(entry_.default, factor), entry_.valid
+        if valid.unit != "s":  # a limit of the simulation
+            valid = valid.scaled(max(factor, 1.0))  # for a small robot, too, what is possible is checked later
         randomization[entry_.name] = (
-            amplitude_entry(setting, entry_.unit, entry_.valid)
+            amplitude_entry(setting, entry_.unit, valid)
             if isinstance(setting, (int, float))
-            else range_entry(setting, entry_.valid, optional=True)
+            else range_entry(setting, replace(valid, unit=entry_.unit), optional=True)
         )
         for times in (entry_.interval, entry_.duration):
             if times is None:
                 continue
-            if times[0] in randomization and randomization[times[0]].default != times[1]:
+            default = scaled(times[1], definition.scale(entry_, "s"))
+            if times[0] in randomization and randomization[times[0]].default != default:
                 raise QuadrupedError(
                     f"config: two randomizations have a field {times[0]!r} with different defaults; rename one"
                 )
-            randomization.setdefault(times[0], range_entry(times[1], _POSITIVE_SECONDS))
+            randomization.setdefault(times[0], range_entry(default, _POSITIVE_SECONDS))
     randomization["observation_noise"] = parameter_entry(Parameter(low=0.0), 0.0)
     amplitudes: dict[str, Entry] = {
-        entry.name: parameter_entry(Parameter(entry.unit, 0.0), entry.noise) for entry in definition.observations
+        entry.name: parameter_entry(
+            Parameter(entry.unit, 0.0), scaled(entry.noise, definition.scale(entry, entry.unit))
+        )
+        for entry in definition.observations
     }
     randomization["noise_amplitude"] = section_entry("randomization.noise_amplitude", amplitudes)
     return {"command": command, "reward": reward, "termination": termination, "randomization": randomization}
@@ -241,6 +262,23 @@ def _remade(name: str, definition: TaskDefinition, terrain: Plain, values: Plain
     return section
 
 
+def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
+    """Nested values of a config for the built-in robot and its terms, as plain values for another robot.
+
+    Numbers follow its size by their units; a preset is replaced by its values.
+
+    Raises:
+        QuadrupedError: if a section has an unknown field or names an unknown preset.
+    """
+    values = {**values}
+    if "randomization" in values:
+        values["randomization"] = with_preset(values["randomization"], BUILT_IN.robot)
+    units: dict[str, Plain] = {CLOCK: CLOCK_UNITS if isinstance(values.get(CLOCK), Mapping) else "Hz"}
+    for name in set(values) & set(_sections(BUILT_IN)):
+        units[name] = units_of(_schema(name, Choice.of(values[name]), BUILT_IN))
+    return plain(scaled_values(values, units, robot))
+
+
 def CommandConfig(**values: Plain) -> Section:  # noqa: N802  named like the class of a section
     """Distribution of the velocity commands, with the built-in task's fields."""
     return _section("command", values, BUILT_IN)
@@ -274,8 +312,9 @@ class TaskConfig(PlainFields):
     """Physics steps per control step."""
     physics_timestep: float = 0.005
     """Physics time step, s."""
-    clock_frequency: Frequency = 3.4
-    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
+    clock_frequency: Frequency = _OF_THE_DEFINITION
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`. Default:
+    3.4 Hz for the built-in robot, and in its units for others."""
     observation_history: int = 3
     """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
     action: ActionConfig = field(default_factory=ActionConfig)
@@ -294,14 +333,16 @@ class TaskConfig(PlainFields):
         super().__post_init__()
         if self.motor is None:
             object.__setattr__(self, "motor", self.robot.motors)
+        if self.clock_frequency is None:
+            object.__setattr__(self, "clock_frequency", clock_frequency(self.robot))
         check_rates(self.decimation, self.physics_timestep)
         object.__setattr__(self, "clock_frequency", frequency_of(self.clock_frequency))
         check_history(self.observation_history)
         for name in _sections(self.definition):
             section = getattr(self, name)
             schema = _schema(name, Choice.of(section), self.definition)
-            if section is None or not section.has(schema):
-                # A section of the built-in task, in a task with other terms.
+            if section is None or section.schema is not schema:
+                # A section of the built-in task, in a task with other terms or another robot: its numbers stay.
                 values = {} if section is None else _known(section.to_dict(), schema)
                 object.__setattr__(self, name, _section(name, values, self.definition))
 
@@ -318,12 +359,13 @@ class TaskConfig(PlainFields):
     def with_definition(self, definition: TaskDefinition) -> Self:
         """A copy with other terms or another robot, whose motors and defaults replace those of the old one."""
         motor = _OF_THE_DEFINITION if self.motor == self.robot.motors else self.motor
+        clock = _OF_THE_DEFINITION if self.clock_frequency == clock_frequency(self.robot) else self.clock_frequency
         sections: dict[str, Plain] = {}
         for name in _sections(definition):
             section = getattr(self, name)
             changes = _known(section.changes(), _schema(name, Choice.of(section), definition))
             sections[name] = _section(name, changes, definition)
-        return dataclasses.replace(self, motor=motor, definition=definition, **sections)
+        return dataclasses.replace(self, motor=motor, clock_frequency=clock, definition=definition, **sections)
 
     def for_robot(self, robot: Robot) -> Self:
         """A copy for another robot; see `with_definition`."""
@@ -509,6 +551,9 @@ def _convert(hint: object, value: Plain, path: str, definition: TaskDefinition) 
         assert isinstance(hint, type)
         return _build(hint, value, path, definition)
     if hint == Frequency:
+        if isinstance(value, Mapping):
+            arm = scaled(CommandedFrequency.turn_arm, scale_of(CLOCK_UNITS["turn_arm"], definition.robot))
+            value = {"turn_arm": arm, **value}
         return frequency_of(value)
     if typing.get_origin(hint) is Literal:
         return value

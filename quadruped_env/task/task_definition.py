@@ -14,6 +14,7 @@ from quadruped_env.control.task_file import execute, merged, names_of, robot_in
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation.built_in_terrains import TERRAINS
 from quadruped_env.simulation.terrain import Terrain, Tiles
 from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
@@ -50,7 +51,19 @@ class TaskDefinition:
     @property
     def weights(self) -> dict[str, float]:
         """Default weight of every reward term, per second, in the order in which they are added."""
-        return {name: weight for term in self.rewards for name, weight in term.weights.items()}
+        return {
+            name: scaled(weight, 1.0 / self.scale(term, term.unit))
+            for term in self.rewards
+            for name, weight in term.weights.items()
+        }
+
+    def scale(self, term: object, unit: str) -> float:
+        """Factor on the numbers of a term in a unit, which are the built-in robot's if the term is built in.
+
+        Those of a user's file are as the user gave them: 1.
+        """
+        built_in = any(term is entry for kind in _LISTS for entry in getattr(BUILT_IN, kind))
+        return scale_of(unit, self.robot) if built_in else 1.0
 
     def own_terms(self) -> dict[str, list[str]]:
         """Names of what the user's file defines, by kind, as in the lists above."""

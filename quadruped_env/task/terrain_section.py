@@ -6,11 +6,10 @@ from typing import Final, NamedTuple, Self
 
 from quadruped_env.control.control_config import check
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot.robot import Robot
-from quadruped_env.simulation.built_in_terrains import find_terrain
+from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
 from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain, Tiles
 from quadruped_env.task.config_sections import Entry, Schema, Section, number, parameter_entry, seed_entry
-from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
+from quadruped_env.task.task_definition import TaskDefinition
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.plain import Plain
 
@@ -32,11 +31,6 @@ class Choice(NamedTuple):
         return cls(values.get("name", DEFAULT_TERRAIN), values.get("level"))
 
 
-def leg_scale(robot: Robot) -> float:
-    """Leg length of a robot (the height of its base in the stance) relative to the built-in one's."""
-    return robot.stance_height / BUILT_IN.robot.stance_height
-
-
 def terrain_schema(choice: Choice, definition: TaskDefinition) -> Schema:
     """Fields of the section for a choice.
 
@@ -53,7 +47,7 @@ def terrain_schema(choice: Choice, definition: TaskDefinition) -> Schema:
                 f"{', '.join(with_levels(definition.terrains))}"
             )
         _level(choice.level, "config.terrain.level")
-    return _shape_schema(terrain, choice.level, leg_scale(definition.robot))
+    return _shape_schema(terrain, choice.level, terrain_scale(terrain, definition.robot))
 
 
 def with_levels(terrains: Sequence[Terrain]) -> list[str]:
@@ -63,9 +57,11 @@ def with_levels(terrains: Sequence[Terrain]) -> list[str]:
 
 def ground_of(section: Section, definition: TaskDefinition) -> Terrain:
     """The terrain that a section describes, with its seed, level and parameters."""
-    terrain, scale = find_terrain(section["name"], definition.terrains), leg_scale(definition.robot)
+    terrain, robot = find_terrain(section["name"], definition.terrains), definition.robot
+    scale = terrain_scale(terrain, robot)
     if isinstance(terrain, Tiles):
-        kinds = [find_terrain(kind, definition.terrains) for kind in section["kinds"]]
+        found = [find_terrain(kind, definition.terrains) for kind in section["kinds"]]
+        kinds = [kind.variant(scale=terrain_scale(kind, robot)) for kind in found]
         return terrain.of(kinds, section["levels"], section["seed"], scale)
     parameters = {name: value for name, value in section.items() if name not in FIELDS}
     return terrain.variant(section["seed"], section.get("level"), scale, **parameters)
@@ -84,7 +80,7 @@ def _shape_schema(terrain: Terrain, level: int | None, scale: float) -> Schema:
     if terrain.hardest is not None:
         own["level"] = Entry(None, _level)
     defaults = terrain.defaults(level, scale)
-    return own | {name: parameter_entry(terrain.parameters[name][0], value) for name, value in defaults.items()}
+    return own | {name: parameter_entry(terrain.parameter(name, scale), value) for name, value in defaults.items()}
 
 
 @functools.cache

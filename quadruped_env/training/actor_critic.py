@@ -8,9 +8,8 @@ https://arxiv.org/abs/2403.04359; equivariant perceptrons: Su et al. 2024, https
 that sees what only the simulation knows: Pinto et al. 2018, https://arxiv.org/abs/1710.06542.
 """
 
-import math
 from dataclasses import dataclass
-from typing import Any, Final, NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 import torch
@@ -20,9 +19,6 @@ from stable_baselines3.common.torch_layers import MlpExtractor
 
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
-from quadruped_env.training.exploration import ClockNoise
-
-_LOG_ROOT_TAU: Final = 0.5 * math.log(math.tau)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,13 +94,9 @@ class _Extractor(MlpExtractor):
             self.value_net, self.latent_dim_vf = critic.value_net, critic.latent_dim_vf
         self.actor_width = actor_width
 
-    def seen_by_actor(self, features: torch.Tensor) -> torch.Tensor:
-        """The columns (..., actor_width) that the actor sees."""
-        return features[..., : self.actor_width]
-
     def forward_actor(self, features: torch.Tensor) -> torch.Tensor:
         """(N, hidden), of the observation alone."""
-        return self.policy_net(self.seen_by_actor(features))
+        return self.policy_net(features[..., : self.actor_width])
 
 
 class ActorCritic(ActorCriticPolicy):
@@ -128,8 +120,6 @@ class ActorCritic(ActorCriticPolicy):
         self.actor_width, self.mirror, self.critic_mirror = actor_width, mirror, critic_mirror
         self.tied: list[Tied] = []
         """Parameters that symmetry ties"""
-        self.clock_noise: ClockNoise | None = None
-        """Source of the exploration's noise; None: white noise"""
         super().__init__(*args, **kwargs)
 
     def _get_constructor_parameters(self) -> dict[str, Any]:
@@ -160,22 +150,6 @@ class ActorCritic(ActorCriticPolicy):
             # The mean of a random weight and its mirror image is smaller than either.
             parameter.data *= np.sqrt(2.0)
             parameter.register_hook(projection)
-
-    def mean_action(self, observations: torch.Tensor) -> torch.Tensor:
-        """Mean action (N, J) of observations (N, width)."""
-        return self.action_net(self.mlp_extractor.forward_actor(observations))
-
-    def forward(
-        self, obs: torch.Tensor, deterministic: bool = False
-    ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-        """Actions (N, J), values (N, 1) and log probabilities (N,): see SB3, whose distribution draws white noise."""
-        means = self.mean_action(obs)
-        noise = torch.zeros_like(means)
-        if not deterministic:
-            noise = torch.randn_like(means) if self.clock_noise is None else self.clock_noise.draw(means)
-        log_prob = -0.5 * (noise * noise).sum(-1) - (self.log_std + _LOG_ROOT_TAU).sum()
-        values = self.value_net(self.mlp_extractor.forward_critic(obs))
-        return means + noise * self.log_std.exp(), values, log_prob
 
     def project(self) -> None:
         """Make a symmetric network symmetric again, after anything but a gradient step has changed its parameters."""

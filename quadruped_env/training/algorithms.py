@@ -62,9 +62,7 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
         "ppo": Algorithm(
             "stable_baselines3.ppo",
             "PPO",
-            _ON_POLICY
-            | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm"}
-            | {"clock_noise", "straight_steps", "polish_generations", "reflex_rounds"},
+            _ON_POLICY | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm"},
         ),
         "a2c": Algorithm(
             "stable_baselines3.a2c",

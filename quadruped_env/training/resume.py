@@ -51,9 +51,7 @@ KEPT: Final = (
     "task",
 )
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
-_ADDED: Final = frozenset(
-    {"policy", "ranks", "device", "clock_noise", "straight_steps", "polish_generations", "reflex_rounds"}
-)
+_ADDED: Final = frozenset({"policy", "ranks", "device"})
 """Fields of `TrainConfig` that runs of earlier versions lack; these were trained with the defaults."""
 
 _MOST: Final = 1e15

@@ -82,7 +82,6 @@ def go_on_from(model: Any, parent: Parent) -> None:
             getattr(model, name).data.copy_(value.data)
     model.num_timesteps = parent.timesteps
     model.learning_rate.go_on(parent.timesteps, parent.budget_left)
-    model.learning_rate.stage(parent.timesteps, model.env.task)
 
 
 class _UnusableError(Exception):
@@ -174,10 +173,9 @@ def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = 
             joints = env.action_space.shape[0]
             arguments["action_noise"] = NormalActionNoise(np.zeros(joints), np.full(joints, config.action_noise))
     if config.policy:
-        policy, own = _own_policy(config.policy, own)
+        policy, own = _own_policy(config, own)
     arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
-    arguments["learning_rate"] = schedule = Schedule(config)
-    schedule.stage(0, env.task)
+    arguments["learning_rate"] = Schedule(config)
     kind = kind or algorithm_class(config.algo)
     if is_user_class(config.algo):
         arguments = accepted(kind, arguments)
@@ -187,12 +185,17 @@ def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = 
     return model
 
 
-def _own_policy(text: str, arguments: dict[str, Any]) -> tuple[type[Any], dict[str, Any]]:
+def _own_policy(config: TrainConfig, arguments: dict[str, Any]) -> tuple[type[Any], dict[str, Any]]:
     """A user's policy class, and those of the arguments that it takes."""
-    _, kind = load_class("policy", text)
+    _, kind = load_class("policy", config.policy)
     if not issubclass(kind, BasePolicy):
         raise QuadrupedError(f"--policy: {kind.__name__} is not derived from a policy class of Stable-Baselines3")
     if not issubclass(kind, ActorCritic):
+        if config.asymmetric_critic:
+            raise QuadrupedError(
+                f"--asymmetric-critic: the actor of {kind.__name__} would see the privileged readings, too; choose "
+                f"--no-asymmetric-critic, or derive the class from {ActorCritic.__module__}.{ActorCritic.__name__}"
+            )
         arguments = {name: value for name, value in arguments.items() if name not in _OF_OUR_POLICIES}
     return kind, accepted(kind, arguments)
 

@@ -1,13 +1,12 @@
-"""The share of a training's budget that is left, and all that follows it: learning rate, exploration, commands."""
+"""The share of a training's budget that is left, and what follows it: learning rate and exploration."""
 
 import time
-from typing import Any, Final
+from typing import Final
 
 from stable_baselines3.common.callbacks import BaseCallback
 
 from quadruped_env.training.actor_critic import ActorCritic
-from quadruped_env.training.exploration import ClockNoise
-from quadruped_env.training.train_config import STRAIGHT_LEARNING_RATE, TrainConfig
+from quadruped_env.training.train_config import TrainConfig
 
 _FINAL_LEARNING_RATE: Final = 0.1
 """Share of the first learning rate that is left at the end."""
@@ -24,10 +23,8 @@ class Schedule:
 
     def __init__(self, config: TrainConfig) -> None:
         self._seconds, self._timesteps = config.seconds, config.timesteps
-        self._learning_rate, self._straight_steps = config.learning_rate, config.straight_steps
+        self._learning_rate = config.learning_rate
         self._bounds = config.log_std_init, min(config.log_std_init, config.final_log_std)
-        self.straight = False
-        """True while the commands are straight ahead only, and the learning rate is higher"""
         self.go_on(0, 1.0)
 
     def go_on(self, timesteps: int, left: float) -> None:
@@ -38,7 +35,6 @@ class Schedule:
     def begin(self, timesteps: int) -> None:
         """Begin to use the budget."""
         self._first, self._began = timesteps, time.perf_counter()
-        self.straight = timesteps < self._straight_steps
 
     def left_after(self, timesteps: int) -> float:
         """Share of the budget that is left now, after a number of time steps."""
@@ -56,24 +52,11 @@ class Schedule:
 
     def __call__(self, progress_remaining: float = 0.0) -> float:
         """The learning rate."""
-        rate = self._learning_rate * (_FINAL_LEARNING_RATE + (1.0 - _FINAL_LEARNING_RATE) * self.left)
-        return rate * STRAIGHT_LEARNING_RATE if self.straight else rate
-
-    def stage(self, timesteps: int, task: Any) -> None:
-        """Choose the commands and the learning rate by the number of time steps so far."""
-        self.straight = task.straight_only = timesteps < self._straight_steps
+        return self._learning_rate * (_FINAL_LEARNING_RATE + (1.0 - _FINAL_LEARNING_RATE) * self.left)
 
 
 class Scheduled(BaseCallback):
-    """Callback of every training of `make_model`: moves its schedule on, and applies it to policy and envs.
-
-    Args:
-        config: settings of the training.
-    """
-
-    def __init__(self, config: TrainConfig) -> None:
-        super().__init__()
-        self._clock_noise = config.clock_noise
+    """Callback of every training of `make_model`: moves its schedule on, and applies it to the policy."""
 
     @property
     def schedule(self) -> Schedule:
@@ -82,12 +65,9 @@ class Scheduled(BaseCallback):
 
     def _on_training_start(self) -> None:
         self.schedule.begin(self.model.num_timesteps)
-        if self._clock_noise and isinstance(self.model.policy, ActorCritic):
-            self.model.policy.clock_noise = ClockNoise(self._clock_noise, self.training_env.task.control)
 
     def _on_rollout_start(self) -> None:
         policy = self.model.policy
-        self.schedule.stage(self.model.num_timesteps, self.training_env.task)
         if hasattr(policy, "log_std"):
             policy.log_std.data.clamp_(max=self.schedule.log_std_bound)
         self._symmetrize()
@@ -97,9 +77,6 @@ class Scheduled(BaseCallback):
 
     def _on_rollout_end(self) -> None:
         self.schedule.left = self.schedule.left_after(self.model.num_timesteps)
-        policy = self.model.policy
-        if isinstance(policy, ActorCritic) and policy.clock_noise is not None:
-            policy.clock_noise.end_rollout(policy.log_std.detach().exp())
 
     def _on_training_end(self) -> None:
         self._symmetrize()

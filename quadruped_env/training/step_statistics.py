@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.training.group import ALONE, Group
 from quadruped_env.training.schedules import Scheduled
-from quadruped_env.training.train_config import TrainConfig
 
 Floats = NDArray[np.float64]
 
@@ -23,12 +22,11 @@ class StepStatistics(Scheduled):
     They then agree on what must be equal on all: the end of the training, and the place in the schedules.
 
     Args:
-        config: settings of the training.
         group: this rank.
     """
 
-    def __init__(self, config: TrainConfig, group: Group = ALONE) -> None:
-        super().__init__(config)
+    def __init__(self, group: Group = ALONE) -> None:
+        super().__init__()
         self._group = group
         self.stopped = False
         """True if a signal asked to stop, after a rollout also if it asked another rank"""

@@ -2,24 +2,21 @@
 
 import signal
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
-from typing import Any
+from typing import Any, Final
 
 # First, because it sets a variable that torch reads when it is loaded.
 from quadruped_env.training.sb3_models import go_on_from, make_model
 
 # isort: split
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.training.group import ALONE, Group
-from quadruped_env.training.polish import Polished, polish
-from quadruped_env.training.reflex import ReflexRound, add_reflex
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import Run, check_latest
 from quadruped_env.training.step_statistics import StepStatistics
@@ -33,6 +30,40 @@ except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
 
+class Trainer:
+    """Envs, model and callbacks of a training on the CPU; a subclass has those of another device."""
+
+    recorder: type[Recorder] = Recorder
+    """Callback of rank 0"""
+    statistics: type[StepStatistics] = StepStatistics
+    """Callback of the other ranks"""
+
+    def make(self, config: TrainConfig, task_file: Path | None, group: Group, threads: int) -> tuple[Any, Any]:
+        """A rank's share of the envs, and a fresh model with Stable-Baselines3's `learn`; see `prepare`."""
+        if config.device != "cpu":
+            raise QuadrupedError(f"--device: {config.device} needs the trainer quadruped_env.scale.gpu.warp_training")
+        share = config.num_envs // group.ranks
+        env = make_sb3_vec_env(
+            share,
+            seed=config.seed + group.rank * share,
+            action_mode=config.action_mode,
+            config=config.task,
+            task_file=task_file,
+            privileged=config.asymmetric_critic,
+            num_threads=threads or group.threads,
+        )
+        if group.ppo is None:
+            return env, make_model(config, env)
+        return env, make_model(config, env, group.ppo, group=group, batch_size=config.batch_size // group.ranks)
+
+    def go_on_from(self, model: Any, parent: Parent) -> None:
+        """Take over a run's network, optimizer, step count and place in the schedules."""
+        go_on_from(model, parent)
+
+
+ON_CPU: Final = Trainer()
+
+
 def train(
     config: TrainConfig,
     runs: Path,
@@ -42,6 +73,7 @@ def train(
     group: Group = ALONE,
     observer: Observer | None = None,
     threads: int = 0,
+    trainer: Trainer = ON_CPU,
 ) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
@@ -54,6 +86,7 @@ def train(
         group: rank 0 of the training, if it has several.
         observer: watches the training; the clock stands still meanwhile.
         threads: threads of the physics; 0: one per core, or those of the group.
+        trainer: that of the device.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -62,49 +95,40 @@ def train(
         QuadrupedError: if a setting is not possible, the run to resume is not complete, or a file cannot be
             written; then what was saved before is kept.
     """
-    if config.device != "cpu":
-        raise QuadrupedError(f"--device: {config.device} needs quadruped_env.scale.gpu.warp_training.train")
     check_latest(runs)
-    config, parent, env, model = prepare(config, resume, task_file, group, threads)
+    config, parent, env, model = prepare(config, resume, task_file, group, threads, trainer)
     task = env.task.config
     facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
     run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
-    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
+    recorder = trainer.recorder(run, config, task, 0.0 if parent is None else parent.seconds, group, observer)
     try:
-        record(
-            run,
-            model,
-            recorder,
-            lambda: learn(config, model, recorder, parent is None, recorder.note_reflex, recorder.note_polish),
-        )
+        record(run, model, recorder, lambda: learn(config, model, recorder, fresh=parent is None))
     finally:
         env.close()
     return run.directory, not recorder.stopped
 
 
-def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
+def follow(
+    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group, trainer: Trainer = ON_CPU
+) -> None:
     """Train as a rank other than 0, which writes no files; see `train`."""
-    config, parent, env, model = prepare(config, resume, task_file, group)
+    config, parent, env, model = prepare(config, resume, task_file, group, trainer=trainer)
     try:
         model.set_logger(Logger(None, []))
-        # Rank 0 polishes and learns the reflex alone.
-        config = replace(config, reflex_rounds=0, polish_generations=0)
-        learn(config, model, StepStatistics(config, group), fresh=parent is None)
+        learn(config, model, trainer.statistics(group), fresh=parent is None)
     finally:
         env.close()
 
 
 def prepare(
-    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE, threads: int = 0
-) -> tuple[TrainConfig, Parent | None, MiniQuadrupedSB3VecEnv, Any]:
-    """Everything that a training, or one rank of it, needs to learn.
-
-    Args:
-        config: settings of the training.
-        resume: a run or checkpoint to go on from.
-        task_file: a user's file of terms, which is executed.
-        group: this rank.
-        threads: threads of the physics; 0: one per core, or those of the group.
+    config: TrainConfig,
+    resume: Path | None,
+    task_file: Path | None,
+    group: Group = ALONE,
+    threads: int = 0,
+    trainer: Trainer = ON_CPU,
+) -> tuple[TrainConfig, Parent | None, Any, Any]:
+    """Everything that a training, or one rank of it, needs to learn; see `train`.
 
     Returns:
         The settings with the whole task, the run to go on from, the rank's share of the envs, and the model.
@@ -112,56 +136,30 @@ def prepare(
     Raises:
         QuadrupedError: if a setting is not possible, or the run to resume is not complete.
     """
-    definition = BUILT_IN if task_file is None else load_task_file(task_file)
-    parent = None if resume is None else Parent.load(resume, definition)
-    if parent is not None:
+    parent = None
+    if resume is not None:
+        parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
         parent.check(asdict(config))
         config = replace(config, task=parent.with_reward(config.task))
-    share = config.num_envs // group.ranks
-    env = make_sb3_vec_env(
-        share,
-        seed=config.seed + group.rank * share,
-        action_mode=config.action_mode,
-        config=config.task,
-        task_file=task_file,
-        privileged=config.asymmetric_critic,
-        num_threads=threads or group.threads,
-    )
+    env, model = trainer.make(config, task_file, group, threads)
     check_training_seeds("config.terrain.seed", env.task.config.terrain["seed"])
-    if group.ppo is None:
-        model = make_model(config, env)
-    else:
-        model = make_model(config, env, group.ppo, group=group, batch_size=config.batch_size // group.ranks)
     if parent is not None:
-        go_on_from(model, parent)
+        trainer.go_on_from(model, parent)
     return config, parent, env, model
 
 
-def learn(
-    config: TrainConfig,
-    model: Any,
-    statistics: StepStatistics,
-    fresh: bool,
-    note_reflex: Callable[[float, list[ReflexRound]], None] | None = None,
-    note_polish: Callable[[float, Polished | None], None] | None = None,
-) -> None:
-    """Train a model until its budget is used, its gait is polished and it has its reflex, or a signal stops it.
+def learn(config: TrainConfig, model: Any, statistics: StepStatistics, fresh: bool) -> None:
+    """Train a model until its budget is used, or a signal stops it.
 
     Args:
         config: settings of the training.
         model: of `prepare`.
         statistics: callback that knows when to stop.
         fresh: False if the training goes on from a run.
-        note_reflex: called with the share of the reflex's learning that is done, and its rounds so far.
-        note_polish: called with the share of the search that is done, and in the end with what it is worth.
     """
+    timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
     with stop_on_signal(statistics):
-        timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
         model.learn(timesteps, callback=statistics, reset_num_timesteps=fresh)
-        if config.polish_generations and not statistics.stopped:
-            polish(model, config.polish_generations, note_polish, lambda: statistics.stopped)
-        if config.reflex_rounds and not statistics.stopped:
-            add_reflex(model, config.reflex_rounds, note_reflex, lambda: statistics.stopped)
 
 
 @contextmanager

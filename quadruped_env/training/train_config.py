@@ -11,7 +11,7 @@ from typing import Any, Final, Literal
 from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.training.algorithms import algorithm, base_of
+from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
 from quadruped_env.training.user_classes import is_user_class
 from quadruped_env.utils.seeds import check_training_seeds
@@ -20,30 +20,8 @@ STEPS_TO_WALK: Final = {"residual": 17_000, "position": 113_000}
 """Median number of steps until a policy walks at 0.5 m/s, measured by `tools/learning_speed.py`
 (docs/measurements.md)."""
 
-
-_FROM_SCRATCH: Final[Mapping[str, Any]] = MappingProxyType(
-    {
-        "timesteps": 3_000_000,
-        "n_steps": 16,
-        "batch_size": 1024,
-        "learning_rate": 2e-3,
-        "log_std_init": -1.5,
-        "final_log_std": -4.0,
-        "clock_noise": 0.9,
-        "straight_steps": 400_000,
-    }
-)
-"""Defaults of PPO in mode `position`, which has no gait to lose: many updates, each from few samples, and much noise.
-On top of the scripted gait they learn a gait that is worse than the scripted one without a policy."""
-
-STRAIGHT_LEARNING_RATE: Final = 2.5
-"""Factor of the learning rate while `straight_steps` last."""
-
-ON_CPU_ALONE: Final = ("clock_noise", "straight_steps", "polish_generations", "reflex_rounds")
-"""Fields of `TrainConfig` that PPO uses on the CPU alone; elsewhere they are 0."""
-
 GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
-    {"num_envs": 4096, "n_steps": 24, "batch_size": 24_576, "timesteps": 50_000_000}
+    {"num_envs": 4096, "batch_size": 24_576, "timesteps": 50_000_000}
 )
 """Defaults on a GPU, also in place of a recipe's: as many envs as keep it busy, and few steps of each (Rudin et al.
 2021). Not tuned."""
@@ -72,10 +50,6 @@ BOUNDS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType(
         "clip_range": (OPEN, 10.0),
         "ent_coef": (0.0, 1000.0),
         "max_grad_norm": (OPEN, 1e6),
-        "clock_noise": (0.0, 0.999),
-        "straight_steps": (0, 10**12),
-        "polish_generations": (0, 10**6),
-        "reflex_rounds": (0, 10**6),
         "buffer_size": (1, 10**9),
         "learning_starts": (0, 10**9),
         "gradient_steps": (1, 10**6),
@@ -96,10 +70,10 @@ MAX_LAYERS: Final = 16
 class TrainConfig:
     """Settings of a training, the options of `mini-quadruped train`; an algorithm's have Stable-Baselines3's names.
 
-    The defaults are those of PPO in mode `residual`; `defaults` has the others.
+    The defaults are those of PPO; `algorithms.ALGORITHMS` has those of the others.
     """
 
-    recipe: Literal["flat", "robust", "rough", "fast"] = "flat"
+    recipe: Literal["flat", "rough"] = "flat"
     """Named settings of the training and its task, which other options change"""
     algo: str = "ppo"
     """Algorithm: ppo, a2c, sac, td3 or ddpg of Stable-Baselines3; trpo, tqc or crossq of sb3-contrib; or FILE.py:CLASS
@@ -108,7 +82,7 @@ class TrainConfig:
     """Policy class FILE.py:CLASS of your own, derived from one of Stable-Baselines3's, in place of the symmetric one"""
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
-    timesteps: int = 600_000
+    timesteps: int = 1_500_000
     """Budget in environment steps, summed over all envs; the same kind of processor repeats the run bit for bit"""
     seconds: float | None = None
     """Budget in seconds of wall-clock time instead; such a run cannot be repeated bit for bit"""
@@ -125,13 +99,13 @@ class TrainConfig:
     """Seconds of wall-clock time between checkpoints"""
     task: dict[str, Any] = field(default_factory=dict)
     """Changes to the task's config, as nested values"""
-    n_steps: int = 64
+    n_steps: int = 24
     """Steps of each env between updates"""
-    batch_size: int = 4096
+    batch_size: int = 1536
     """Samples in a gradient step"""
     n_epochs: int = 4
     """Passes over the samples of an update"""
-    learning_rate: float = 1e-3
+    learning_rate: float = 7e-4
     """Adam's initial step size; it decreases linearly to a tenth"""
     gamma: float = 0.985
     """Discount per step of 0.02 s"""
@@ -143,14 +117,6 @@ class TrainConfig:
     """Weight of the entropy bonus"""
     max_grad_norm: float = 1.0
     """Maximum norm of the gradient"""
-    clock_noise: float = 0.0
-    """Largest share of PPO's exploration noise that swings with the gait clock, for a policy that has no gait yet"""
-    straight_steps: int = 0
-    """Environment steps at the start of PPO with commands straight ahead only, and 2.5 times the learning rate"""
-    polish_generations: int = 0
-    """Generations of a search that polishes the gait of PPO's policy, after the budget (docs/training.md)"""
-    reflex_rounds: int = 0
-    """Rounds in which PPO learns a reflex from replays of falls, after the budget (docs/training.md)"""
     buffer_size: int = 500_000
     """Environment steps in the replay buffer of sac, td3, ddpg, tqc and crossq"""
     learning_starts: int = 10_000
@@ -164,7 +130,7 @@ class TrainConfig:
     device: str = "cpu"
     """Device of the physics and the networks: `cpu` (MuJoCo's batch and Stable-Baselines3); `cuda` or `cuda:N`, a GPU
     (MuJoCo Warp and rsl-rl, extra gpu); `warp-cpu`, the GPU's code on the CPU, for trying it"""
-    hidden: tuple[int, ...] = (64, 64)
+    hidden: tuple[int, ...] = (128, 128)
     """Widths of the hidden layers of the policy and of the value function"""
     activation: Literal["elu", "relu", "tanh", "leaky_relu", "silu", "gelu", "softplus", "selu", "sigmoid", "mish"] = (
         "elu"
@@ -172,11 +138,11 @@ class TrainConfig:
     """Activation function of the hidden layers"""
     symmetric: bool = True
     """Make the policy left/right symmetric by construction, as the robot is"""
-    asymmetric_critic: bool = False
+    asymmetric_critic: bool = True
     """Let the value function see privileged readings that only the simulation knows; the policy never sees them"""
-    log_std_init: float = -3.5
+    log_std_init: float = -1.0
     """Logarithm of the exploration's initial standard deviation"""
-    final_log_std: float = -5.0
+    final_log_std: float = -3.5
     """Upper bound of that logarithm at the end, reached linearly. Noise slows the robot down, and a policy that
     learned with it overshoots its commands without it"""
 
@@ -221,13 +187,6 @@ class TrainConfig:
             )
         if self.policy:
             raise QuadrupedError(f"--policy: found {self.policy} with --device {self.device}; leave one of both out")
-        for name in ON_CPU_ALONE:
-            value = getattr(self, name)
-            if value:
-                raise QuadrupedError(
-                    f"--{name.replace('_', '-')}: found {value:g} with --device {self.device}, whose trainer does not "
-                    f"have it; leave one of both out"
-                )
 
     def _check_ranks(self) -> None:
         if self.algo != "ppo":
@@ -310,21 +269,6 @@ def on_gpu(device: str) -> bool:
 def equal_batches(config: TrainConfig) -> int:
     """Number of batches in an update of rsl-rl, which need equal sizes: `--batch-size` is rounded."""
     return max(1, round(config.num_envs * config.n_steps / config.batch_size))
-
-
-def defaults(algo: str, action_mode: str, device: str = "cpu") -> dict[str, Any]:
-    """Defaults of an algorithm in an action mode on a device, where they differ from those of `TrainConfig`.
-
-    Raises:
-        QuadrupedError: if there is no such algorithm.
-    """
-    own = _FROM_SCRATCH if base_of(algo) == TrainConfig.algo and action_mode == "position" else algorithm(algo).defaults
-    return possible_on(device, own)
-
-
-def possible_on(device: str, settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of some fields of `TrainConfig` that PPO uses on a device."""
-    return {name: value for name, value in settings.items() if device == TrainConfig.device or name not in ON_CPU_ALONE}
 
 
 def shortness(action_mode: str, timesteps: int) -> str:

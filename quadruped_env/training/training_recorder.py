@@ -7,7 +7,6 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +23,6 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.group import ALONE, DifferentWeightsError, Group, RankLostError
-from quadruped_env.training.polish import Polished, polish_steps
-from quadruped_env.training.reflex import ReflexRound, reflex_steps
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.step_statistics import StepStatistics
 from quadruped_env.training.train_config import TrainConfig
@@ -75,15 +72,11 @@ class Recorder(StepStatistics):
         group: Group = ALONE,
         observer: Observer | None = None,
     ) -> None:
-        super().__init__(config, group)
+        super().__init__(group)
         self._observer = observer
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.elapsed = 0.0
-        self._began: dict[str, float] = {}
-        """Part after the budget -> its first second"""
-        self._polished: Polished | None = None
-        self._reflex: list[ReflexRound] = []
 
     @property
     def seconds(self) -> float:
@@ -108,14 +101,6 @@ class Recorder(StepStatistics):
             disable=None,
             dynamic_ncols=True,
         )
-        if self._config.polish_generations:
-            steps = polish_steps(self._config.polish_generations)
-            text = f"then {steps:,} more steps to polish the gait (--polish-generations 0 leaves them out)"
-            self._bar.write(text, file=sys.stderr)
-        if self._config.reflex_rounds:
-            steps = reflex_steps(self._config.reflex_rounds, self.model.n_envs)
-            text = f"then {steps:,} more steps for a reflex against falls (--reflex-rounds 0 leaves it out)"
-            self._bar.write(text, file=sys.stderr)
 
     def _on_step(self) -> bool:
         self.elapsed = time.perf_counter() - self._start
@@ -194,37 +179,6 @@ class Recorder(StepStatistics):
         """Rest of a budget in seconds; the bar itself shows that of a budget in steps."""
         return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
 
-    def note_reflex(self, share: float, rounds: list[ReflexRound]) -> None:
-        """Show how much of the reflex is learned, as a line every ten seconds and after each round."""
-        text = f"reflex against falls: {share:.0%}"
-        news = len(rounds) > len(self._reflex)
-        if news:
-            self._reflex = list(rounds)
-            text += (
-                f", round {len(rounds)}: {rounds[-1].survived:.0%} of the replayed falls survived, then "
-                f"{rounds[-1].fall_rate:.2f} falls in 20 s"
-            )
-        self._note("reflex", share, text, news)
-
-    def note_polish(self, share: float, polished: Polished | None) -> None:
-        """Show how much of the polish is done, as a line every ten seconds, and at the end what it is worth."""
-        self._polished = polished
-        text = f"polish of the gait: {share:.0%}"
-        if polished is not None:
-            text += f", its cost falls from {polished.before:.1f} to {polished.after:.1f}"
-        self._note("polish", share, text, polished is not None)
-
-    def _note(self, part: str, share: float, text: str, news: bool) -> None:
-        """Show a line about a part after the budget, if there is news or the last line is ten seconds old."""
-        self.elapsed = time.perf_counter() - self._start
-        began = self._began.setdefault(part, self.elapsed)
-        if not news and self.elapsed < self._next_line:
-            return
-        self._next_line = self.elapsed + _LINE_INTERVAL
-        if 0.0 < share < 1.0:
-            text += f", {(self.elapsed - began) * (1.0 / share - 1.0):.0f} s left"
-        self._bar.write(text, file=sys.stderr)
-
     def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
         """Save at the end of a training, but not a policy that the ranks do not share."""
         if not isinstance(error, _BETWEEN_RANKS):
@@ -263,8 +217,6 @@ class Recorder(StepStatistics):
             "timesteps": int(self.model.num_timesteps),
             "seconds": round(self.seconds, 1),
             "budget_left": self.schedule.left_after(self.model.num_timesteps),
-            **({"polish": asdict(self._polished)} if self._polished is not None else {}),
-            **({"reflex": [asdict(result) for result in self._reflex]} if self._reflex else {}),
         }
 
     def _policy(self, card: dict[str, Any]) -> Policy:

@@ -3,7 +3,7 @@
 import inspect
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, Final, get_args, get_origin
 
 from quadruped_env.errors import QuadrupedError
@@ -29,18 +29,16 @@ class Parameter:
     high: float = LARGEST
     exclusive: bool = False
     """True if `low` itself is not valid, nor what is closer to it than `SMALLEST`."""
-    scales: bool = False
-    """True if the default is that of the built-in robot; other robots' is in proportion to the height of the stance."""
 
     @classmethod
     def positive(cls, unit: str = "1") -> "Parameter":
         """Parameter whose values must be greater than 0."""
         return cls(unit, 0.0, exclusive=True)
 
-    @classmethod
-    def length(cls) -> "Parameter":
-        """Length of a robot in m, whose default scales with the height of the robot's stance."""
-        return cls("m", 0.0, exclusive=True, scales=True)
+    def scaled(self, factor: float) -> "Parameter":
+        """A copy with the limits times a factor."""
+        low, high = (bound if abs(bound) == LARGEST else bound * factor for bound in (self.low, self.high))
+        return replace(self, low=low, high=high)
 
     def accepts(self, value: float) -> bool:
         """True if a number is valid."""

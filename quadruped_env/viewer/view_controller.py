@@ -14,7 +14,7 @@ from typing import Final
 
 import mujoco
 
-from quadruped_env.control.steering import FORWARD_STEP, TURN_STEP, next_step
+from quadruped_env.control.steering import key_steps, next_step
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.metrics import GRAVITY
 from quadruped_env.gait.gait_settings import GaitSettings
@@ -201,8 +201,8 @@ class ViewController:
     def nudge(self, forward: int, left: int) -> Command:
         """Change the command by a number of steps, like a key press; the result is a multiple of the step."""
         with self._lock:
-            velocity, yaw_rate = self._command
-            return self.set_command(next_step(velocity, FORWARD_STEP, forward), next_step(yaw_rate, TURN_STEP, left))
+            (velocity, yaw_rate), steps = self._command, key_steps(self.robot)
+            return self.set_command(next_step(velocity, steps[0], forward), next_step(yaw_rate, steps[1], left))
 
     def set_speed(self, speed: float) -> None:
         """Set the playback speed, as a multiple of real time."""

@@ -11,9 +11,9 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.reporting.films.film import size_of
 from quadruped_env.robot import Robot
-from quadruped_env.simulation import Terrain, find_terrain
+from quadruped_env.simulation import Terrain
+from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
 from quadruped_env.task import PRESETS, CommandConfig, Section, TaskConfig
-from quadruped_env.task.terrain_section import leg_scale
 from quadruped_env.viewer.viewed_robot import TaskRobot, ViewedRobot
 
 MAX_ROBOTS: Final = 3
@@ -141,7 +141,8 @@ class ViewerRobots:
 
     def on_terrain(self, name: str, level: int | None) -> list[Slot]:
         """New robots of the same sources on another ground; a QuadrupedError if there is no such terrain or level."""
-        terrain = find_terrain(name, self.terrains).variant(self.terrain.seed, level, leg_scale(self.robot))
+        terrain = find_terrain(name, self.terrains)
+        terrain = terrain.variant(self.terrain.seed, level, terrain_scale(terrain, self.robot))
         return self._made_with("_terrain", terrain)
 
     def _made_with(self, attribute: str, value: object) -> list[Slot]:

@@ -35,7 +35,7 @@ def asked(monkeypatch):
 
     trainings = []
 
-    def stop(config, *arguments):
+    def stop(config, *arguments, **others):
         trainings.append(config)
         raise QuadrupedError("stopped")
 
@@ -52,7 +52,7 @@ def run(*arguments):
 
 def test_training_gets_the_plain_values_of_a_preset(asked, tmp_path):
     run("--randomization", "hard", "-o", str(tmp_path))
-    recipe = task_values("flat", MINI_QUADRUPED, "residual")
+    recipe = task_values("flat", MINI_QUADRUPED)
     assert asked[0].task == {**recipe, "randomization": preset_values("hard")}
     assert TaskConfig.from_dict(asked[0].task).randomization == RandomizationConfig(preset="hard")
 

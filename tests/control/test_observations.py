@@ -5,10 +5,20 @@ import math
 import numpy as np
 import pytest
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
-from tasks import FRAME_WIDTH, LAYOUT, NEVER_FALLS, OBSERVATION_WIDTH, STILL_START, column, make_env, make_task
+from tasks import (
+    FRAME_WIDTH,
+    LAYOUT,
+    NEVER_FALLS,
+    NOISE,
+    OBSERVATION_WIDTH,
+    STILL_START,
+    column,
+    make_env,
+    make_task,
+)
 
 from quadruped_env import JOINT_NAMES
-from quadruped_env.control.velocity_command import MOVING_THRESHOLD
+from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import RandomizationConfig
 
@@ -23,7 +33,6 @@ def test_the_layout_is_bounded_and_adds_up():
     np.testing.assert_array_equal(LAYOUT.low, -LAYOUT.high)
     assert (LAYOUT.high > 0).all()
     assert (LAYOUT.scale > 0).all()
-    assert (LAYOUT.noise >= 0).all()
     assert [LAYOUT.slices[name].start for name in names] == [0, 3, 6, 14, 22, 30, 32]
     observation = make_task(4).observe()
     assert observation.shape == (4, OBSERVATION_WIDTH)
@@ -38,7 +47,7 @@ def test_an_observation_is_the_readings_offset_scaled_and_clipped():
         observation = task.step(action).observation
         state = task.simulation.readings
         clock = np.stack([np.sin(task.phase), np.cos(task.phase)], axis=1)
-        clock[(abs(task.command) <= MOVING_THRESHOLD).all(axis=1)] = 0.0
+        clock[(abs(task.command) <= moving_threshold(MINI_QUADRUPED)).all(axis=1)] = 0.0
         readings = {
             "projected_gravity": -state.up_b,
             "angular_velocity": state.angular_velocity_b,
@@ -145,14 +154,14 @@ def test_observation_noise_stays_within_each_fields_amplitude():
     for _ in range(20):
         action = np.zeros((32, 8))
         difference = noisy.step(action).observation.astype(float) - quiet.step(action).observation
-        assert (abs(difference) <= LAYOUT.noise * LAYOUT.scale + 1e-6).all()
+        assert (abs(difference) <= NOISE * LAYOUT.scale + 1e-6).all()
         differences.append(difference)
     differences = np.array(differences)
-    noiseless = LAYOUT.noise == 0
+    noiseless = NOISE == 0
     np.testing.assert_array_equal(differences[..., noiseless], 0.0)
     inside = (abs(quiet.observe()) < LAYOUT.high - 0.5).all(axis=0) & ~noiseless
     spread = differences[..., inside].std(axis=(0, 1))
-    np.testing.assert_allclose(spread, (LAYOUT.noise * LAYOUT.scale)[inside] / math.sqrt(3), rtol=0.15)
+    np.testing.assert_allclose(spread, (NOISE * LAYOUT.scale)[inside] / math.sqrt(3), rtol=0.15)
 
 
 def test_observing_twice_gives_the_same_noise():

@@ -8,6 +8,7 @@ import pytest
 from quadruped_env.evaluation.comparison import COMMANDS, Comparison, motion_of
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.verdict import reached_share, verdict
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 
 
@@ -125,6 +126,6 @@ def test_reached_share_in_the_wrong_direction_is_negative():
 
 
 def test_commands_are_classified_by_motion():
-    assert [motion_of(c) for c in ((0.1, 0.0), (0.0, 0.0), (-0.1, 0.0), (0.0, 0.5), (0.3, -0.5))] == [
+    assert [motion_of(c, MINI_QUADRUPED) for c in ((0.1, 0.0), (0.0, 0.0), (-0.1, 0.0), (0.0, 0.5), (0.3, -0.5))] == [
         "forwards", "standing", "backwards", "turning", "turning",
     ]  # fmt: skip

@@ -228,7 +228,7 @@ def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
         expected = np.clip(nominal + change, joint["lower_rad"], joint["upper_rad"])
         np.testing.assert_allclose(found["joint_target"][:, i], expected, rtol=0, atol=1e-5)
     # The observation by the manifest's numbers, through the policy's network.
-    moving = (np.abs(command).max(axis=1) > document["command"]["standing_up_to"])[:, None]
+    moving = (np.abs(command) > document["command"]["standing_up_to"]).any(axis=1, keepdims=True)
     inputs["gait_clock"] = np.stack([np.sin(phase), np.cos(phase)], axis=1) * moving
     columns = [
         np.clip((inputs[field["name"]] - field["offset"]) * field["scale"], field["low"], field["high"])

@@ -36,20 +36,20 @@ REWARD_PARAMETERS: Final = {
 """Parameters of the built-in reward terms."""
 
 TRAINING: Final = {
-    "timesteps": 600_000,
+    "timesteps": 1_500_000,
     "num_envs": 256,
-    "n_steps": 64,
-    "batch_size": 4096,
+    "n_steps": 24,
+    "batch_size": 1536,
     "n_epochs": 4,
-    "hidden": (64, 64),
-    "learning_rate": 1e-3,
+    "hidden": (128, 128),
+    "learning_rate": 7e-4,
     "gamma": 0.985,
     "gae_lambda": 0.95,
     "clip_range": 0.2,
     "ent_coef": 0.0,
     "max_grad_norm": 1.0,
-    "log_std_init": -3.5,
-    "final_log_std": -5.0,
+    "log_std_init": -1.0,
+    "final_log_std": -3.5,
 }
 """Defaults of a training with PPO."""
 
@@ -93,7 +93,9 @@ def settings(
     """
     standing, straight, turning = (None, None, None) if shares is None else (*shares, 0.0)
     tilt, force = (math.pi, 1e9) if never_ends else (max_tilt, None)
-    still = dict.fromkeys(("start_joint_position", "start_joint_velocity", "start_base_velocity", "start_base_rotation"), 0.0)
+    still = dict.fromkeys(
+        ("start_joint_position", "start_joint_velocity", "start_base_velocity", "start_base_rotation"), 0.0
+    )
     sections = {
         "command": {
             "forward_velocity": forward_velocity,

@@ -21,6 +21,8 @@ FRAME_WIDTH = LAYOUT.width
 """Width of the observation of one step."""
 OBSERVATION_WIDTH = TaskConfig().observation_history * FRAME_WIDTH
 """Width of the default task's observation."""
+NOISE = np.concatenate([np.full(field.width(MINI_QUADRUPED), field.noise) for field in LAYOUT.fields])
+"""Amplitude of the noise per column of the observation."""
 ACTION_WIDTH = MINI_QUADRUPED.num_joints
 
 NEVER_FALLS = TerminationConfig(max_tilt=math.pi, max_trunk_force=1e9)

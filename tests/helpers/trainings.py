@@ -2,7 +2,6 @@
 
 import contextlib
 import csv
-import signal
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -45,24 +44,6 @@ def learn(runs, config, resume=None):
     from quadruped_env.scale.ranks.training_launch import launch
 
     return launch(Job(config, runs, "train", resume))[0]
-
-
-def learn_until(monkeypatch, note, runs, config):
-    """Run directory of a training that Ctrl-C ends in the part that calls this method of its recorder."""
-    from quadruped_env.training import train
-    from quadruped_env.training.training_recorder import Recorder
-
-    usual = getattr(Recorder, note)
-
-    def interrupt(self, share, results):
-        usual(self, share, results)
-        signal.raise_signal(signal.SIGINT)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Recorder, note, interrupt)
-        run, finished = train.train(config, runs, "test")
-    assert not finished
-    return run
 
 
 def completed(command, status=0):

@@ -147,7 +147,8 @@ def test_the_code_of_the_page_about_other_algorithms_runs(tmp_path, monkeypatch,
 
     (tmp_path / "my_algorithm.py").write_text(classes)
     chosen = {"algo": "my_algorithm.py:MyPPO", "policy": "my_algorithm.py:MyPolicy"}
-    run, finished = train(TrainConfig(timesteps=512, num_envs=8, n_steps=16, batch_size=64, **chosen), tmp_path, "test")
+    config = TrainConfig(timesteps=512, num_envs=8, batch_size=64, asymmetric_critic=False, **chosen)
+    run, finished = train(config, tmp_path, "test")
     assert finished
     assert load_policy(run).activation == "elu"
 

@@ -12,11 +12,11 @@ from second_robot import ROBOT
 
 from quadruped_env import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import TERRAINS, build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.terrain import LEVELS, Grid
 from quadruped_env.task import TaskConfig, terrain
-from quadruped_env.task.terrain_section import leg_scale
 
 KINDS = ("flat", "slope", "rough", "steps", "stairs", "gaps", "wave")
 LEVEL = 4
@@ -157,8 +157,8 @@ def test_angle_between_the_normal_of_a_slope_and_the_vertical_is_that_of_its_lev
 
 def test_tallest_level_is_30_percent_of_the_leg_length():
     assert find_terrain("stairs").defaults(LEVELS)["height"] == pytest.approx(0.3 * STANCE_HEIGHT, abs=5e-4)
-    scale = leg_scale(ROBOT)
-    assert scale == pytest.approx(ROBOT.stance_height / STANCE_HEIGHT) != 1.0
+    scale = scale_of("m", ROBOT)
+    assert scale == pytest.approx(ROBOT.stance_height / STANCE_HEIGHT, rel=1e-5) != 1.0
     assert find_terrain("stairs").defaults(LEVELS, scale)["height"] == pytest.approx(0.055 * scale)
     assert find_terrain("slope").defaults(LEVELS, scale)["angle"] == pytest.approx(math.radians(20.0))
     tall = find_terrain("steps").variant(level=LEVELS, scale=scale).heights()

@@ -138,12 +138,13 @@ def test_robot_placed_on_each_tile_stands_without_penetration():
 
 def test_seed_kinds_levels_and_scale_change_the_tiles():
     rough = [find_terrain("rough")]
-    few = TILES.of([find_terrain("stairs"), *rough, *rough], 3, seed=2, scale=2.0)
+    few = TILES.of([find_terrain("stairs").variant(scale=2.0), *rough, *rough], 3, seed=2, scale=2.0)
     assert few.centres().shape == (3, 3, 2)
+    assert (few.tile_size, few.extent) == (8.0, (28.0, 28.0))
     assert few.tile(0, 3).min() == pytest.approx(-3 * 0.0165 * 2.0)
     assert not np.array_equal(few.tile(1, 2), few.tile(2, 2)), "each tile has random numbers of its own"
     assert not np.array_equal(few.tile(1, 2), TILES.of(rough, 3, seed=3).tile(0, 2))
-    assert few == TILES.of([find_terrain("stairs"), *rough, *rough], 3, seed=2, scale=2.0)
+    assert few == TILES.of([find_terrain("stairs").variant(scale=2.0), *rough, *rough], 3, seed=2, scale=2.0)
     assert len({few, TILES, TILES.of(TILES.kinds, 10)}) == 2
 
 

@@ -122,7 +122,10 @@ def test_configs_share_nothing_and_do_not_change():
         ({"command": {"resample_interval": None}}, r"resample_interval: expected a pair \(low, high\); found None"),
         ({"command": {"standing_fraction": 0.7, "straight_fraction": 0.7}}, r"must be at most 1; found 1.55"),
         ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
-        ({"action": {"gait": "trot"}}, r"config: action.gait must be one of sinusoid, tuned, crouched, low, fast; found 'trot'"),
+        (
+            {"action": {"gait": "trot"}},
+            r"config: action.gait must be one of sinusoid, tuned, crouched, low, fast; found 'trot'",
+        ),
         ({"action": {"position_scale": 0}}, r"action.position_scale must be positive \(rad\), .*; found 0"),
         ({"decimation": True}, r"config.decimation: expected a whole number; found True"),
         ({"decimation": 0}, r"config: decimation must be 1 or more, at most 1000; found 0"),

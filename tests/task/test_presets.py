@@ -84,14 +84,16 @@ def test_an_unknown_preset_is_refused_with_those_that_there_are(value):
         TaskConfig.from_dict({"randomization": value})
 
 
-def test_masses_forces_and_lengths_of_a_preset_follow_the_robot():
+def test_numbers_of_a_preset_follow_the_robot():
     robot = QuadrupedDesign(name="heavy", leg_length=0.24, base_mass=6.0).robot()
     mass, length = robot.total_mass / 4.0, robot.stance_height / MINI_QUADRUPED.stance_height
     values, built_in = preset_values("hard", robot), preset_values("hard")
     np.testing.assert_allclose(values["payload"], mass * np.array(built_in["payload"]), rtol=1e-5)
     np.testing.assert_allclose(values["push_force"], mass * np.array(built_in["push_force"]), rtol=1e-5)
     assert values["base_com"] == pytest.approx(length * built_in["base_com"], rel=1e-5)
-    for name in ("friction", "link_mass", "action_latency", "push_speed", "encoder_offset"):
+    for name, power in (("push_speed", 0.5), ("push_interval", 0.5), ("action_latency", 0.5)):
+        np.testing.assert_allclose(values[name], length**power * np.array(built_in[name]), rtol=1e-5)
+    for name in ("friction", "link_mass", "encoder_offset"):
         assert values[name] == built_in[name], name
     env = gymnasium.make(ENV_ID, robot=robot, config={"randomization": "hard"})
     env.reset(seed=0)

@@ -119,9 +119,7 @@ def test_pushes_add_six_components_at_their_intervals():
     interval, size, turn = 0.2, 0.5, 0.9
     pushed = make_env(
         command=ONE_COMMAND,
-        randomization=STILL_START.replace(
-            push_velocity=size, push_rotation=turn, push_interval=(interval, interval)
-        ),
+        randomization=STILL_START.replace(push_velocity=size, push_rotation=turn, push_interval=(interval, interval)),
         termination=NEVER_FALLS,
     )
     still = make_env(command=ONE_COMMAND, randomization=STILL_START)

@@ -5,7 +5,7 @@ import math
 
 import pytest
 from settings import CLOCK_FREQUENCY, REWARD_PARAMETERS, REWARD_WEIGHTS
-from tasks import LAYOUT
+from tasks import LAYOUT, NOISE
 
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.task import TaskConfig
@@ -93,7 +93,7 @@ def test_default_config_is_version_0():
 def test_observation_is_that_of_version_0():
     assert [field.name for field in LAYOUT.fields] == [name for name, *_ in FIELDS]
     columns = [values for _, width, *values in FIELDS for _ in range(width)]
-    for found, expected in zip((LAYOUT.scale, LAYOUT.high, LAYOUT.noise), zip(*columns, strict=True), strict=True):
+    for found, expected in zip((LAYOUT.scale, LAYOUT.high, NOISE), zip(*columns, strict=True), strict=True):
         assert found.tolist() == pytest.approx(expected, rel=1e-6)
     assert (LAYOUT.low == -LAYOUT.high).all()
 

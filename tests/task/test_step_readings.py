@@ -350,7 +350,9 @@ def test_info_readings_are_mujocos(played):
 
 def test_observation_is_mujocos_readings_scaled(played):
     for name, step in all_steps(played):
-        np.testing.assert_allclose(step.observation[:34], np.hstack(list(step.observed.values())), atol=2e-6, err_msg=name)
+        np.testing.assert_allclose(
+            step.observation[:34], np.hstack(list(step.observed.values())), atol=2e-6, err_msg=name
+        )
 
 
 def test_gait_clock_pays_for_lifting_the_feet_that_swing(played):

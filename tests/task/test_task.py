@@ -112,27 +112,6 @@ def test_commands_are_sampled_in_their_ranges_and_shares():
     assert interval.mean() == pytest.approx((low + high) / 2, rel=0.02)
 
 
-@pytest.mark.parametrize(
-    ("asked", "sampled"),
-    [
-        ((-0.3, 0.6), (0.45, 0.57)),
-        ((-0.6, 0.3), (-0.57, -0.45)),
-        ((0.5, 0.6), (0.5, 0.57)),
-        ((-0.6, -0.5), (-0.57, -0.5)),
-    ],
-)
-def test_straight_commands_alone_are_fast_and_in_the_larger_direction(asked, sampled):
-    sampler = CommandSampler(COMMANDS, CommandConfig(forward_velocity=asked))
-    sampler.straight_only = True
-    draws = np.random.default_rng(0).random((2000, 4))
-    command, interval = sampler.sample(draws)
-    np.testing.assert_array_equal(command[:, 1], 0.0)
-    assert command[:, 0].min() == pytest.approx(sampled[0], abs=1e-3)
-    assert command[:, 0].max() == pytest.approx(sampled[1], abs=1e-3)
-    sampler.straight_only = False
-    np.testing.assert_array_equal(sampler.sample(draws)[1], interval)
-
-
 def test_kind_of_a_command_changes_exactly_at_the_sums_of_the_shares():
     config = CommandConfig(standing_fraction=0.125, straight_fraction=0.25, turning_fraction=0.5)
     kinds = np.array([0.0, below(0.125), 0.125, below(0.375), 0.375, below(0.875), 0.875, below(1.0)])

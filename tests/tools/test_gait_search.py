@@ -12,12 +12,12 @@ import second_robot
 import tune_gait
 from gait_search import search as gait_search
 from gait_search import trial
+from gait_search.strides import Strides
 from gait_search.styles import HIGH_STEPS, STYLES, Steps, Style
 from gait_search.trial import Achieved, Scale, draw_starts, measure, new_starts
 from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.gait import LEG_PHASES
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.training.strides import Strides
 
 TALL, TROT = second_robot.ROBOT, LEG_PHASES["trot"]
 LEG = [0.1, 0.6, 0.15, -0.1, -0.7, 0.0]

@@ -16,7 +16,7 @@ def asked(monkeypatch, tmp_path):
 
     trainings = []
 
-    def stop(config, *arguments):
+    def stop(config, *arguments, **others):
         trainings.append(config)
         raise QuadrupedError("stopped")
 

@@ -25,7 +25,7 @@ from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.sb3_models import algorithm_class, go_on_from, make_model
 from quadruped_env.training.schedules import Scheduled
 
-WIDTH = 34
+WIDTH = make_sb3_vec_env(1, seed=0).observation_space.shape[0]
 OFF_POLICY = [name for name, entry in ALGORITHMS.items() if not entry.on_policy]
 TINY = {
     "num_envs": 4,
@@ -36,6 +36,7 @@ TINY = {
     "learning_starts": 64,
     "gradient_steps": 2,
     "checkpoint_seconds": 1e6,
+    "asymmetric_critic": False,
 }
 
 
@@ -88,7 +89,7 @@ def test_policy_predicts_what_the_algorithm_does(name, activation, symmetric, tm
     seen = observations(WIDTH)
     expected, _ = model.predict(seen, deterministic=True)
     np.testing.assert_allclose(policy.predict(seen), expected, atol=2e-5)
-    assert np.ptp(expected, axis=0).min() > 0.05
+    assert np.ptp(expected, axis=0).min() > 0.01
     mirror = MirrorMap.of(env.task.control.layout)
     difference = np.abs(policy.predict(mirror.observation(seen)) - mirror.action(policy.predict(seen))).max()
     assert (difference < 1e-4) == symmetric
@@ -111,7 +112,7 @@ def test_symmetric_actor_of_a_robot_whose_joints_turn_the_other_way_on_the_other
 def test_gradient_steps_keep_a_symmetric_network_symmetric_to_the_last_bit(name):
     model, _ = model_of(name)
     before = [parameter.detach().clone() for parameter in model.policy.parameters()]
-    model.learn(3 * model.n_steps * model.n_envs, Scheduled(config_of(name)))
+    model.learn(3 * model.n_steps * model.n_envs, Scheduled())
     after = [parameter.detach().clone() for parameter in model.policy.parameters()]
     assert any(not torch.equal(one, two) for one, two in zip(before, after, strict=True))
     model.policy.project()
@@ -187,7 +188,7 @@ def test_program_takes_the_defaults_of_the_algorithm(asked):
     assert (config.algo, config.name, config.gamma) == ("sac", "sac", 0.9)
     for field, value in ALGORITHMS["sac"].defaults.items():
         assert getattr(config, field) == value
-    config = asked("--algo", "td3", "--batch-size", "64", "--recipe", "robust", "--name", "mine")
+    config = asked("--algo", "td3", "--batch-size", "64", "--recipe", "rough", "--name", "mine")
     assert (config.batch_size, config.name, config.asymmetric_critic) == (64, "mine", True)
 
 

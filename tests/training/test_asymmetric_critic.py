@@ -22,7 +22,8 @@ from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.sb3_models import make_model
 
-WIDTH = 34
+WIDTH = make_sb3_vec_env(1, seed=0).observation_space.shape[0]
+"""Of an observation, without privileged readings"""
 NAMES = [field.name for field in PRIVILEGED]
 
 

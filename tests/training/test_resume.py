@@ -107,7 +107,7 @@ def test_first_setting_that_differs_is_found_at_any_depth(asked, kept, found):
 
 
 def test_train_refuses_a_config_of_another_network(run, tmp_path):
-    with pytest.raises(QuadrupedError, match=r"--hidden: found \(64, 64\)"):
+    with pytest.raises(QuadrupedError, match=r"--hidden: found \(128, 128\)"):
         learn(tmp_path, TrainConfig(), resume=run)
     assert not list(tmp_path.iterdir())
 
@@ -180,7 +180,7 @@ def test_network_and_optimizer_are_those_of_the_run(run):
     from quadruped_env.training.sb3_models import go_on_from, make_model
 
     parent = Parent.load(run)
-    env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task)
+    env = make_sb3_vec_env(4, seed=0, action_mode="residual", config=parent.config.task, privileged=True)
     model = make_model(parent.config, env)
     go_on_from(model, parent)
     exported = Policy.from_sb3(model, {})

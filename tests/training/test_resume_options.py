@@ -21,7 +21,7 @@ def asked_by(tmp_path, *arguments):
     cli.run(parser.parse_args(["-o", str(tmp_path / "runs"), *arguments]), argparse.Namespace(line="train"))
 
 
-def stop(*arguments):
+def stop(*arguments, **others):
     """In place of a training."""
     raise QuadrupedError("stopped")
 

@@ -42,9 +42,9 @@ def test_run_records_its_settings_and_versions(tiny_run):
     document = json.loads((tiny_run / CONFIG_FILE).read_text())
     training = dict(document["training"])
     assert training["hidden"] == list(TrainConfig().hidden)
-    recipe = task_values("flat", MINI_QUADRUPED, "residual")
+    recipe = task_values("flat", MINI_QUADRUPED)
     sizes = {"timesteps": 2048, "num_envs": 16, "n_steps": 16, "batch_size": 64}
-    expected = TrainConfig(**sizes, asymmetric_critic=True, task=recipe)
+    expected = TrainConfig(**sizes, task=recipe)
     assert TrainConfig(**{**training, "hidden": tuple(training["hidden"])}) == expected
     task = TaskConfig.from_dict(document["task"])
     assert dataclasses.replace(task, action=TaskConfig().action) == TaskConfig.from_dict(recipe)

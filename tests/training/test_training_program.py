@@ -40,7 +40,7 @@ def assert_refused(tmp_path, arguments, message):
 
 
 def stated_defaults(text):
-    """Default of an option by the option that leads to it, from its help: 3 with --recipe robust/rough, --algo sac."""
+    """Default of an option by the option that leads to it, from its help: 3 with --recipe rough, --algo sac."""
     first, *others = text.rpartition("(default: ")[2].removesuffix(")").split("; ")
     stated = {"": first}
     for value, _, options in (other.partition(" with ") for other in others):
@@ -82,7 +82,7 @@ def in_words(value):
 def final_output(tmp_path, monkeypatch, capsys):
     """Function that runs the program with a training that takes no time; returns the lines that it prints."""
 
-    def train(config, runs, command, resume, task_file):
+    def train(config, runs, *arguments, **others):
         directory = runs / "20260101-000000-flat"
         policy = load_policy("flat")
         policy.with_card({"timesteps": config.timesteps, "seconds": 2.4}).save(directory)

@@ -56,6 +56,7 @@ def path(tmp_path):
 
 def config(path, algo="MyPPO", policy="MyPolicy", **changes):
     chosen = {"algo": f"{path}:{algo}", "policy": f"{path}:{policy}" if policy else ""}
+    changes = {"asymmetric_critic": False, **changes}
     return TrainConfig(timesteps=2 * STEPS, checkpoint_seconds=1e6, **SMALL | chosen | changes)
 
 
@@ -85,7 +86,8 @@ def test_training_records_the_classes_and_is_resumed_with_their_files(path, tmp_
 def test_program_takes_the_defaults_of_the_algorithm_that_a_class_is_derived_from(asked, path):
     own, plain = asked("--algo", f"{path}:MySAC"), asked("--algo", "sac")
     assert (own.name, own.buffer_size, own.num_envs) == ("mysac", plain.buffer_size, plain.num_envs)
-    assert asked("--action-mode", "position", "--algo", f"{path}:MyPPO").clock_noise == 0.9
+    own, plain = asked("--recipe", "rough", "--algo", f"{path}:MyPPO"), asked("--recipe", "rough")
+    assert (own.name, own.num_envs, own.batch_size) == ("myppo", plain.num_envs, plain.batch_size)
     with_policy = asked("--policy", f"{path}:MyPolicy")
     assert (with_policy.algo, with_policy.asymmetric_critic) == ("ppo", False)
 
@@ -101,7 +103,10 @@ def test_class_gets_the_settings_that_it_takes(path, tmp_path):
         ({"algo": "Other"}, r"--algo: Other is not derived from an algorithm of Stable-Baselines3 or sb3-contrib"),
         ({"policy": "MyPPO"}, r"--policy: MyPPO is not derived from a policy class of Stable-Baselines3"),
         ({"policy": "Doubled"}, r"Doubled computes its action in a way of its own.*two methods, reset and predict"),
-        ({"asymmetric_critic": True}, r"its actor sees 52 columns, and the env's observation has 34"),
+        (
+            {"asymmetric_critic": True},
+            r"--asymmetric-critic: the actor of MyPolicy .*choose --no-asymmetric-critic",
+        ),
     ],
 )
 def test_class_that_does_not_fit_is_refused_before_the_training(path, tmp_path, changes, message):

@@ -46,7 +46,7 @@ def test_a_recording_is_played_in_a_loop(control, recording):
 
 def test_without_runs_the_shipped_policy_walks_and_with_them_the_latest_that_fits(tmp_path):
     runs = tmp_path / "runs"
-    assert find_controllers(runs=runs)[1] == ("policy robust",)
+    assert find_controllers(runs=runs)[1] == ("policy flat",)
     load_policy("flat").save(runs / "20260101-000000-old")
     load_policy("flat").save(runs / "20260301-000000-new")
     broken = runs / "20260401-000000-broken"
@@ -77,10 +77,10 @@ def test_a_run_that_does_not_match_is_refused_and_nothing_changes(control, forei
     with pytest.raises(QuadrupedError, match=rf"{CARD_FILE}: observation_layout differs"):
         find_controllers([str(foreign_run)])
     controller = control()
-    assert controller.robots == ("policy robust",)
+    assert controller.robots == ("policy flat",)
     with pytest.raises(QuadrupedError, match="observation_layout differs"):
         controller.set_source(0, "run foreign")
-    assert controller.robots == ("policy robust",)
+    assert controller.robots == ("policy flat",)
     assert controller.advance(DT) == 1
 
 

@@ -15,10 +15,12 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.scale.gpu.warp_env import WarpVecEnv
 from quadruped_env.scale.gpu.warp_training import WarpModel
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.train_config import GPU_DEFAULTS, WARP_DEVICES, TrainConfig, defaults
+from quadruped_env.training.train_config import GPU_DEFAULTS, WARP_DEVICES, TrainConfig
 
 GOALS: Final = {"env": 1e6, "training": 4e5}
 """Steps per second to reach on a GPU of a data centre, at the best number of envs."""
+_STEPS: Final = 10**12
+"""More environment steps than any training takes that a `Watch` ends."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,10 @@ class Watch:
         self.ended = False
         self.last: WalkTest | None = None
 
+    def init_callback(self, model: WarpModel) -> None:
+        """See `WarpModel.learn`."""
+        self.model = model
+
     def on_training_start(self, local_names: dict[str, Any], global_names: dict[str, Any]) -> None:
         """See `WarpModel.learn`."""
         self._resumed, self._next = time.perf_counter(), self._interval
@@ -100,10 +106,9 @@ def _synchronize() -> None:
 def make(device: str, num_envs: int, steps: int, **settings: Any) -> WarpModel:
     """A fresh training of the default task."""
     own = {"device": device, "num_envs": num_envs, "n_steps": steps, "batch_size": max(2, num_envs * steps // 4)}
-    mode = settings.get("action_mode", TrainConfig.action_mode)
-    config = TrainConfig(**{**defaults("ppo", mode, device), **own, **settings})
+    config = TrainConfig(**{**own, **settings})
     task = task_config(config.action_mode, config.task)
-    return WarpModel(config, WarpVecEnv(task, num_envs, WARP_DEVICES.get(device, device), 0, False))
+    return WarpModel(config, WarpVecEnv(task, num_envs, WARP_DEVICES.get(device, device), 0, config.asymmetric_critic))
 
 
 def measure(device: str, num_envs: int, steps: int, updates: int, say: Say = print) -> Speed:
@@ -117,13 +122,12 @@ def measure(device: str, num_envs: int, steps: int, updates: int, say: Say = pri
         say: receives the progress.
     """
     start = time.perf_counter()
-    model = make(device, num_envs, steps, timesteps=10**12)
+    model = make(device, num_envs, steps)
     env = model.get_env()
     actions = 2.0 * torch.rand((num_envs, env.num_actions), device=env.device) - 1.0
     env.step(actions)
     watch = Watch(1, 1e9, 0.0, say)
-    watch.model = model
-    model.learn(watch)
+    model.learn(_STEPS, watch)
     _synchronize()
     compilation = time.perf_counter() - start
 
@@ -134,10 +138,9 @@ def measure(device: str, num_envs: int, steps: int, updates: int, say: Say = pri
     env_speed = num_envs * steps / (time.perf_counter() - start)
 
     watch, before = Watch(updates, 1e9, 0.0, say), model.num_timesteps
-    watch.model = model
     model.ppo.storage.clear()
     start = time.perf_counter()
-    model.learn(watch)
+    model.learn(_STEPS, watch)
     _synchronize()
     training_speed = (model.num_timesteps - before) / (time.perf_counter() - start)
     model.ppo.storage.clear()
@@ -166,12 +169,10 @@ def walk(
     settings = {"timesteps": GPU_DEFAULTS["timesteps"], **settings}
     warm_up = make(device, num_envs, steps, **settings)
     watch = Watch(1, limit, 0.0, say)
-    watch.model = warm_up
-    warm_up.learn(watch)
+    warm_up.learn(_STEPS, watch)
     model = make(device, num_envs, steps, **settings)
     watch = Watch(0, limit, interval, say)
-    watch.model = model
-    model.learn(watch)
+    model.learn(_STEPS, watch)
     walked = watch.last is not None and watch.last.walks
     return Walked(num_envs, watch.learning if walked else None, model.num_timesteps, watch.last)
 

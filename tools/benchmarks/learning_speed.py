@@ -18,7 +18,7 @@ from quadruped_env.policies import Policy, PolicyController
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.sb3_models import make_model
 from quadruped_env.training.schedules import Scheduled
-from quadruped_env.training.train_config import TrainConfig, defaults
+from quadruped_env.training.train_config import TrainConfig
 
 COMMAND: Final = (0.5, 0.0)
 EPISODES: Final = 64
@@ -79,8 +79,14 @@ def time_to_walk(
     action_mode: str, seed: int, limit: float, interval: float, say: Callable[[str], None], **training: Any
 ) -> Learned:
     """Train until the policy walks, or for `limit` s; the policy is tested every `interval` s of learning."""
-    config = TrainConfig(**{**defaults("ppo", action_mode), "action_mode": action_mode, "seed": seed, **training})
-    env = make_sb3_vec_env(config.num_envs, seed=seed, action_mode=action_mode, config=config.task)
+    config = TrainConfig(**{"action_mode": action_mode, "seed": seed, **training})
+    env = make_sb3_vec_env(
+        config.num_envs,
+        seed=seed,
+        action_mode=action_mode,
+        config=config.task,
+        privileged=config.asymmetric_critic,
+    )
     model = make_model(config, env)
     watch = _Watch(config, env.task.config, limit, interval, say)
     model.learn(config.timesteps, callback=watch)
@@ -96,7 +102,7 @@ class _Watch(Scheduled):
     def __init__(
         self, config: TrainConfig, task: TaskConfig, limit: float, interval: float, say: Callable[[str], None]
     ) -> None:
-        super().__init__(config)
+        super().__init__()
         self._task, self._activation = task, config.activation
         self._limit, self._interval, self._say = limit, interval, say
         self.learning = 0.0

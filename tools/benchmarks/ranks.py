@@ -28,8 +28,6 @@ _WALKING: Final[Mapping[str, Any]] = {
     "n_epochs": 6,
     "learning_rate": 5e-3,
     "log_std_init": -1.0,
-    "clock_noise": 0.0,
-    "straight_steps": 0,
     "task": {
         "command": {
             "forward_velocity": [0.3, 0.5],
@@ -243,7 +241,7 @@ def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str
                 self.stopped = True
             self._resumed = time.perf_counter()
 
-    train.learn(config, model, Watch(config, group), fresh=True)
+    train.learn(config, model, Watch(group), fresh=True)
     return result
 
 

@@ -17,13 +17,13 @@ def training_over_bare() -> list[Measure]:
     from quadruped_env.envs import make_sb3_vec_env
     from quadruped_env.training.sb3_models import make_model
     from quadruped_env.training.schedules import Scheduled
-    from quadruped_env.training.train_config import TrainConfig, defaults
+    from quadruped_env.training.train_config import TrainConfig
 
-    config = TrainConfig(action_mode="position", **defaults("ppo", "position"))
-    env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position")
+    config = TrainConfig(action_mode="position")
+    env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position", privileged=config.asymmetric_critic)
     model = make_model(config, env)
     steps = config.n_steps * config.num_envs
-    callback = Scheduled(config)
+    callback = Scheduled()
     model.learn(4 * steps, callback)
     simulation = env.task.simulation
     batch: Batch = simulation.batch  # type: ignore[attr-defined]

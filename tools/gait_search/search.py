@@ -129,7 +129,7 @@ def search(
     try:
         from cmaes import CMA
     except ImportError as error:
-        raise MissingExtraError("The search of a gait", "train") from error
+        raise MissingExtraError("The search of a gait", "test") from error
     count, scale, largest = CANDIDATES + 1, Scale(robot), max(yaw_rates)
     # All candidates at the first yaw rate, then all at the second.
     wanted = np.repeat(yaw_rates, count)

@@ -8,6 +8,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from gait_search.strides import Strides
 from quadruped_env.gait.gait_presets import TUNED_ON
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import BatchSimulation, build_model
@@ -19,7 +20,6 @@ from quadruped_env.task.quantities import (
     mechanical_power,
     sliding_squared,
 )
-from quadruped_env.training.strides import Strides
 
 Floats = NDArray[np.float64]
 Targets = Callable[[float], Floats]

@@ -19,7 +19,7 @@ from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.task import BUILT_IN, TaskConfig
-from quadruped_env.task.randomization.randomization_presets import scaled_to
+from quadruped_env.task.task_config import values_for
 from quadruped_env.utils.progress import Progress
 
 
@@ -63,7 +63,7 @@ class MeasuredController:
             )
         config = dataclasses.replace(config, termination=config.termination.replace(**defaults))
         config = evaluation_task(config.on_terrain(terrain), list(commands), "none")
-        values = scaled_to(randomization or {}, config.robot)
+        values = values_for({"randomization": dict(randomization or {})}, config.robot)["randomization"]
         return dataclasses.replace(config, randomization=config.randomization.replace(**values))
 
     def run(

@@ -14,9 +14,9 @@ from quadruped_env.evaluation.confidence import bootstrap_mean, proportion
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Recovery, Release
 from quadruped_env.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import BatchSimulation
-from quadruped_env.task.terrain_section import leg_scale
 from quadruped_env.utils import rotations
 from quadruped_env.utils.progress import Progress
 
@@ -66,7 +66,7 @@ def start_poses(robot: Robot, release: Release, seeds: range) -> Floats:
             rotations.from_axis_angle(axis, math.radians(release.tilt)), rotations.from_yaw(heading)
         )
         position = joints if release.random_joints else robot.stance
-        height = release.height * leg_scale(robot)
+        height = release.height * scale_of("m", robot)
         poses.append(np.concatenate([[0.0, 0.0, height], orientation, position]))
     return np.array(poses)
 

@@ -45,10 +45,12 @@ def crossings(
     """
     tiles = find_terrain("tiles", TERRAINS)
     assert isinstance(tiles, Tiles)
-    ground = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, part.terrain_seed)
-    config = task_config(measured.controller.action_mode, measured.task([part.command], terrain=ground))
+    chosen = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, part.terrain_seed)
+    config = task_config(measured.controller.action_mode, measured.task([part.command], terrain=chosen))
     seeds = np.tile(np.array(part.seeds), len(kinds))
     on = np.repeat([[part.kinds.index(kind), level] for kind in kinds], part.num_seeds, axis=0)
+    ground = config.ground  # in the units of the robot
+    assert isinstance(ground, Tiles)
     centre = ground.centres()[on[:, 0], on[:, 1] - 1]
     steps = round(part.seconds / config.control_timestep)
     crossed, fallen = np.zeros(len(seeds), dtype=np.bool_), np.zeros(len(seeds), dtype=np.bool_)
@@ -58,7 +60,7 @@ def crossings(
     ):
         fallen |= transition.terminated & ~crossed
         away = np.abs(task.simulation.readings.base_position[:, :2] - centre).max(axis=1)
-        crossed |= ~fallen & (away > 0.5 * part.tile)
+        crossed |= ~fallen & (away > 0.5 * ground.tile_size)
         if progress is not None:
             progress((step + 1) / steps)
         if (crossed | fallen).all():

@@ -1,6 +1,6 @@
 """Control the robot with a policy at 50 Hz: /joint_states, /imu/data and /cmd_vel in, /joint_commands out.
 
-    mini-quadruped live controller              the shipped policy robust
+    mini-quadruped live controller              the shipped policy flat
     mini-quadruped live controller runs/latest  the policy of a training run
     mini-quadruped live controller tuned        the scripted gait that follows /cmd_vel
     mini-quadruped live controller --arrays     for a robot with ros2_control
@@ -21,7 +21,7 @@ from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
-from quadruped_env.control.policy_files import LIVE_POLICY, SHIPPED, Terms, load_terms, policy_directory, read_policy
+from quadruped_env.control.policy_files import DEFAULT, SHIPPED, Terms, load_terms, policy_directory, read_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.messages.imu_messages import Imu, read_imu
@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "policy",
         nargs="?",
-        default=LIVE_POLICY,
+        default=DEFAULT,
         metavar="POLICY",
         help=f"{', '.join(SHIPPED)}, a run directory, or a scripted gait: {', '.join(PRESETS)} (default: %(default)s)",
     )

@@ -9,7 +9,7 @@ Steer it with the keys of `teleop`, or with the arrow keys in the browser.
 import argparse
 import sys
 
-from quadruped_env.control.policy_files import LIVE_POLICY
+from quadruped_env.control.policy_files import DEFAULT
 from quadruped_env.live.node_launch import launch
 from quadruped_env.live.node_options import (
     COMMON,
@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy, the terrain, the viewer's port, and the robot."""
     add_robot_argument(parser)
     parser.add_argument(
-        "policy", nargs="?", default=LIVE_POLICY, metavar="POLICY", help="as for 'controller' (default: %(default)s)"
+        "policy", nargs="?", default=DEFAULT, metavar="POLICY", help="as for 'controller' (default: %(default)s)"
     )
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
     add_terrain_arguments(parser, "as for 'sim'")

@@ -10,7 +10,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.suite.suite import COMPONENTS
-from quadruped_env.evaluation.verdict import LEVEL, error_of, listed, verdict
+from quadruped_env.evaluation.verdict import equal_up_to, error_of, listed, verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
@@ -42,8 +42,8 @@ def find_policies(
 def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[str]:
     """The most accurate policies for a motion: the best one, and those that are equal to it.
 
-    A policy is equal if the interval of the paired difference includes zero, or its mean is within `LEVEL`. Policies
-    that fall too early have no value and no rank; empty if there are not two others, or they share no episode.
+    A policy is equal if the interval of the paired difference includes zero, or its mean is within `equal_up_to`.
+    Policies that fall too early have no value and no rank; empty if there are not two others, or they share no episode.
     """
     metric = error_of(motion)
     means = {name: comparison.estimate(name, metric, motion).mean for name in names}
@@ -54,7 +54,8 @@ def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[s
     differences = {name: comparison.difference(metric, name, best, motion) for name in known}
     if any(math.isnan(difference.mean) for difference in differences.values()):
         return []
-    return [name for name, difference in differences.items() if difference.mean <= LEVEL or difference.low <= 0.0]
+    level = equal_up_to(metric, comparison.robot)
+    return [name for name, difference in differences.items() if difference.mean <= level or difference.low <= 0.0]
 
 
 def headline(comparison: Comparison, names: Sequence[str]) -> str:

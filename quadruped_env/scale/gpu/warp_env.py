@@ -59,6 +59,9 @@ class WarpVecEnv(VecEnv):
         steps: Any = self.task.control.steps
         return steps.tensor
 
+    def close(self) -> None:
+        """As Stable-Baselines3's envs have it: there is nothing to free."""
+
     def get_observations(self) -> TensorDict:
         """Observations of all envs."""
         return self._groups(self.task.observe())

@@ -1,9 +1,8 @@
 """A training on a GPU: the task on MuJoCo Warp, PPO of rsl-rl, and the same run directory as on the CPU."""
 
 import io
-from dataclasses import asdict, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 # First, because it sets a variable that torch reads when it is loaded.
 from quadruped_env.training.sb3_models import check_finite, resuming
@@ -17,16 +16,15 @@ from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.policies import Policy
 from quadruped_env.policies.sb3_policies import linear_layers, symmetrized
-from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file
+from quadruped_env.task import TaskConfig
 from quadruped_env.training.group import ALONE, Group
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run_directory import RSL_FILE, Run, check_latest
+from quadruped_env.training.run_directory import RSL_FILE
 from quadruped_env.training.schedules import Schedule
 from quadruped_env.training.step_statistics import StepStatistics
-from quadruped_env.training.train import stop_on_signal
+from quadruped_env.training.train import Trainer
 from quadruped_env.training.train_config import WARP_DEVICES, TrainConfig, on_gpu
-from quadruped_env.training.training_recorder import Recorder, record
-from quadruped_env.utils.seeds import check_training_seeds
+from quadruped_env.training.training_recorder import Recorder
 
 try:
     import torch
@@ -61,29 +59,30 @@ class WarpModel:
         """Set the logger of the progress, of Stable-Baselines3."""
         self.logger = logger
 
-    def learn(self, recorder: Any) -> None:
-        """Train until the budget is used, or the recorder, such as a `StepStatistics`, stops it.
+    def learn(self, total_timesteps: int, callback: Any, reset_num_timesteps: bool = True) -> None:
+        """Train for a number of steps, or until the callback, such as a `StepStatistics`, stops it; as SB3's `learn`.
 
         Raises:
             DifferentWeightsError: if the weights of the ranks differ after an update.
         """
         ppo, env, config = self.ppo, self._env, self.config
         first = self.num_timesteps
-        recorder.on_training_start({}, {})
+        callback.init_callback(self)
+        callback.on_training_start({}, {})
         observations = env.get_observations()
         ppo.train_mode()
-        while config.seconds is not None or self.num_timesteps - first < config.timesteps:
+        while self.num_timesteps - first < total_timesteps:
             self._follow_schedules()
             with torch.no_grad():
                 for _ in range(config.n_steps):
                     observations, rewards, done, extras = env.step(ppo.act(observations))
                     ppo.process_env_step(observations, rewards, done, extras)
                     self.num_timesteps += env.num_envs * self._group.ranks
-                    if not recorder.on_step():
+                    if not callback.on_step():
                         return
                 ppo.compute_returns(observations)
-            recorder.on_rollout_end()
-            if recorder.ended:
+            callback.on_rollout_end()
+            if callback.ended:
                 return
             ppo.update()
             if self._group.ranks > 1:
@@ -176,69 +175,33 @@ class WarpRecorder(Recorder, WarpStatistics):
         return model.policy(self._task_config, card)
 
 
-def train(
-    config: TrainConfig,
-    runs: Path,
-    command: str,
-    resume: Path | None = None,
-    task_file: Path | None = None,
-    group: Group = ALONE,
-) -> tuple[Path, bool]:
-    """Train a policy on a GPU; see `quadruped_env.training.train.train`."""
-    check_latest(runs)
-    config, parent, env, model = prepare(config, resume, task_file, group)
-    task = env.task.config
-    facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
-    run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
-    recorder = WarpRecorder(run, config, task, 0.0 if parent is None else parent.seconds, group)
-    record(run, model, recorder, lambda: learn(model, recorder))
-    return run.directory, not recorder.stopped
+class WarpTrainer(Trainer):
+    """Trains with MuJoCo Warp and rsl-rl."""
 
+    recorder = WarpRecorder
+    statistics = WarpStatistics
 
-def follow(config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group) -> None:
-    """Train as a rank other than 0, which writes no files; see `train`."""
-    _, _, _, model = prepare(config, resume, task_file, group)
-    learn(model, WarpStatistics(model.config, group))
+    def make(self, config: TrainConfig, task_file: Path | None, group: Group, threads: int) -> tuple[Any, Any]:
+        """See `Trainer.make`."""
+        task = task_config(config.action_mode, config.task, task_file)
+        device = device_of(config.device, group)
+        if group.rank == 0:
+            print(
+                f"MuJoCo Warp loads its kernels for {device}; once per machine it compiles them, which takes minutes",
+                flush=True,
+            )
+        share = config.num_envs // group.ranks
+        env = WarpVecEnv(task, share, device, config.seed + group.rank * share, config.asymmetric_critic)
+        if group.ranks > 1 and on_gpu(config.device):
+            torch.cuda.set_device(env.device)  # on which NCCL synchronizes
+        return env, WarpModel(config, env, group)
 
-
-def prepare(
-    config: TrainConfig, resume: Path | None, task_file: Path | None, group: Group = ALONE
-) -> tuple[TrainConfig, Parent | None, WarpVecEnv, WarpModel]:
-    """Everything that a training, or one rank of it, needs to learn; see `quadruped_env.training.train.prepare`."""
-    parent = None
-    if resume is not None:
-        parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
-        parent.check(asdict(config))
-        config = replace(config, task=parent.with_reward(config.task))
-    task = task_config(config.action_mode, config.task, task_file)
-    check_training_seeds("config.terrain.seed", task.terrain["seed"])
-    device = device_of(config.device, group)
-    if group.rank == 0:
-        print(
-            f"MuJoCo Warp loads its kernels for {device}; once per machine it compiles them, which takes minutes",
-            flush=True,
-        )
-    share = config.num_envs // group.ranks
-    env = WarpVecEnv(task, share, device, config.seed + group.rank * share, config.asymmetric_critic)
-    if group.ranks > 1 and on_gpu(config.device):
-        torch.cuda.set_device(env.device)  # on which NCCL synchronizes
-    model = WarpModel(config, env, group)
-    if parent is not None:
+    def go_on_from(self, model: Any, parent: Parent) -> None:
+        """See `Trainer.go_on_from`."""
         model.go_on_from(parent)
-    return config, parent, env, model
 
 
-def learn(model: WarpModel, statistics: StepStatistics) -> None:
-    """Train a model until its budget is used, or a signal stops it.
-
-    Args:
-        model: of `prepare`.
-        statistics: callback that knows when to stop.
-    """
-    callback: Any = statistics
-    callback.init_callback(model)
-    with stop_on_signal(statistics):
-        model.learn(callback)
+ON_WARP: Final = WarpTrainer()
 
 
 def device_of(device: str, group: Group) -> str:

@@ -4,7 +4,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from quadruped_env.training.train_config import STRAIGHT_LEARNING_RATE, TrainConfig, equal_batches, on_gpu
+from quadruped_env.training.train_config import TrainConfig, equal_batches, on_gpu
 
 
 @dataclass(frozen=True)
@@ -27,12 +27,10 @@ class Job:
             batch = samples // config.ranks // batches * config.ranks
         own = "one GPU" if on_gpu(config.device) else f"{threads} threads"
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
-        straight = f", {STRAIGHT_LEARNING_RATE:g} times as high for the first {config.straight_steps:,} steps"
         return (
             f"{config.ranks} ranks of {config.num_envs // config.ranks} envs and {own} each; effective batch: {batch} "
             f"samples, {batch // config.ranks} per rank; {batches * config.n_epochs} gradient steps after every "
             f"{samples:,} steps; learning rate {config.learning_rate:g}, falling linearly to a tenth within {budget}"
-            f"{straight if config.straight_steps else ''}"
         )
 
 

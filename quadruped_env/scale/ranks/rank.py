@@ -6,7 +6,6 @@ import sys
 import time
 import warnings
 from pathlib import Path
-from types import ModuleType
 from typing import Final
 
 # First, because it sets a variable that torch reads when it is loaded.
@@ -18,7 +17,7 @@ import torch
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ranks.torch_group import on_this_machine
-from quadruped_env.training.group import DifferentWeightsError, Group, RankLostError
+from quadruped_env.training.group import ALONE, DifferentWeightsError, Group, RankLostError
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.program import end_with_parent
 
@@ -47,20 +46,33 @@ def run_rank(job: Job, group: Group) -> tuple[Path, bool] | None:
     result: tuple[Path, bool] | None = None
     if group.rank == 0:
         print(job.description(group.threads), flush=True)
-        result = trainer(job.config.device).train(job.config, job.runs, job.command, job.resume, job.task_file, group)
+        result = train_job(job, group)
     else:
-        trainer(job.config.device).follow(job.config, job.resume, job.task_file, group)
+        train.follow(job.config, job.resume, job.task_file, group, trainer_of(job.config.device))
     group.close()
     return result
 
 
-def trainer(device: str) -> ModuleType:
-    """The module that trains on a device."""
-    if device == "cpu":
-        return train
-    from quadruped_env.scale.gpu import warp_training
+def train_job(job: Job, group: Group = ALONE) -> tuple[Path, bool]:
+    """The result of `train`, as rank 0 if the training has several."""
+    return train.train(
+        job.config,
+        job.runs,
+        job.command,
+        job.resume,
+        job.task_file,
+        group,
+        trainer=trainer_of(job.config.device),
+    )
 
-    return warp_training
+
+def trainer_of(device: str) -> train.Trainer:
+    """The trainer for a device."""
+    if device == "cpu":
+        return train.ON_CPU
+    from quadruped_env.scale.gpu.warp_training import ON_WARP
+
+    return ON_WARP
 
 
 def main() -> int:

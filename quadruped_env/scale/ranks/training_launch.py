@@ -104,12 +104,9 @@ def launch(
 
         return train_in_processes(job)
     # Torch takes seconds to import.
-    from quadruped_env.scale.ranks.rank import trainer
+    from quadruped_env.scale.ranks.rank import train_job
 
-    result: tuple[Path, bool] = trainer(job.config.device).train(
-        job.config, job.runs, job.command, job.resume, job.task_file
-    )
-    return result
+    return train_job(job)
 
 
 def _check_gpus(ranks: int) -> None:

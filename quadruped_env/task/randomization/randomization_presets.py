@@ -6,14 +6,12 @@ from typing import Final
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scaled_values
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
-from quadruped_env.utils.plain import Plain
+from quadruped_env.utils.plain import Plain, plain
 
 PRESET: Final = "preset"
 """Field of the section that names a preset, next to the fields that change it."""
-
-_EVERY_DIGIT: Final = 6
-"""Significant digits of a range that is scaled to another robot."""
 
 PRESETS: Final[Mapping[str, Mapping[str, Plain]]] = {
     "none": {},
@@ -68,7 +66,7 @@ episode is random; with `none`, nothing else is."""
 
 
 def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plain]:
-    """Values of a preset as plain values; masses, forces and lengths follow the robot's mass and height.
+    """Values of a preset as plain values, in the units of the robot.
 
     Raises:
         QuadrupedError: if there is no such preset.
@@ -78,18 +76,10 @@ def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plai
             f"config.randomization: there is no preset {short(name)}; choose one of {', '.join(PRESETS)}, or give "
             f"ranges such as {{'friction': [0.5, 1.0]}}"
         )
-    return scaled_to(PRESETS[name], robot)
-
-
-def scaled_to(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
-    """Values of the section for the built-in robot as plain values for another one, whose mass and height they follow.
-
-    Masses and forces are in proportion to the robot's mass, lengths to the height of its stance.
-    """
-    mass, length = robot.total_mass / MINI_QUADRUPED.total_mass, robot.stance_height / MINI_QUADRUPED.stance_height
-    factors = {"kg": mass, "N": mass, "m": length, "N m": mass * length}
-    units = {randomization.name: randomization.unit for randomization in RANDOMIZATIONS}
-    return {field: _scaled(value, factors.get(units.get(field, ""), 1.0)) for field, value in values.items()}
+    units = {entry.name: entry.unit for entry in RANDOMIZATIONS}
+    units |= {times[0]: "s" for entry in RANDOMIZATIONS for times in (entry.interval, entry.duration) if times}
+    values: dict[str, Plain] = plain(scaled_values(PRESETS[name], units, robot))
+    return values
 
 
 def with_preset(values: Plain, robot: Robot) -> Plain:
@@ -104,9 +94,3 @@ def with_preset(values: Plain, robot: Robot) -> Plain:
         changes = {field: value for field, value in values.items() if field != PRESET}
         return {**preset_values(values[PRESET], robot), **changes}
     return values
-
-
-def _scaled(value: Plain, factor: float) -> Plain:
-    if isinstance(value, tuple):
-        return [_scaled(end, factor) for end in value]
-    return value if factor == 1.0 else float(f"{value * factor:.{_EVERY_DIGIT}g}")

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import Range
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import Simulation, highest_ground
 from quadruped_env.task.command_sampling import CommandSampler
 from quadruped_env.task.randomization.draws import Draws, Purposes
@@ -20,7 +21,8 @@ Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
 
 _CLEARANCE: Final = 0.01
-"""Height of the stance above the ground below it at the start, so that randomized legs do not penetrate it, m."""
+"""Height of the stance above the ground below it at the start, so that randomized legs do not penetrate it; of the
+built-in robot, m."""
 
 
 class Start(NamedTuple):
@@ -75,7 +77,9 @@ class Starts:
         self._interval_columns = [columns[f"{name}/interval"].start for name in intervals]
         self._command_columns = slice(columns["command/kind"].start, columns["command/interval"].stop)
         moved = {"start_joint_position", "start_tilt"}
-        self._height = robot.stance_height + (_CLEARANCE if any(r.name in moved for r in randomizations) else 0.0)
+        self._height = robot.stance_height + (
+            _CLEARANCE * scale_of("m", robot) if any(r.name in moved for r in randomizations) else 0.0
+        )
 
     def of(self, env_ids: EnvIds, place: Floats | None = None) -> Start:
         """Starts of the present episodes of some envs (R,).

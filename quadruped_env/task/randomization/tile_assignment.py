@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.simulation.terrain import TILE, Tiles
+from quadruped_env.simulation.terrain import Tiles
 from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.draws import Draws, Purposes
@@ -22,7 +22,7 @@ EnvIds = NDArray[np.intp]
 EPISODE_SECONDS: Final = 20.0
 """Length of an episode without a fall, s. The distance that a fallen robot was commanded to walk counts up to it."""
 SHORTEST: Final = 0.5
-"""Commanded distance below which an episode does not change the level, m."""
+"""Commanded distance below which an episode does not change the level, for the built-in robot, m."""
 
 _PURPOSES: Final = Purposes({"terrain/kind": 1, "terrain/level": 1})
 
@@ -48,6 +48,7 @@ class TileAssignment:
         self.kinds = tuple(kind.name for kind in tiles.kinds)
         self._centres = tiles.centres()
         self._section = section
+        self._tile_size, self._shortest = tiles.tile_size, SHORTEST * tiles.scale
         # Not cleared at a reset: the level outlasts the episode. The rest is cleared in `begin_episodes`.
         self.memory = EpisodeMemory(num_envs)
         self.kind: NDArray[np.int64] = self.memory.zeros("kind", dtype=np.int64)
@@ -122,7 +123,7 @@ class TileAssignment:
         self._speed[env_ids] = np.abs(command)
         self._commanded[env_ids] += self._speed[env_ids] * context.timestep
         self._seconds[env_ids] += context.timestep
-        self._left[env_ids] |= valid & np.logical_or.reduce(away > 0.5 * TILE, -1)
+        self._left[env_ids] |= valid & np.logical_or.reduce(away > 0.5 * self._tile_size, -1)
         self._fallen[env_ids] = terminated[env_ids]
 
     def level_sums(self) -> Floats:
@@ -145,7 +146,7 @@ class TileAssignment:
         """1 for promoted envs, -1 for demoted ones, else 0, (R,)."""
         rest = np.maximum(EPISODE_SECONDS - self._seconds[env_ids], 0.0) * self._speed[env_ids]
         commanded = self._commanded[env_ids] + np.where(self._fallen[env_ids], rest, 0.0)
-        walked, counts = self._walked[env_ids], commanded >= SHORTEST
+        walked, counts = self._walked[env_ids], commanded >= self._shortest
         promoted = self._left[env_ids] | (counts & (walked >= self._section.promote_share * commanded))
         demoted = ~promoted & counts & (walked < self._section.demote_share * commanded)
         return promoted.astype(np.int64) - demoted.astype(np.int64)

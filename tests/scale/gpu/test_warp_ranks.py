@@ -30,8 +30,10 @@ from quadruped_env.task import Task, TaskConfig  # noqa: E402
 from quadruped_env.training import TrainConfig  # noqa: E402
 from quadruped_env.training.group import DifferentWeightsError, Group, checksum, flat, unflatten  # noqa: E402
 from quadruped_env.training.resume import Parent  # noqa: E402
+from quadruped_env.training.train import learn as learn_model  # noqa: E402
+from quadruped_env.training.train import prepare  # noqa: E402
 
-CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 2})
+CONFIG = TrainConfig(**SMALL | {"device": "warp-cpu", "batch_size": STEPS, "n_epochs": 2, "asymmetric_critic": False})
 ON_WARP = ("--device", "warp-cpu")
 ROLLOUT = ("observations", "actions", "rewards", "dones", "values", "actions_log_prob")
 
@@ -187,7 +189,7 @@ def test_first_line_names_the_batch_after_rounding(tmp_path):
 @needs_warp
 def test_envs_of_the_ranks_are_those_of_one_rank():
     def seen(config, group):
-        return warp_training.prepare(config, None, None, group)[2].get_observations()[OBSERVATION]
+        return prepare(config, None, None, group, trainer=warp_training.ON_WARP)[2].get_observations()[OBSERVATION]
 
     whole = seen(dataclasses.replace(CONFIG, seed=5), Group())
     shares = [seen(dataclasses.replace(CONFIG, seed=5, ranks=2), Group(rank, 2)) for rank in range(2)]
@@ -198,8 +200,8 @@ def test_envs_of_the_ranks_are_those_of_one_rank():
 class Recorded(WarpStatistics):
     """Statistics that keep what is shared after each rollout, clear it after two, and may be stopped after some."""
 
-    def __init__(self, config, group, rollouts):
-        super().__init__(config, group)
+    def __init__(self, group, rollouts):
+        super().__init__(group)
         self.shared, self.rollouts = [], rollouts
 
     def _on_rollout_end(self):
@@ -232,15 +234,15 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
     config = dataclasses.replace(
         CONFIG, ranks=2, timesteps=50 * 160, n_steps=40, task={"termination": {"max_tilt": 0.04}}
     )
-    envs = [warp_training.prepare(config, None, None, Group(rank, 2))[2] for rank in range(2)]
+    envs = [prepare(config, None, None, Group(rank, 2), trainer=warp_training.ON_WARP)[2] for rank in range(2)]
     lock = threading.Lock()
 
     def run(group):
         model = warp_training.WarpModel(config, envs[group.rank], group)
         steps = watch_steps(envs[group.rank], lock)
         # Rank 1 alone is asked to stop.
-        found = Recorded(config, group, 3 if group.rank else 99)
-        warp_training.learn(model, found)
+        found = Recorded(group, 3 if group.rank else 99)
+        learn_model(config, model, found, fresh=True)
         return found, np.array(steps), model
 
     (one, own, model), (other, others, _) = on_ranks(2, run)
@@ -259,7 +261,7 @@ def test_statistics_are_those_of_all_ranks_and_one_rank_stops_all():
 @needs_warp
 def test_weights_are_compared_after_every_update():
     config = dataclasses.replace(CONFIG, ranks=2, timesteps=5 * STEPS)
-    envs = [warp_training.prepare(config, None, None, Group(rank, 2))[2] for rank in range(2)]
+    envs = [prepare(config, None, None, Group(rank, 2), trainer=warp_training.ON_WARP)[2] for rank in range(2)]
     lock = threading.Lock()
 
     def run(group):
@@ -273,7 +275,7 @@ def test_weights_are_compared_after_every_update():
 
         model.ppo.update = drift
         with pytest.raises(DifferentWeightsError, match=f"weights of 1 differ from those of rank 0 after {3 * STEPS} "):
-            warp_training.learn(model, WarpStatistics(config, group))
+            learn_model(config, model, WarpStatistics(group), fresh=True)
 
     on_ranks(2, run)
 

@@ -55,7 +55,7 @@ def test_text_gives_the_dimension_which_survives_json(text, dimension):
         ("learning_rate=a..1", r"--vary learning_rate: low: expected a number; found 'a'"),
         ("n_epochs=1.5..3", r"--vary n_epochs: low: expected a whole number; found 1\.5"),
         ("symmetric=1,0", r"expected true or false; found 1"),
-        ("hidden=64..128", r"found a range, but the field is not a number \(default: 64x64\); give choices"),
+        ("hidden=64..128", r"found a range, but the field is not a number \(default: 128x128\); give choices"),
         ("gamma=0.9", r"expected two or more choices, or a range LOW\.\.HIGH; found 0\.9; set a single value"),
         ("gamma=0.9,0.9", r"the choice 0\.9 is found twice"),
         ("gamma=0.9..0.99:exp", r"expected ':log' or nothing after the range; found 'exp'"),

@@ -1,0 +1,100 @@
+"""Size of a robot in the units that follow from its leg length L, its mass m and gravity g.
+
+Motions of two robots are similar if their lengths are in proportion to L, speeds to sqrt(g L), times to sqrt(L / g),
+forces to m g. So a number that suits the built-in robot suits another one after multiplication by `scale_of` its unit.
+"""
+
+import functools
+import re
+from collections.abc import Mapping
+from typing import Final
+
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.plain import Plain
+
+_EXPONENTS: Final = {
+    "1": (0.0, 0.0),
+    "rad": (0.0, 0.0),
+    "kg": (1.0, 0.0),
+    "m": (0.0, 1.0),
+    "s": (0.0, 0.5),
+    "Hz": (0.0, -0.5),
+    "N": (1.0, 0.0),
+    "W": (1.0, 0.5),
+}
+"""Exponents of mass and leg length in each unit, with the same gravity."""
+_FACTOR: Final = re.compile(r"(?P<over>/?) *(?:\((?P<inner>[^()]+)\)|(?P<name>[A-Za-z]+|1))(?:\^(?P<power>\d+))? *")
+
+
+def scale_of(unit: str, robot: Robot) -> float:
+    """Size of a unit for a robot relative to the built-in robot; exactly 1 for the latter.
+
+    Args:
+        unit: such as `m/s`, `rad/s`, `N m` or `1/(m^2/s^2)`. Of several units, separated by commas, the first counts.
+        robot: its leg length is the height of its base in the stance.
+
+    Raises:
+        QuadrupedError: if the unit is unknown.
+    """
+    mass, length = _sizes(robot)
+    of_mass, of_length = _exponents(unit.partition(",")[0])
+    return float(mass**of_mass * length**of_length)
+
+
+def scaled(value: Plain, factor: float, digits: int = 6) -> Plain:
+    """A number, or each of a list or tuple, times a factor, rounded to some digits; unchanged if the factor is 1."""
+    if isinstance(value, (list, tuple)):
+        return type(value)(scaled(entry, factor, digits) for entry in value)
+    if factor == 1.0 or isinstance(value, bool) or not isinstance(value, (int, float)):
+        return value
+    return _rounded(value * factor, digits)
+
+
+def scaled_values(values: Mapping[str, Plain], units: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
+    """Nested values for the built-in robot as those for another one.
+
+    Args:
+        values: numbers, ranges and other values by name, nested.
+        units: their units, nested in the same way; a value without one is unchanged.
+        robot: the other robot.
+    """
+    result: dict[str, Plain] = {}
+    for name, value in values.items():
+        unit = units.get(name, "1")
+        if isinstance(value, Mapping):
+            result[name] = scaled_values(value, unit, robot) if isinstance(unit, Mapping) else dict(value)
+        else:
+            result[name] = value if isinstance(unit, Mapping) else scaled(value, scale_of(unit, robot))
+    return result
+
+
+@functools.lru_cache(maxsize=64)
+def _sizes(robot: Robot) -> tuple[float, float]:
+    """Mass and leg length relative to the built-in robot."""
+    own, built_in = ((r.total_mass, r.stance_height) for r in (robot, MINI_QUADRUPED))
+    # Rounded like the heights themselves, so that half the size is one half.
+    mass, length = (_rounded(x / y) for x, y in zip(own, built_in, strict=True))
+    return mass, length
+
+
+def _rounded(value: float, digits: int = 6) -> float:
+    """A number with some significant digits."""
+    return float(f"{value:.{digits}g}")
+
+
+@functools.cache
+def _exponents(unit: str) -> tuple[float, float]:
+    """Exponents of mass and leg length in a unit."""
+    mass = length = 0.0
+    end = 0
+    text = unit.strip() or "1"
+    while end < len(text):
+        match = _FACTOR.match(text, end)
+        if match is None or match["name"] not in (None, *_EXPONENTS):
+            raise QuadrupedError(f"unit {short(unit)}: expected products and powers of {', '.join(_EXPONENTS)}")
+        own = _EXPONENTS[match["name"]] if match["name"] else _exponents(match["inner"])
+        power = int(match["power"] or 1) * (-1.0 if match["over"] else 1.0)
+        mass, length, end = mass + power * own[0], length + power * own[1], match.end()
+    return mass, length
