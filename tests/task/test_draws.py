@@ -253,31 +253,36 @@ def test_pushes_are_uniform_in_size_and_time_and_independent():
         fast_control=True,
         never_ends=True,
     )
-    pushes, lengths = np.zeros((count, envs, 6)), np.zeros((count, envs), dtype=int)
+    # Of the base's velocity, and of its rotation, which have times of their own.
+    pushes, lengths = np.zeros((2, count, envs, 3)), np.zeros((2, count, envs), dtype=int)
     for i in range(envs):
         env = gymnasium.make(ENV_ID, config=config, max_episode_steps=10**6)
         robot = env.unwrapped
         # The same state and targets, stepped by MuJoCo alone.
         alone = mujoco.MjData(robot.model)
         env.reset(seed=i)
-        action, found, since = np.zeros(8, dtype=np.float32), 0, 0
-        while found < count:
+        action, found, since = np.zeros(8, dtype=np.float32), [0, 0], [0, 0]
+        while min(found) < count:
             mujoco.mj_copyData(alone, robot.model, robot.data)
             env.step(action)
             alone.ctrl = robot.data.ctrl
             mujoco.mj_step(robot.model, alone)
-            since += 1
             push = robot.data.qvel - alone.qvel
-            if abs(push).max() > 1e-9:
-                np.testing.assert_allclose(push[6:], 0.0, atol=1e-12)
-                pushes[found, i], lengths[found, i] = push[:6], since
-                found, since = found + 1, 0
-    assert_equally_likely(np.bincount(lengths.ravel())[3:], "push intervals of 3 to 6 steps")
-    assert set(lengths[0]) <= {3, 4, 5, 6}
-    sizes = np.repeat([size, turn], 3)
-    draws = {f"push {i}": share(pushes[..., i], -sizes[i], sizes[i]) for i in range(6)}
+            np.testing.assert_allclose(push[6:], 0.0, atol=1e-12)
+            for kind, part in enumerate((push[:3], push[3:6])):
+                since[kind] += 1
+                if abs(part).max() > 1e-9:
+                    if found[kind] < count:
+                        pushes[kind, found[kind], i], lengths[kind, found[kind], i] = part, since[kind]
+                    found[kind], since[kind] = found[kind] + 1, 0
+    draws = {}
+    for kind, largest in enumerate((size, turn)):
+        assert_equally_likely(np.bincount(lengths[kind].ravel())[3:], "push intervals of 3 to 6 steps")
+        assert set(lengths[kind, 0]) <= {3, 4, 5, 6}
+        draws |= {f"push {kind} {i}": share(pushes[kind, ..., i], -largest, largest) for i in range(3)}
     assert_uniform(draws)
-    assert_independent({**draws, "push interval": share(lengths, 2.5, 6.5)}, ((0, 0), *NEIGHBOURS, (2, 0)))
+    times = {f"push interval {kind}": share(lengths[kind], 2.5, 6.5) for kind in range(2)}
+    assert_independent({**draws, **times}, ((0, 0), *NEIGHBOURS, (2, 0)))
 
 
 # --- observation noise ---
