@@ -10,6 +10,7 @@ from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, compare
+from quadruped_env.evaluation.learning_gain import EPISODES, LearningGain, learning_gain
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies import Policy
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES
@@ -182,6 +183,16 @@ def compared(policies: Policy | Mapping[str, Policy], arguments: argparse.Namesp
         terrain=named_terrain(arguments),
         randomization=arguments.randomization or "none",
     )
+
+
+def gain_of(policy: Policy, arguments: argparse.Namespace) -> LearningGain:
+    """The policy against the zero action in its own task, with as many episodes as these options ask of an evaluation.
+
+    The terrain and the randomization are the policy's own, whatever the options say.
+    """
+    episodes = max(2, min(EPISODES, EPISODES // NUM_SEEDS * arguments.seeds))
+    seconds = min(DEFAULT_SECONDS, arguments.seconds)
+    return learning_gain(policy, episodes, seconds, ProgressLine("measuring what it learned"))
 
 
 def add_reading_options(parser: argparse.ArgumentParser) -> None:

@@ -46,6 +46,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     prepare_video(arguments.video, arguments.overwrite)
     prepare_output(output)
     comparison = options.compared({name: evaluated.policy for name, evaluated in policies.items()}, arguments)
+    gains = {name: options.gain_of(evaluated.policy, arguments) for name, evaluated in policies.items()}
     sources = shlex.join(evaluated.source for evaluated in policies.values())
     report, numbers, missing = write_comparison(
         policies,
@@ -55,10 +56,12 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         not arguments.no_video,
         ProgressLine("filming"),
         ranked,
+        gains,
     )
     if arguments.video:
         save_film(arguments.video, films(comparison, list(policies)), ProgressLine("filming"))
     print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(policies))}\n")
+    print("\n".join(f"{name}: {gain.verdict()}" for name, gain in gains.items()))
     if ranked is not None:
         print(f"{ranking_in_words(ranked)}\n")
     print_results(report, numbers, missing, arguments.video)

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from quadruped_env.cli.common_options import add_evaluation_options, add_run, compared, evaluation_options
+from quadruped_env.cli.common_options import add_evaluation_options, add_run, compared, evaluation_options, gain_of
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
@@ -37,6 +37,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="with --suite: few episodes, to see whether it works; never comparable with the full suite",
     )
+    parser.add_argument(
+        "--learning-film",
+        type=Path,
+        metavar="FILE",
+        help="also write the report's film of the robot before, half way through and after the training to a file",
+    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -46,6 +52,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.evaluation.verdict import verdict
     from quadruped_env.reporting.films.video import prepare_video, save_film
     from quadruped_env.reporting.pages.evaluation_report import write_report
+    from quadruped_env.reporting.pages.learning import learning_clips
     from quadruped_env.reporting.pages.page import summary_table
     from quadruped_env.reporting.pages.pictures import filmed
     from quadruped_env.reporting.report_directory import prepare_output
@@ -54,9 +61,11 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         raise QuadrupedError("--quick: found without --suite; it makes the suite shorter, so give both")
     evaluated = find_policy(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     prepare_output(evaluated.output)
-    prepare_video(arguments.video, arguments.overwrite)
+    for film in (arguments.video, arguments.learning_film):
+        prepare_video(film, arguments.overwrite)
     print(f"evaluating {evaluated.name}")
     comparison = compared(evaluated.policy, arguments)
+    gain = gain_of(evaluated.policy, arguments)
     suite = _suite(evaluated, arguments.quick) if arguments.suite else None
     report, numbers, missing = write_report(
         evaluated,
@@ -65,10 +74,13 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         not arguments.no_video,
         ProgressLine("filming"),
         suite,
+        gain,
     )
     if arguments.video:
         save_film(arguments.video, filmed(comparison), ProgressLine("filming"))
-    print(f"\n{summary_table(comparison)}\n\n{verdict(comparison, suite).text()}\n")
+    if arguments.learning_film:
+        save_film(arguments.learning_film, learning_clips(evaluated, comparison), ProgressLine("filming"))
+    print(f"\n{summary_table(comparison)}\n\n{gain.table()}\n\n{verdict(comparison, suite, gain).text()}\n")
     if suite is not None:
         ranking = ranked((row["name"], row) for row in (suite, *references_for(suite, read_references())))
         print(f"{score_table([row for _, row in ranking])}\n")

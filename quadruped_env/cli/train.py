@@ -28,12 +28,15 @@ from quadruped_env.cli.common_options import (
     check_level_has_terrain,
 )
 from quadruped_env.cli.invocation import Invocation
+from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.control.policy_files import policy_directory
+from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.policies import kept_definition
+from quadruped_env.evaluation.learning_gain import EPISODES, LearningGain, learning_gain
+from quadruped_env.policies import kept_definition, load_policy
 from quadruped_env.robot import Robot
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.scale.ranks.job import Job
@@ -46,6 +49,7 @@ from quadruped_env.training.recipes import RECIPES, recipe, task_values
 from quadruped_env.training.train_config import GPU_DEFAULTS, on_gpu, shortness
 from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import module_command, program_command
 from quadruped_env.utils.program import shorten_help
 
@@ -171,11 +175,32 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
     if advice:
         print(advice)
+    gain = measure_learning(directory, task_file, steps)
+    print(f"\n{gain.table()}\nIn its own task, {gain.episodes} episodes of {gain.seconds:g} s: {gain.verdict()}\n")
     task = ["--trust-task"] if arguments.trust_task else [] if task_file is None else ["--task", task_file]
     print(f"evaluate it:  {program_command('evaluate', directory, *task)}")
     print(f"see it walk:  {program_command('view', directory, *task)}")
     print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")
     return 0
+
+
+def measure_learning(directory: Path, task_file: Path | None, timesteps: int) -> LearningGain:
+    """Compare a run's policy with the zero action, and write the result into the policy's card.
+
+    Trainings of fewer steps than the measurement takes are measured on fewer episodes.
+
+    Raises:
+        QuadrupedError: if the policy cannot be read, or its card cannot be written.
+    """
+    episodes = min(EPISODES, max(2, timesteps // MAX_EPISODE_STEPS))
+    gain = learning_gain(
+        load_policy(directory, task_file), episodes, progress=ProgressLine("measuring what it learned")
+    )
+    path = directory / CARD_FILE
+    document = read_json(path)
+    document["card"]["learning"] = gain.to_dict()
+    write_whole({path: (json.dumps(document, indent=2) + "\n").encode()})
+    return gain
 
 
 def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path | None, TaskDefinition, dict[str, str]]:

@@ -20,11 +20,17 @@ Floats = NDArray[np.float64]
 
 
 class ZeroController:
-    """Zero action: the robot stands."""
+    """Zero action: the robot stands, or in mode `residual` walks with the scripted gait.
+
+    Args:
+        action_mode: action mode of the task.
+    """
 
     name = "zero"
-    action_mode = "position"
-    follows_command = False
+
+    def __init__(self, action_mode: str = "position") -> None:
+        self.action_mode = action_mode
+        self.follows_command = action_mode == "residual"
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""

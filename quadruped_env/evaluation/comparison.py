@@ -1,4 +1,4 @@
-"""Comparison of a trained policy with the scripted gaits and the zero action, on the same commands and starts."""
+"""Comparison of a trained policy with the scripted gaits and with standing still, on the same commands and starts."""
 
 import dataclasses
 import math
@@ -60,7 +60,7 @@ CONTROLLERS: Final = {
     "policy": "Trained policy",
     "tuned": "Tuned gait",
     "article": "Article's gait",
-    "zero": "Zero action",
+    "zero": "Standing still",
 }
 """Name -> label, in the order of tables."""
 
@@ -188,7 +188,7 @@ def compare(
     terrain: str | Terrain | None = None,
     randomization: str = "none",
 ) -> Comparison:
-    """Run policies, the tuned gait, the tutorial's gait (`article`) and the zero action on the same episodes.
+    """Run policies, the tuned gait, the tutorial's gait (`article`) and standing still on the same episodes.
 
     Each policy runs the task that it was trained for, with a preset in place of its randomization, a user's own
     included: by default, only the start of an episode is random. The scripted controllers run the first policy's task,

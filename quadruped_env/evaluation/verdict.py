@@ -10,6 +10,7 @@ import numpy as np
 
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.confidence import Estimate
+from quadruped_env.evaluation.learning_gain import NOT_BETTER, LearningGain
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.robot import Robot
@@ -62,9 +63,18 @@ class Verdict:
         return "\n".join([textwrap.fill(self.headline, 100), *findings])
 
 
-def verdict(comparison: Comparison, suite: Mapping[str, Any] | None = None) -> Verdict:
-    """Judge the policy of a comparison, with its results of the suite; motions without a command are left out."""
-    findings = [("Falls", _falls(comparison))]
+def verdict(
+    comparison: Comparison, suite: Mapping[str, Any] | None = None, gain: LearningGain | None = None
+) -> Verdict:
+    """Judge the policy of a comparison; motions without a command are left out.
+
+    Args:
+        comparison: the policy and the scripted controllers.
+        suite: results of the policy in the suite, if it was run.
+        gain: the policy against the zero action, if that was measured. Without a gain beyond doubt it is not `good`.
+    """
+    findings = [] if gain is None else [("Learning", f"in its own task, it is {gain.verdict()}.")]
+    findings.append(("Falls", _falls(comparison)))
     for topic, words in (
         ("Forwards", _forwards),
         ("Standing", _standing),
@@ -79,7 +89,7 @@ def verdict(comparison: Comparison, suite: Mapping[str, Any] | None = None) -> V
         for other, topic in (("tuned", "Tuned gait"), ("article", "Article's gait"))
     ]
     findings += () if suite is None else suite_findings(suite)
-    level, headline = _headline(comparison)
+    level, headline = _headline(comparison, gain)
     return Verdict(level, headline, tuple(findings))
 
 
@@ -94,7 +104,7 @@ def reached_share(comparison: Comparison, controller: str, motion: str) -> float
     return float(np.where(finite, achieved, 0.0).sum()) / wanted if wanted else math.nan
 
 
-def _headline(comparison: Comparison) -> tuple[str, str]:
+def _headline(comparison: Comparison, gain: LearningGain | None) -> tuple[str, str]:
     has = comparison.conditions
     if math.isnan(comparison.estimate("policy", "forward_velocity_error").mean):
         return "poor", "No: it always falls before its velocity can be measured."
@@ -114,6 +124,8 @@ def _headline(comparison: Comparison) -> tuple[str, str]:
         return "poor", f"{reached} and {falls}." if unstable else f"{reached}."
     ranks = {motion: _rank(comparison, "tuned", motion) for motion in MOTIONS if has(motion)}
     flaws = [*([falls] if unstable else []), *_flaws(comparison, ranks)]
+    if gain is not None and not gain.is_better:
+        flaws.append(f"is {NOT_BETTER}")
     if flaws:
         walks = "Not reliably: it walks" if unstable else "Yes, it walks"
         return "fair", f"{walks}, but it {listed(flaws)}."

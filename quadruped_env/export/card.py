@@ -5,6 +5,7 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
+from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
@@ -30,6 +31,7 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
         f"## Use\n\n{_use(interface, manifest)}",
         f"## Before it walks\n\n{_entry(manifest)}",
         f"## Results\n\n{_results(manifest['evaluation'])}",
+        _learning(manifest["learning"]),
         f"## Training\n\n{_verbatim(json.dumps(manifest['training'], indent=2))}",
         f"## Files\n\n{_files(files)}",
     ]
@@ -141,6 +143,18 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
     if by_motion:
         parts.append(_metrics_table(by_motion))
     return "\n\n".join(parts)
+
+
+def _learning(learning: Mapping[str, Any] | None) -> str:
+    """Section of the gain over the zero action; empty for a policy whose card has none."""
+    if learning is None:
+        return ""
+    rows = "\n".join(f"| {' | '.join(row)} |" for row in gain_rows(learning))
+    text = _filled(
+        f"In its own task, over {learning['episodes']} episodes of {learning['seconds']:g} s, it is "
+        f"{learning['verdict']}. 95 % intervals are in brackets."
+    )
+    return f"## What learning added\n\n{text}\n\n| | policy | zero action |\n|---|---|---|\n{rows}"
 
 
 def _findings(results: Mapping[str, Any]) -> str:

@@ -37,7 +37,7 @@ def manifest(
     `difference` is the largest one between the graph on ONNX Runtime and the policy.
     """
     control = policy.control
-    facts = {key: value for key, value in policy.card.items() if key not in RESULTS}
+    facts = {key: value for key, value in policy.card.items() if key not in (*RESULTS, "learning")}
     return {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
@@ -69,6 +69,7 @@ def manifest(
         "entry": _entry(policy, interface),
         "task": {"config": policy.task, "task_file": policy.task.get(TASK_FILE)},
         "training": facts,
+        "learning": policy.card.get("learning"),
         "evaluation": None if evaluation is None else dict(evaluation),
     }
 

@@ -13,6 +13,7 @@ from quadruped_env.control.policy import Agent, Policy
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED
 from quadruped_env.policies.code_policies import as_policy
 from quadruped_env.policies.policy_loading import (
+    at_checkpoint,
     find_controller,
     find_controllers,
     kept_definition,
@@ -36,6 +37,7 @@ __all__ = [
     "TrajectoryController",
     "ZeroController",
     "as_policy",
+    "at_checkpoint",
     "find_controller",
     "find_controllers",
     "kept_definition",

@@ -145,6 +145,16 @@ def task_of(controller: Controller, definition: TaskDefinition = BUILT_IN) -> Ta
     return policy.task_config or with_task(policy, definition).config
 
 
+def at_checkpoint(policy: Policy, checkpoint: Path) -> Policy:
+    """A loaded policy as it was at a checkpoint of its training, in the same task.
+
+    Raises:
+        QuadrupedError: if the checkpoint cannot be read.
+    """
+    definition = policy.config.definition
+    return with_task(read_policy(checkpoint, _terms(definition)), definition)
+
+
 def _terms(definition: TaskDefinition) -> Terms:
     return Terms(definition.observations, definition.commands, definition.robot, definition.file)
 

@@ -71,7 +71,7 @@ def contact_clock(context: TaskContext) -> Floats:
     return quantities.clock_agreement(1.0 - 2.0 * context.contact, context.leg_clock) * context.moving
 
 
-@reward(weight=-3.0)
+@reward(weight=-10.0)
 def upright(context: TaskContext) -> Floats:
     """Squared horizontal part of the base's up axis."""
     up = context.readings.up_b

@@ -95,7 +95,7 @@ class TrainConfig:
     only; docs/distributed.md)"""
     name: str = "ppo"
     """Last part of the run directory's name"""
-    checkpoint_seconds: float = 20.0
+    checkpoint_seconds: float = 10.0
     """Seconds of wall-clock time between checkpoints"""
     task: dict[str, Any] = field(default_factory=dict)
     """Changes to the task's config, as nested values"""

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from quadruped_env.evaluation.comparison import COMMANDS, Comparison, motion_of
+from quadruped_env.evaluation.confidence import Estimate
+from quadruped_env.evaluation.learning_gain import LearningGain, Performance
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.verdict import reached_share, verdict
 from quadruped_env.robot import MINI_QUADRUPED
@@ -66,6 +68,22 @@ def test_headline(numbers, level, headline):
     assert judged.level == level
     assert headline in judged.headline
     assert "nan" not in judged.text().lower().split()
+
+
+def test_policy_that_learned_nothing_beyond_doubt_is_not_good():
+    def judged(low):
+        one = Performance(*[Estimate(1.0, 1.0, 1.0, 8)] * 4, own_action=0.1)
+        gain = LearningGain(8, 20.0, one, one, Estimate(0.5, low, 1.0, 8), 2.5)
+        return verdict(invented(1.0), gain=gain)
+
+    assert (judged(0.2).level, verdict(invented(1.0)).level) == ("good", "good")
+    assert judged(0.2).findings[0] == (
+        "Learning",
+        "in its own task, it is better than doing nothing by 0.50 return/s (2.5 standard errors).",
+    )
+    assert judged(-0.1).level == "fair"
+    assert judged(-0.1).headline == "Yes, it walks, but it is not better than doing nothing beyond doubt."
+    assert judged(-0.1).findings[0][1].endswith("beyond doubt: +0.50 return/s (95 % interval -0.10 to +1.00).")
 
 
 def test_findings_say_how_far_it_gets_and_where_it_falls():

@@ -20,6 +20,7 @@ from quadruped_env.control import CommandedFrequency
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
+from quadruped_env.evaluation.learning_gain import learning_gain
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.folder import export_policy
@@ -261,6 +262,18 @@ def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_
     assert results["by_motion"]["forwards"]["forward_velocity_error"]["mean"] == pytest.approx(error)
     assert results["verdict"]["headline"] in (tmp_path / "export" / "README.md").read_text()
     assert f"{error:.3g}" in (tmp_path / "export" / "README.md").read_text()
+
+
+def test_gain_over_the_zero_action_is_on_the_page_and_in_the_manifest(run, tmp_path):
+    gain = learning_gain(run.policy, 2, 2.0)
+    learned = dataclasses.replace(run, policy=run.policy.with_card({"seed": 0, "learning": gain.to_dict()}))
+    learned.policy.save(run.directory)
+    export = export_policy(learned, tmp_path / "export")
+    assert export.manifest["learning"]["verdict"] == gain.verdict()
+    assert export.manifest["training"] == {"seed": 0}
+    page = " ".join((tmp_path / "export" / "README.md").read_text().split())
+    assert f"over 2 episodes of 2 s, it is {gain.verdict()}." in page
+    assert "| own action, RMS | " in page
 
 
 def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, monkeypatch):

@@ -7,6 +7,7 @@ import pytest
 from comparisons import random_policy
 
 from quadruped_env.evaluation.evaluated_policy import find_policy
+from quadruped_env.evaluation.learning_gain import learning_gain
 from quadruped_env.reporting.pages import evaluation_report
 
 
@@ -25,7 +26,7 @@ def run_directory(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def written(tmp_path_factory, comparison):
-    """A report: the texts of its `page` and `numbers`, its `figures`, and the `directory` of its run."""
+    """A report: the texts of its `page` and `numbers`, its `figures`, the `directory` of its run, and its `gain`."""
     directory, figures, patch = make_run(tmp_path_factory.mktemp("written")), [], pytest.MonkeyPatch()
     save = matplotlib.figure.Figure.savefig
 
@@ -35,12 +36,14 @@ def written(tmp_path_factory, comparison):
 
     patch.setattr(matplotlib.figure.Figure, "savefig", keep)
     line = "python evaluate/policy.py runs/<name>"
-    page, numbers, missing = evaluation_report.write_report(
-        find_policy(str(directory)), comparison, line, with_video=False
-    )
+    evaluated = find_policy(str(directory))
+    gain = learning_gain(evaluated.policy, 3, 2.0)
+    page, numbers, missing = evaluation_report.write_report(evaluated, comparison, line, with_video=False, gain=gain)
     patch.undo()
     assert not missing
-    return SimpleNamespace(page=page.read_text(), numbers=numbers.read_text(), figures=figures, directory=directory)
+    return SimpleNamespace(
+        page=page.read_text(), numbers=numbers.read_text(), figures=figures, directory=directory, gain=gain
+    )
 
 
 @pytest.fixture

@@ -41,7 +41,7 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     page = Page(written.page)
     text = " ".join(" ".join(page.text).replace("\N{NO-BREAK SPACE}", " ").split())
     assert not page.open
-    judged = verdict(comparison)
+    judged = verdict(comparison, gain=written.gain)
     places = [text.index(judged.headline), *(text.index(words[1:]) for _, words in judged.findings)]
     places += [
         text.index("In numbers"),

@@ -1,5 +1,7 @@
 """Readings at the beginning of each physics step: identical in both drivers, and those of steps taken one by one."""
 
+import pickle
+
 import numpy as np
 import pytest
 from drivers import ALL, DRIVERS, READINGS, ROWS, SUBSTEPS, draw_starts, draw_targets, start
@@ -88,3 +90,51 @@ def test_step_of_no_env_leaves_room_for_the_readings(make, model):
     simulation.reset(everything, *draw_starts(np.random.default_rng(0), simulation.num_envs))
     simulation.step(np.zeros((simulation.num_envs, 8)), SUBSTEPS, np.array([], dtype=int))
     assert simulation.substeps.foot_force.shape == (SUBSTEPS, simulation.num_envs, 4)
+
+
+def test_restored_state_of_a_pushed_robot_has_the_push_in_the_next_physics_step_and_not_in_its_readings():
+    found = []
+    for driver in ("singles", "1 thread"):
+        pushed, restored, rng = start(driver), start(driver, seed=7), np.random.default_rng(4)
+        pushed.step(draw_targets(rng), SUBSTEPS)
+        pushed.push(np.array([1]), np.array([[0.5, 0.3, -0.4, 1.0, 2.0, 3.0]]))
+        restored.set_state(1, pushed.get_state(1))
+        simulations = [pushed, restored]
+        if driver == "singles":
+            pickled = pickle.loads(pickle.dumps(pushed.singles[1]))  # noqa: S301
+            for name in READINGS:
+                np.testing.assert_array_equal(getattr(pickled.readings, name)[0], pushed.reading(name)[1], err_msg=name)
+        for name in READINGS:
+            np.testing.assert_array_equal(restored.reading(name)[1], pushed.reading(name)[1], err_msg=name)
+        target = draw_targets(rng)
+        for simulation in simulations:
+            simulation.step(target, SUBSTEPS)
+            found.append({name: values[:, 1] for name, values in substeps_of(simulation).items()})
+        if driver == "singles":
+            pickled.step(target[1:2], SUBSTEPS)
+            found.append({name: getattr(pickled.substeps, name)[:, 0] for name in READINGS})
+    for record in found[1:]:
+        for name in READINGS:
+            np.testing.assert_array_equal(record[name], found[0][name], err_msg=name)
+
+
+def test_field_that_changes_between_steps_counts_from_the_next_physics_step_on_in_both_drivers():
+    records = []
+    for driver in DRIVERS:
+        simulation, rng, record = start(driver), np.random.default_rng(5), []
+        for step in range(20):
+            simulation.step(draw_targets(rng), SUBSTEPS)
+            record.append(substeps_of(simulation)["foot_force"])
+            if step % 3 == 2:
+                friction = rng.uniform(0.1, 1.0, (ROWS, 1, 1)) * np.ones_like(simulation_friction(simulation))
+                simulation.write_model_field("geom_friction", friction)
+        records.append(np.array(record))
+    for record in records[1:]:
+        np.testing.assert_array_equal(record, records[0])
+    assert (records[0] > 1.0).mean() > 0.2
+
+
+def simulation_friction(simulation):
+    """Friction of the geoms of the compiled model."""
+    one = simulation.singles[0] if hasattr(simulation, "singles") else simulation
+    return one.compiled_field("geom_friction")

@@ -41,7 +41,7 @@ def test_defaults():
     config = TrainConfig()
     assert {name: getattr(config, name) for name in TRAINING} == TRAINING
     assert (config.recipe, config.algo, config.action_mode, config.seed) == ("flat", "ppo", "residual", 0)
-    assert (config.checkpoint_seconds, config.seconds, config.symmetric) == (20.0, None, True)
+    assert (config.checkpoint_seconds, config.seconds, config.symmetric) == (10.0, None, True)
     assert (config.asymmetric_critic, config.activation, config.task) == (True, "elu", {})
     assert (config.buffer_size, config.learning_starts, config.gradient_steps) == (500_000, 10_000, 16)
     assert (config.tau, config.action_noise) == (0.005, 0.1)

@@ -99,6 +99,7 @@ def final_output(tmp_path, monkeypatch, capsys):
         return capsys.readouterr().out.splitlines()
 
     monkeypatch.setattr("quadruped_env.training.train.train", train)
+    monkeypatch.setattr("quadruped_env.cli.train.EPISODES", 2)
     return run
 
 
@@ -131,6 +132,19 @@ def test_short_training_reports_its_length_and_the_previous_latest_run(final_out
     assert any(
         "it has learned for" in line for line in final_output("--timesteps", "100000", "--action-mode", "position")
     )
+
+
+def test_training_ends_with_what_it_added_over_the_zero_action_and_keeps_it_on_the_card(tmp_path, capsys):
+    assert main(["train", "--runs", str(tmp_path / "runs"), *TINY, "--hidden", "8"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    learning = load_policy(tmp_path / "runs" / "latest").card["learning"]
+    assert learning["episodes"] == 2, "as many steps are measured as were trained, and two episodes at least"
+    assert f"In its own task, 2 episodes of 20 s: {learning['verdict']}" in lines
+    first = next(i for i, line in enumerate(lines) if line.split() == ["policy", "zero", "action"]) + 1
+    labels = ["reward per second", "gain in reward per second", "commands met", "episodes with a fall"]
+    for line, label in zip(lines[first:], [*labels, "electrical power", "own action, RMS"], strict=False):
+        assert line.startswith(f"{label}  ")
+    assert learning["zero"]["own_action"] == 0.0 < learning["policy"]["own_action"]
 
 
 @pytest.mark.parametrize(

@@ -12,16 +12,18 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.failures import Failure, worst_episodes
+from quadruped_env.evaluation.learning_gain import LearningGain
 from quadruped_env.evaluation.metrics import WINDOW
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
+from quadruped_env.reporting.pages.learning import ZERO_LINE, gain_section, learning_clips, zero_return
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import section, summary, write_results
 from quadruped_env.reporting.report_directory import prepare_output
 from quadruped_env.sim2sim import transfer_results as sim2sim
-from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.progress import Progress, part_of
 
 
 def write_report(
@@ -31,6 +33,7 @@ def write_report(
     with_video: bool = True,
     progress: Progress | None = None,
     suite: Mapping[str, Any] | None = None,
+    gain: LearningGain | None = None,
 ) -> tuple[Path, Path, list[str]]:
     """Write the report and the numbers into the policy's output directory; existing files are replaced.
 
@@ -39,8 +42,9 @@ def write_report(
         comparison: results of the evaluation.
         command_line: command that reproduces the report.
         with_video: True to render a film, if OpenGL is available.
-        progress: called with the fraction of the film that is rendered.
+        progress: called with the fraction of the films that is rendered.
         suite: the policy's results of the suite, which are written to a file of their own, too; None: it was not run.
+        gain: the policy against the zero action; None: it was not measured.
 
     Returns:
         The paths of the report and of the numbers, and a message for each part that could not be made.
@@ -54,16 +58,19 @@ def write_report(
     rollout = comparison.rollouts["policy"]
     # Rendering and encoding leave the interpreter to another thread, which draws the figures on another core.
     with ThreadPoolExecutor(1) as executor:
-        drawn = executor.submit(_figures, evaluated, comparison)
+        drawn = executor.submit(_figures, evaluated, comparison, gain)
         of_failures = [executor.submit(plots.episode, comparison, "policy", failure.row) for failure in failures]
         if with_video:
             moments = [(Clip.of_rollout(rollout, failure.row, "").trace, failure) for failure in failures]
             clips = filmed(comparison)
-            pictures = take_pictures(clips, ", then ".join(clip.title for clip in clips), moments, progress)
+            shown = ", then ".join(clip.title for clip in clips)
+            pictures = take_pictures(clips, shown, moments, part_of(progress, 0.0, 0.7))
+            learning = _learning_film(evaluated, comparison, part_of(progress, 0.7, 1.0)) if pictures.shown else None
         else:
+            learning = None
             pictures = Pictures({"missing": "No video: it was switched off."})
         replay = scene(comparison)
-    judged = verdict(comparison, suite)
+    judged = verdict(comparison, suite, gain)
     if suite is not None:
         write_results(evaluated, suite, command_line)
     document = {
@@ -74,6 +81,7 @@ def write_report(
             "task_file": page.task_of(evaluated),
         },
         "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
+        "learning": None if gain is None else gain.to_dict(),
         "worst_episodes": [page.without_nan(dataclasses.asdict(failure)) for failure in failures],
         "suite": None if suite is None else summary(suite),
         "config": comparison.config.to_dict(),
@@ -83,6 +91,8 @@ def write_report(
         "name": evaluated.name,
         "verdict": judged,
         "video": pictures.video,
+        "learning": None if gain is None else gain_section({evaluated.name: gain}),
+        "learning_film": learning,
         "scene": replay,
         "figures": drawn.result(),
         "suite": None if suite is None else section(suite),
@@ -93,6 +103,13 @@ def write_report(
     report, numbers = page.write_page(evaluated.output, "report.html", document, context)
     missing = [part["missing"] for part in (pictures.video, replay) if "missing" in part]
     return report, numbers, missing if with_video else missing[1:]
+
+
+def _learning_film(evaluated: EvaluatedPolicy, comparison: Comparison, progress: Progress | None) -> dict[str, str]:
+    """Source and caption of the film of a training."""
+    clips = learning_clips(evaluated, comparison)
+    shown = ", then ".join(clip.title for clip in clips)
+    return take_pictures(clips, f"{shown}; the same start and command", progress=progress).video
 
 
 def _second_engine(evaluated: EvaluatedPolicy) -> dict[str, Any] | None:
@@ -132,7 +149,7 @@ def _failure(failure: Failure, pictures: Pictures, svg: str) -> dict[str, Any]:
     }
 
 
-def _figures(evaluated: EvaluatedPolicy, comparison: Comparison) -> list[dict[str, str]]:
+def _figures(evaluated: EvaluatedPolicy, comparison: Comparison, gain: LearningGain | None) -> list[dict[str, str]]:
     shown = shown_commands(comparison)
     main, robot = shown.get("forwards", 0), comparison.robot
     command = words(comparison.commands[main])
@@ -179,12 +196,13 @@ def _figures(evaluated: EvaluatedPolicy, comparison: Comparison) -> list[dict[st
     ]
     if evaluated.progress_file is not None:
         columns = plots.read_progress(evaluated.progress_file)
+        zero = {} if gain is None else {evaluated.name: zero_return(gain, evaluated.policy.config)}
         if len(columns["timesteps"]) > 1 and any(name in columns for name, _ in plots.LEARNING_CURVES):
             figures.append(
                 page.figure(
                     "Learning curve",
-                    plots.learning_curve({evaluated.name: columns}),
-                    "Measured during training, with exploration noise.",
+                    plots.learning_curve({evaluated.name: columns}, zero),
+                    f"Measured during training, with exploration noise.{' ' + ZERO_LINE if zero else ''}",
                 )
             )
     return figures

@@ -47,6 +47,11 @@ class Pictures:
     stills: dict[int, str] = field(default_factory=dict)
     """Index of an episode -> data URL of its stills"""
 
+    @property
+    def shown(self) -> bool:
+        """True if there is a film."""
+        return "source" in self.video
+
 
 def shown_commands(comparison: Comparison) -> dict[str, int]:
     """Motion -> index of the command that represents it in figures and films."""

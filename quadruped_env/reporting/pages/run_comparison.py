@@ -9,11 +9,13 @@ from typing import Any
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
+from quadruped_env.evaluation.learning_gain import LearningGain
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.verdict import equal_up_to, error_of, listed, verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
+from quadruped_env.reporting.pages.learning import ZERO_LINE, gain_section, zero_return
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
 from quadruped_env.reporting.report_directory import prepare_output
@@ -93,10 +95,12 @@ def write_comparison(
     with_video: bool = True,
     progress: Progress | None = None,
     ranked: Mapping[str, Any] | None = None,
+    gains: Mapping[str, LearningGain] | None = None,
 ) -> tuple[Path, Path, list[str]]:
     """Write the page and its numbers into a directory; arguments and results as in `evaluation_report.write_report`.
 
     `ranked` is the ranking on the suite, from `suite_section.ranking`; None: the page has no ranking.
+    `gains` are the policies against their zero actions, by name; None: they were not measured.
 
     Raises:
         MissingExtraError, QuadrupedError: as `evaluation_report.write_report`.
@@ -121,6 +125,7 @@ def write_comparison(
                 "task_file": page.task_of(evaluated),
                 "reward_terms": page.without_nan(terms[name]),
                 "verdict": {"level": judged[name].level, "headline": judged[name].headline},
+                "learning": gains[name].to_dict() if gains else None,
             }
             for name, evaluated in policies.items()
         },
@@ -130,11 +135,13 @@ def write_comparison(
         "names": names,
         "headline": head,
         "verdicts": judged,
+        "gains": {name: gain.verdict() for name, gain in (gains or {}).items()},
+        "learning": gain_section(gains) if gains else None,
         "reward_terms": _term_rows(terms),
         "diffs": _diffs(policies),
         "ranking": None if ranked is None else _ranking(ranked),
         "video": video,
-        "figures": _figures(policies, comparison),
+        "figures": _figures(policies, comparison, gains or {}),
         **page.tables(comparison),
     }
     report, numbers = page.write_page(output, "comparison.html", document, context)
@@ -207,7 +214,9 @@ def films(comparison: Comparison, names: Sequence[str]) -> list[Clip]:
     return [clip for name in names for clip in filmed(comparison, name)]
 
 
-def _figures(policies: Mapping[str, EvaluatedPolicy], comparison: Comparison) -> list[dict[str, str]]:
+def _figures(
+    policies: Mapping[str, EvaluatedPolicy], comparison: Comparison, gains: Mapping[str, LearningGain]
+) -> list[dict[str, str]]:
     figures = page.shared_figures(comparison, shown_commands(comparison).get("forwards", 0))
     curves = {
         name: plots.read_progress(evaluated.progress_file)
@@ -215,11 +224,9 @@ def _figures(policies: Mapping[str, EvaluatedPolicy], comparison: Comparison) ->
         if evaluated.progress_file is not None
     }
     if curves:
-        figures.append(
-            page.figure(
-                "Learning curves", plots.learning_curve(curves), "Measured during training, with exploration noise."
-            )
-        )
+        zero = {name: zero_return(gains[name], policies[name].policy.config) for name in curves if name in gains}
+        caption = f"Measured during training, with exploration noise.{' ' + ZERO_LINE if zero else ''}"
+        figures.append(page.figure("Learning curves", plots.learning_curve(curves, zero), caption))
         by_term = plots.term_curves(curves)
         if by_term is not None:
             figures.append(

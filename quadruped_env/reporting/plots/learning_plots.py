@@ -74,13 +74,21 @@ def term_curves(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> st
     return draw_figure(rows, 2, 0.7 + 0.9 * rows, draw, sharex=True)
 
 
-def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> str:
-    """Learning curves of runs (name -> columns, as from `read_progress`) over their time steps."""
+def learning_curve(
+    progress: Mapping[str, Mapping[str, NDArray[np.float64]]], zero_returns: Mapping[str, float] | None = None
+) -> str:
+    """Learning curves of runs over their time steps.
+
+    Args:
+        progress: name of a run -> columns, as from `read_progress`.
+        zero_returns: name -> return of an episode of the zero action in the run's task, drawn as a dashed line.
+    """
+    zero_returns = zero_returns or {}
     curves = [curve for curve in LEARNING_CURVES if any(curve[0] in columns for columns in progress.values())]
     styles = controller_styles(progress)
 
     def draw(axes: Any) -> None:
-        for ax, (quantity, label) in zip(axes[:, 0], curves, strict=True):
+        for ax, (quantity, axis_label) in zip(axes[:, 0], curves, strict=True):
             for name, columns in progress.items():
                 if quantity not in columns:
                     continue
@@ -90,13 +98,16 @@ def learning_curve(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) ->
                 ax.plot(
                     steps, columns[quantity][known], color=styles[name]["color"], marker=".", markersize=3, label=name
                 )
-            ax.set_ylabel(label)
+                if quantity == "return" and name in zero_returns:
+                    label = f"zero action of {name}" if len(progress) > 1 else "zero action"
+                    ax.axhline(zero_returns[name], color=styles[name]["color"], linestyle="--", label=label)
+            ax.set_ylabel(axis_label)
             if quantity == "fall_rate":
                 ax.set_ylim(-0.03, 1.03)
             elif quantity != "return":
                 ax.set_ylim(bottom=0.0)
         axes[-1, 0].set_xlabel("time steps (millions)")
-        if len(progress) > 1:
+        if len(progress) > 1 or zero_returns:
             legend_above(axes[0, 0].figure, columns=2)
 
     return draw_figure(len(curves), 1, 0.5 + 1.3 * len(curves), draw, sharex=True)

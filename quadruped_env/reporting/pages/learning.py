@@ -1,0 +1,88 @@
+"""Gain of a training on a page: the table of policy and zero action, the line in the curve, and the film."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.control.policy import CARD_FILE
+from quadruped_env.control.policy_files import CHECKPOINTS
+from quadruped_env.envs import MAX_EPISODE_STEPS
+from quadruped_env.evaluation.comparison import Command, Comparison, words
+from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
+from quadruped_env.evaluation.learning_gain import TOLERANCE, LearningGain, gain_rows
+from quadruped_env.evaluation.metrics import START_UP
+from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
+from quadruped_env.policies import Controller, PolicyController, ZeroController, at_checkpoint
+from quadruped_env.reporting.films.film import Clip
+from quadruped_env.task import TaskConfig
+from quadruped_env.utils.documents import read_json
+
+CLIP_SECONDS: Final = 3.0
+ZERO_LINE: Final = "The dashed line is the return of the zero action, without learning."
+
+
+def gain_section(gains: Mapping[str, LearningGain]) -> dict[str, Any]:
+    """Template variables of the table; `gains` are those of policies by name, one or more."""
+    documents = [gain.to_dict() for gain in gains.values()]
+    tables = [gain_rows(document) for document in documents]
+    labels = [label for label, _, _ in tables[0]]
+    rows = [[label, *(cell for table in tables for cell in table[i][1:])] for i, label in enumerate(labels)]
+    first = next(iter(gains.values()))
+    note = (
+        f"The zero action is the stance, or the scripted gait under the policy. Both ran in the policy's own task, "
+        f"with its commands, randomization and terrain: {first.episodes} episodes of {first.seconds:g} s with the same "
+        f"seeds; a robot that falls begins again. 95 % intervals are in brackets. A command is met if the mean "
+        f"velocities from {START_UP:g} s after its beginning are within {TOLERANCE[0]:g} m/s and {TOLERANCE[1]:g} "
+        f"rad/s of it. The own action is what the policy adds to the joint targets of the zero action."
+    )
+    return {"header": ["", *(each for name in gains for each in (name, "zero action"))], "rows": rows, "note": note}
+
+
+def zero_return(gain: LearningGain, config: TaskConfig) -> float:
+    """Return of an episode of the zero action, as the learning curve counts it."""
+    return gain.zero.return_per_second.mean * MAX_EPISODE_STEPS * config.control_timestep
+
+
+def half_way(directory: Path, timesteps: int) -> tuple[Path, int] | None:
+    """The checkpoint that is closest to half of the steps, and its steps; None if all are far from it.
+
+    Args:
+        directory: that of a run, or of its last checkpoint.
+        timesteps: steps of the whole training.
+    """
+    inside = directory.parent.name == CHECKPOINTS
+    places = directory.parent.iterdir() if inside else (directory / CHECKPOINTS).glob("*")
+    steps = {path: read_json(path / CARD_FILE)["card"]["timesteps"] for path in places if (path / CARD_FILE).is_file()}
+    known = [(path, count) for path, count in steps.items() if abs(count - timesteps / 2) <= timesteps / 4]
+    return min(known, key=lambda found: (abs(found[1] - timesteps / 2), found[1]), default=None)
+
+
+def learning_clips(evaluated: EvaluatedPolicy, comparison: Comparison) -> list[Clip]:
+    """Clips of a robot before, half way through and after its training, from one start and under one command.
+
+    Before the training it has the zero action. Without a checkpoint, there is no clip of half the training.
+    """
+    policy = evaluated.policy
+    stages: dict[str, Controller] = {"before (zero action)": ZeroController(policy.action_mode)}
+    timesteps = policy.card.get("timesteps")
+    checkpoint = half_way(evaluated.directory, timesteps) if isinstance(timesteps, int) else None
+    if checkpoint is not None:
+        path, steps = checkpoint
+        stages[f"half way ({steps:,} steps)"] = PolicyController(at_checkpoint(policy, path))
+    stages[f"after ({timesteps:,} steps)" if isinstance(timesteps, int) else "after"] = PolicyController(policy)
+    command = _filmed_command(comparison)
+    seconds = START_UP + CLIP_SECONDS
+    return [
+        Clip.of_rollout(
+            roll_out(controller, [command], [FIRST_SEED], seconds, comparison.config),
+            0,
+            f"{stage}: {words(command)}",
+            START_UP,
+        )
+        for stage, controller in stages.items()
+    ]
+
+
+def _filmed_command(comparison: Comparison) -> Command:
+    """The first curve among the commands, on which a gait without learning is weakest, or the last command."""
+    return next((command for command in comparison.commands if all(command)), comparison.commands[-1])
