@@ -15,7 +15,7 @@ REWARD_WEIGHTS: Final = {
     "turn_progress": 9.0,
     "gait_clock": 5.0,
     "contact_clock": 3.0,
-    "upright": -3.0,
+    "upright": -10.0,
     "base_motion": -2.0,
     "action_rate": -0.08,
     "electrical_power": -0.03,

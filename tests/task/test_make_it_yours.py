@@ -150,7 +150,7 @@ def test_defaults_of_a_users_file_are_those_of_its_config(tmp_path):
     changed = TaskConfig(reward=RewardConfig(foot_lift=0.03)).with_definition(definition)
     assert (changed.reward.weights.upright, changed.reward.foot_lift) == (-7.0, 0.03)
     # A section that is given counts as it is.
-    assert TaskConfig(reward=RewardConfig(), definition=definition).reward.weights.upright == -3.0
+    assert TaskConfig(reward=RewardConfig(), definition=definition).reward.weights.upright == -10.0
 
 
 LOGS = """
