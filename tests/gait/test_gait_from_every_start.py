@@ -24,8 +24,8 @@ STARTS = 16
         ("tuned", 0.006, 0.05, 1.3, 0.75),
         pytest.param("crouched", 0.006, 0.05, 1.3, 0.75, marks=pytest.mark.slow),
         pytest.param("low", 0.003, 0.05, 1.3, 0.75, marks=pytest.mark.slow),
-        # Drags a foot in 7 % of the episodes: 41 of 576, with MuJoCo 3.17.0 and 4.0.0. At 0.25 m/s, six of 16 starts lead
-        # into another, slower stride.
+        # Drags a foot in 7 % of the episodes: 41 of 576, with MuJoCo 3.17.0 and 4.0.0. At 0.25 m/s, six of 16 starts
+        # lead into another, slower stride.
         pytest.param("fast", 0.005, 0.1, 1.5, 0.5, marks=pytest.mark.slow),
     ],
 )
