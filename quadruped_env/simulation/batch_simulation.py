@@ -69,11 +69,11 @@ class BatchSimulation:
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
+        if substeps != len(self._recorded):
+            self._record(substeps)
         if env_ids is not None and not len(env_ids):
             return
         self._ctrl[:] = joint_target
-        if substeps != len(self._recorded):
-            self._record(substeps)
         rows = slice(None) if env_ids is None else env_ids
         self._switch_off(0)
         for recorded in self._recorded:

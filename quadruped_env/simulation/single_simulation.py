@@ -31,7 +31,7 @@ class SingleSimulation:
         self.data = mujoco.MjData(model)
         self._failed = False
         self._settled = False
-        """True if the first half of the next step has been computed. It is outdated after a push."""
+        """True if the first half of the next step has been computed. It is outdated after a push or a changed field."""
         self._varied_fields: dict[str, NDArray[np.float64]] = {}
         """Values of the fields before they were varied, by name."""
         self._base = model.body(robot.base_name).id
@@ -52,11 +52,11 @@ class SingleSimulation:
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
+        if substeps != len(self._recorded):
+            self._record(substeps)
         if env_ids is not None and not len(env_ids):
             return
         self._ctrl[:] = joint_target[0]
-        if substeps != len(self._recorded):
-            self._record(substeps)
         model, data = self.model, self.data
         # The last call ended after the first half of a step (mj_step1), so that the second half comes first.
         finish_step = mujoco.mj_step2 if self._settled else mujoco.mj_step
@@ -118,6 +118,7 @@ class SingleSimulation:
         values: NDArray[np.float64] = getattr(self.model, name)
         if name not in self._varied_fields:
             self._varied_fields[name] = values.copy()
+        self._settled = False
         return values[None]
 
     def compiled_field(self, name: str) -> NDArray[np.float64]:
@@ -149,8 +150,7 @@ class SingleSimulation:
         self._clear()
         mujoco.mj_setState(self.model, self.data, state.integration, STATE_SPEC)
         mujoco.mj_step1(self.model, self.data)
-        self._settled = True
-        self.data.sensordata = state.readings
+        self._keep_readings(state.readings)
         self._failed = state.diverged
 
     def __getstate__(self) -> dict[str, Any]:
@@ -163,6 +163,12 @@ class SingleSimulation:
     def __setstate__(self, attributes: dict[str, Any]) -> None:
         self.__dict__.update(attributes)
         self._bind()
-        # Pickling does not include the intermediate results of the first half of a step.
+        readings = self.data.sensordata.copy()
+        # Pickling does not include intermediate results, of which rendering needs some.
         mujoco.mj_step1(self.model, self.data)
-        self._settled = True
+        self._keep_readings(readings)
+
+    def _keep_readings(self, readings: NDArray[np.float64]) -> None:
+        """Replace the readings of the first half of a step by those of before a push, if there was one."""
+        self.data.sensordata = readings
+        self._settled = False

@@ -1,6 +1,7 @@
 """Input of reward terms and terminations."""
 
 import math
+from dataclasses import fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,7 +46,8 @@ class TaskContext:
     leg_clock: Floats
     """Sine of each leg's phase, (N, L); positive while the foot should swing."""
     substeps: Readings
-    """Readings at the beginning of each physics step of the latest control step, (S, N, ...)."""
+    """Readings at the beginning of each physics step of the latest control step, (S, N, ...); before the first one, the
+    present readings."""
 
     def __init__(
         self,
@@ -98,6 +100,7 @@ class TaskContext:
         """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
         self.moving = control.moving
         """1.0 where a motion is commanded, else 0.0, (N,)."""
+        self.substeps = Readings(**{field.name: getattr(readings, field.name)[None] for field in fields(Readings)})
         self.read()
 
     def update(self, substeps: Readings) -> None:

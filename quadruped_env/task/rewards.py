@@ -60,7 +60,7 @@ def progress(context: TaskContext) -> Floats:
 
 @reward(weight=5.0)
 def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.02) -> Floats:
-    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, |1 - sole height / 0.02 m|)."""
+    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / 0.02 m))."""
     lift = quantities.foot_lift(context.sole_height, foot_lift)
     return quantities.clock_agreement(lift, context.leg_clock) * context.moving
 

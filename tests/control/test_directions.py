@@ -49,9 +49,9 @@ def walked_one_by_one(make, commands):
     return np.concatenate([walked(make(), [command], seeds=[0]) for command in commands])
 
 
-def walked_in_env(mode, commands, policy=None):
+def walked_in_env(mode, commands, policy=None, **config):
     """As `walked`, in the native vector env; the zero action without a policy."""
-    env = gymnasium.make_vec(ENV_ID, num_envs=len(commands), action_mode=mode)
+    env = gymnasium.make_vec(ENV_ID, num_envs=len(commands), action_mode=mode, config=config)
     for i, command in enumerate(commands):
         mask = np.arange(len(commands)) == i
         observation, info = env.reset(seed=0, options={"command": command, "reset_mask": mask})
@@ -70,7 +70,7 @@ FOLLOWERS = {
     "tuned gait in the viewer": lambda: walked_one_by_one(
         lambda: EditableGaitController("tuned", MINI_QUADRUPED), COMMANDS
     ),
-    "tuned gait under a residual policy": lambda: walked_in_env("residual", COMMANDS),
+    "tuned gait under a residual policy": lambda: walked_in_env("residual", COMMANDS, action={"gait": "tuned"}),
     "tuned gait at each command": lambda: np.concatenate(
         [walked(GaitController(CommandedGait.tuned().at(command), "at"), [STANDING]) for command in COMMANDS]
     ),
@@ -157,11 +157,12 @@ def test_recording_that_has_ended_holds_its_last_positions():
 
 def test_shipped_policy_mirrors_its_action_with_its_observation():
     policy = load_policy("flat")
-    observation = np.random.default_rng(0).uniform(-1.0, 1.0, (100, 34)).astype(np.float32)
+    observation = np.random.default_rng(0).uniform(-1.0, 1.0, (100, 3 * 34)).astype(np.float32)
     mirror, sign = np.arange(34), np.ones(34, dtype=np.float32)
     for start in (6, 14, 22):
         mirror[start : start + 8] = start + np.array(JOINT_MIRROR)
     sign[[1, 3, 5, 31, 32, 33]] = -1.0  # gravity y; roll and yaw rate; commanded yaw rate; half a cycle of the clock
+    mirror, sign = np.concatenate([mirror, 34 + mirror, 68 + mirror]), np.tile(sign, 3)
     action, mirrored = policy.predict(observation), policy.predict(observation[:, mirror] * sign)
     np.testing.assert_allclose(mirrored, action[:, JOINT_MIRROR], atol=1e-5)
     assert abs(mirrored - action).max() > 0.01

@@ -26,6 +26,8 @@ from quadruped_env.task import ActionConfig, TaskConfig
 K, WIDTH = 4, 34
 NOISY = settings(noise=1.0, resample=(0.1, 0.3), max_tilt=0.4, push_velocity=0.5, push_interval=[0.1, 0.3])
 
+PRESENT = {**NOISY, "observation_history": 1}
+
 
 class Stack:
     """The reference: a list of the observations of an episode, as long as it lasts."""
@@ -49,7 +51,7 @@ class Stack:
 
 def test_observations_of_all_envs_are_those_stacked_by_hand():
     """Each env without a history gives the frames; episodes end by falls, at different times."""
-    plain = gymnasium.make_vec("MiniQuadruped-v0", num_envs=3, config=NOISY, max_episode_steps=25)
+    plain = gymnasium.make_vec("MiniQuadruped-v0", num_envs=3, config=PRESENT, max_episode_steps=25)
     stacked_config = {**NOISY, "observation_history": K}
     vector = gymnasium.make_vec("MiniQuadruped-v0", num_envs=3, config=stacked_config, max_episode_steps=25)
     sb3 = make_sb3_vec_env(3, seed=3, config=stacked_config, max_episode_steps=25)
@@ -96,7 +98,7 @@ def test_observations_of_all_envs_are_those_stacked_by_hand():
 def test_envs_that_reset_in_the_next_step_stack_alike():
     config = {**NOISY, "observation_history": 3}
     plain = gymnasium.make_vec(
-        "MiniQuadruped-v0", num_envs=2, config=NOISY, max_episode_steps=9, autoreset_mode="NextStep"
+        "MiniQuadruped-v0", num_envs=2, config=PRESENT, max_episode_steps=9, autoreset_mode="NextStep"
     )
     vector = gymnasium.make_vec(
         "MiniQuadruped-v0", num_envs=2, config=config, max_episode_steps=9, autoreset_mode="NextStep"
@@ -124,7 +126,7 @@ def test_observing_twice_in_a_step_counts_once():
     np.testing.assert_array_equal(task.observe(), observation)
     np.testing.assert_array_equal(task.observe(), observation)
     # A command that changes within the step changes the present observation alone.
-    task.set_command(np.arange(2), (0.5, 0.1))
+    task.control.command[:] = (0.5, 0.1)
     changed = task.observe()
     np.testing.assert_array_equal(changed[:, WIDTH:], observation[:, WIDTH:])
     columns = task.control.layout.slices["command"]
@@ -174,12 +176,12 @@ def test_policy_keeps_its_history_and_refuses_other_observations(tmp_path):
     assert env.observation_space.shape == (3 * WIDTH,)
     observation, _ = env.reset(seed=0)
     np.testing.assert_array_equal(loaded.predict(observation), policy.predict(observation))
-    for config, found in (({}, 1), ({"observation_history": 2}, 2)):
+    for config, found in (({"observation_history": 1}, 1), ({"observation_history": 2}, 2)):
         other = gymnasium.make("MiniQuadruped-v0", action_mode="residual", config=config)
         with pytest.raises(QuadrupedError, match=rf"trained with observation_history 3, and .* has {found}; make"):
             loaded.check_env(other)
     with pytest.raises(QuadrupedError, match=r"trained with observation_history 1, and .* has 3"):
-        random_policy("residual").check_env(env)
+        random_policy("residual", observation_history=1).check_env(env)
 
 
 @pytest.mark.parametrize("mode", ["position", "residual"])
@@ -242,7 +244,7 @@ def test_live_controller_stacks_as_the_interface_does():
         i += 1
     control = ControlInterface(MINI_QUADRUPED, policy.control)
     readings, frames = Readings.of_a_real_robot(MINI_QUADRUPED), Stack(3)
-    plain = ControlInterface(MINI_QUADRUPED, ControlConfig())
+    plain = ControlInterface(MINI_QUADRUPED, ControlConfig(observation_history=1))
     for step in range(8):
         live.command(0.3, 0.1, now=i * 0.02)
         positions, velocities = stance + rng.uniform(-0.1, 0.1, 8), rng.uniform(-1, 1, 8)

@@ -5,7 +5,17 @@ import math
 import numpy as np
 import pytest
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
-from tasks import LAYOUT, NEVER_FALLS, NOISE, OBSERVATION_WIDTH, STILL_START, column, make_env, make_task
+from tasks import (
+    FRAME_WIDTH,
+    LAYOUT,
+    NEVER_FALLS,
+    NOISE,
+    OBSERVATION_WIDTH,
+    STILL_START,
+    column,
+    make_env,
+    make_task,
+)
 
 from quadruped_env import JOINT_NAMES
 from quadruped_env.control.velocity_command import moving_threshold
@@ -18,7 +28,7 @@ from quadruped_env.task import RandomizationConfig
 def test_the_layout_is_bounded_and_adds_up():
     names = [field.name for field in LAYOUT.fields]
     assert len(set(names)) == len(names)
-    assert sum(field.width(MINI_QUADRUPED) for field in LAYOUT.fields) == OBSERVATION_WIDTH == len(LAYOUT.scale)
+    assert sum(field.width(MINI_QUADRUPED) for field in LAYOUT.fields) == FRAME_WIDTH == len(LAYOUT.scale)
     assert np.isfinite(LAYOUT.high).all()
     np.testing.assert_array_equal(LAYOUT.low, -LAYOUT.high)
     assert (LAYOUT.high > 0).all()
@@ -56,10 +66,10 @@ def test_an_observation_is_the_readings_offset_scaled_and_clipped():
 
 @pytest.mark.parametrize(("raw", "bound"), [(1e6, LAYOUT.high), (-1e6, LAYOUT.low)])
 def test_observation_out_of_bounds_is_clipped(raw, bound):
-    task = make_task(2)
-    noise = np.full((2, OBSERVATION_WIDTH), raw)
+    task = make_task(2)  # after a reset its first observation stands for the past
+    noise = np.full((2, FRAME_WIDTH), raw)
     observation = task.control.observe(task.simulation.readings, noise)
-    np.testing.assert_array_equal(observation, [bound.astype(np.float32)] * 2)
+    np.testing.assert_array_equal(observation, [np.tile(bound.astype(np.float32), 3)] * 2)
 
 
 @pytest.mark.parametrize(("roll", "pitch"), [(0.0, 0.0), (0.3, 0.0), (0.0, 0.3), (-0.5, 0.7), (math.pi, 0.0)])
@@ -137,8 +147,8 @@ def test_clock_runs_at_its_frequency_and_stops_at_a_zero_command():
 
 
 def test_observation_noise_stays_within_each_fields_amplitude():
-    quiet = make_task(32, randomization=RandomizationConfig(observation_noise=0.0))
-    noisy = make_task(32, randomization=RandomizationConfig(observation_noise=1.0))
+    quiet = make_task(32, randomization=RandomizationConfig(observation_noise=0.0), observation_history=1)
+    noisy = make_task(32, randomization=RandomizationConfig(observation_noise=1.0), observation_history=1)
     np.testing.assert_array_equal(noisy.simulation.readings.joint_position, quiet.simulation.readings.joint_position)
     differences = []
     for _ in range(20):

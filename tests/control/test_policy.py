@@ -11,7 +11,7 @@ import sys
 import numpy as np
 import pytest
 from policies import TASK, make_policy, observations
-from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
+from tasks import ACTION_WIDTH, FRAME_WIDTH, OBSERVATION_WIDTH
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
@@ -45,7 +45,7 @@ def test_card_describes_the_policy(run_directory):
     assert document["action_mode"] == "residual"
     assert document["control_rate_hz"] == pytest.approx(1.0 / TASK.control_timestep)
     assert document["config"] == json.loads(json.dumps(TASK.to_dict()))
-    assert sum(field["width"] for field in document["observation_layout"]) == OBSERVATION_WIDTH
+    assert sum(field["width"] for field in document["observation_layout"]) == FRAME_WIDTH
 
 
 def test_a_policys_files_hold_no_pickle(run_directory):

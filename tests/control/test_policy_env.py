@@ -74,7 +74,7 @@ def test_make_env_with_another_task_is_refused(name):
         ({}, "action.mode 'residual', and this environment has 'position'"),
         ({"action": {"mode": "residual"}}, r"control_timestep 0\.025, and this environment has 0\.02"),
         ({"action": {"mode": "residual", "residual_scale": 0.2}, "decimation": 5}, r"residual_scale 0\.4, .* has 0\.2"),
-        ({"action": {"mode": "residual", "gait": "low"}, "decimation": 5}, r"action\.gait 'tuned', .* has 'low'"),
+        ({"action": {"mode": "residual", "gait": "low"}, "decimation": 5}, r"action\.gait 'sinusoid', .* has 'low'"),
         (
             {"action": {"mode": "residual"}, "decimation": 5, "clock_frequency": 3.0},
             r"clock_frequency 3\.4, .* has 3\.0",

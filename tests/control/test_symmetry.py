@@ -7,13 +7,15 @@ import numpy as np
 import pytest
 from built_in import STANCE
 from mirroring import mirrored
-from tasks import ACTION_WIDTH, LAYOUT, OBSERVATION_WIDTH
+from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
+from quadruped_env.control import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.robot import MINI_QUADRUPED
 
 ROW = np.array([0])
-MIRROR = MirrorMap.of(LAYOUT)
+MIRROR = MirrorMap.of(ObservationLayout(MINI_QUADRUPED, history=3))
 
 
 @pytest.mark.parametrize("mode", ["position", "residual"])
@@ -26,6 +28,7 @@ def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, c
     qpos, qvel, _ = mirrored(robot.data.qpos, robot.data.qvel, STANCE)
     mirror.task.simulation.reset(ROW, qpos[None], qvel[None])
     mirror.task.phase[:] = (robot.task.phase + math.pi) % math.tau
+    mirror.task.observe()  # before the first step, so that the past is the mirrored start, too
     privileged = [one.task.privileged_readings() for one in (robot, mirror)]
     mirror_privileged = MirrorMap.of(privileged[0].layout)
     for _ in range(25):

@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 
+import gymnasium
 import numpy as np
 import pytest
 import second_robot
@@ -16,6 +17,7 @@ from paths import ROOT
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
 from quadruped_env.control import CommandedFrequency
+from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.learning_gain import learning_gain
@@ -120,20 +122,21 @@ def test_exported_file_walks_in_the_env(flat, mode, tmp_path):
     manifest = json.loads((flat.folder / "manifest.json").read_text())
     policy = load_policy(flat.folder)
     session = runtime.session_of((flat.folder / "policy.onnx").read_bytes())
-    env, other = policy.make_env(), policy.make_env()
+    env, other = (gymnasium.make(ENV_ID, config=policy.config.randomized("none")) for _ in range(2))
     observation, _ = env.reset(seed=1, options={"command": (0.4, 0.0)})
     expected, _ = other.reset(seed=1, options={"command": (0.4, 0.0)})
     fields = {field["name"]: field for field in manifest["observation"]["fields"]}
     clock = slice(*fields.pop("gait_clock")["columns"])
     phase = np.arctan2(*observation[clock])[None, None].astype(np.float32)
+    past = np.full((1, 2 * 34), np.nan, np.float32)
     speeds = []
     for step in range(250):
         inputs = {
             name: (observation[slice(*field["columns"])] / field["scale"] + field["offset"])[None].astype(np.float32)
             for name, field in fields.items()
         }
-        found = runtime.run(session, {**inputs, "gait_phase": phase})
-        phase = found["next_gait_phase"]
+        found = runtime.run(session, {**inputs, "gait_phase": phase, "observation_history": past})
+        phase, past = found["next_gait_phase"], found["next_observation_history"]
         observation, _, terminated, _, info = env.step(found["action"][0])
         if step < 50:
             # Later, rounding errors have grown with every contact.
@@ -235,7 +238,8 @@ def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
         np.clip((inputs[field["name"]] - field["offset"]) * field["scale"], field["low"], field["high"])
         for field in document["observation"]["fields"]
     ]
-    action = load_policy("flat").predict(np.concatenate(columns, axis=1).astype(np.float32))
+    observation = np.concatenate([*columns, inputs["observation_history"]], axis=1).astype(np.float32)
+    action = load_policy("flat").predict(observation)
     np.testing.assert_allclose(found["action"], action, rtol=0, atol=1e-5)
 
 

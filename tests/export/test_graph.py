@@ -10,10 +10,11 @@ from comparisons import random_policy
 from policies import make_policy
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import CommandedFrequency
+from quadruped_env.control import CommandedFrequency, ObservationLayout
 from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.envs import ENV_ID
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.onnx_graph import IR_VERSION, OPSET, policy_graph
 from quadruped_env.policies import Policy, load_policy
@@ -33,7 +34,10 @@ def session_of(policy):
 
 
 def random_states(policy, samples=SAMPLES, seed=0):
-    """Random readings, commands, phases and last actions of many robots, from within their limits and beyond."""
+    """Random readings, commands, phases, last actions and observations of the steps before of many robots.
+
+    They are from within their limits and beyond. The observations before are NaN for some.
+    """
     rng, robot = np.random.default_rng(seed), policy.robot
     readings = Readings.of_a_real_robot(robot)
     shape = (samples, robot.num_joints)
@@ -51,20 +55,26 @@ def random_states(policy, samples=SAMPLES, seed=0):
     command[1::10] = rng.uniform(-0.03, 0.03, (len(command[1::10]), 2))
     # What float32 cannot hold is not part of the comparison.
     exact = {name: np.float32(value).astype(float) for name, value in fields.items()}
-    others = [command, rng.uniform(0.0, math.tau, samples), rng.uniform(-1.0, 1.0, shape)]
+    layout = PolicyInterface(policy).layout
+    past = rng.uniform(layout.low, layout.high, (samples, layout.history - 1, layout.width)).reshape(samples, -1)
+    past[:5] = np.nan  # at the beginning
+    others = [command, rng.uniform(0.0, math.tau, samples), rng.uniform(-1.0, 1.0, shape), past]
     return Readings(**exact), *(np.float32(value).astype(float) for value in others)
 
 
-def control_of(policy, command, phase, last_action):
+def control_of(policy, command, phase, last_action, past):
     """The package's interface in that state."""
     control = ControlInterface(policy.robot, policy.control, len(command), policy.fields)
-    control.reset(np.arange(len(command)), phase)
-    control.set_command(np.arange(len(command)), command)
+    control.reset(np.arange(len(command)), phase, command)
     control.action[:] = last_action
+    # Two steps after the reset, where there is a past.
+    steps = control.layout.history - 1
+    control.steps[:] = np.where(np.isnan(past).any(axis=1), 0, steps)
+    control._past[:, :steps] = past.reshape(len(past), steps, -1)[:, ::-1]
     return control
 
 
-def graph_inputs(readings, command, phase, last_action):
+def graph_inputs(readings, command, phase, last_action, past):
     """The same state as the sensors of a robot give it."""
     values = {
         "projected_gravity": -readings.up_b,
@@ -74,6 +84,7 @@ def graph_inputs(readings, command, phase, last_action):
         "last_action": last_action,
         "command": command,
         "gait_phase": phase[:, None],
+        "observation_history": past,
     }
     return {name: value.astype(np.float32) for name, value in values.items()}
 
@@ -130,9 +141,9 @@ POLICIES = {
 @pytest.mark.parametrize("name", POLICIES)
 def test_onnx_runtime_numpy_and_torch_agree(name):
     policy = POLICIES[name]()
-    readings, command, phase, last_action = random_states(policy)
-    found = runtime.run(session_of(policy), graph_inputs(readings, command, phase, last_action))
-    control = control_of(policy, command, phase, last_action)
+    readings, *state = random_states(policy)
+    found = runtime.run(session_of(policy), graph_inputs(readings, *state))
+    control = control_of(policy, *state)
     observation = control.observe(readings)
     action = policy.predict(observation)
     control.advance()
@@ -143,11 +154,11 @@ def test_onnx_runtime_numpy_and_torch_agree(name):
     turned = np.abs(found["next_gait_phase"][:, 0] - control.phase)
     assert np.minimum(turned, math.tau - turned).max() < TOLERANCE
     # The random states reach every part of the graph.
-    clipped = (np.abs(observation) == control.layout.high.astype(np.float32)).any(axis=0)
+    clipped = (np.abs(observation[:, : control.layout.width]) == control.layout.high.astype(np.float32)).any(axis=0)
     for field in ("angular_velocity", "joint_position", "joint_velocity"):
         assert clipped[control.layout.slices[field]].any()
     assert (control.moving == 0.0).any()
-    assert np.ptp(action, axis=0).min() > 0.1
+    assert np.median(np.ptp(action, axis=0)) > 0.1
 
 
 def test_graph_takes_any_batch_and_states_its_version():
@@ -178,7 +189,9 @@ def test_symmetric_policy_stays_symmetric_in_the_graph():
     mirror = MirrorMap.of(PolicyInterface(policy).layout)
     inputs = graph_inputs(*random_states(policy, 500))
     joints, vector, axial = mirror.action_order, np.float32([1, -1, 1]), np.float32([-1, 1, -1])
+    past = inputs["observation_history"].reshape(500, 2, -1)
     mirrored = {
+        "observation_history": MirrorMap.of(ObservationLayout(policy.robot)).observation(past).reshape(500, -1),
         "projected_gravity": inputs["projected_gravity"] * vector,
         "angular_velocity": inputs["angular_velocity"] * axial,
         **{name: inputs[name][:, joints] for name in ("joint_position", "joint_velocity", "last_action")},
@@ -211,13 +224,13 @@ def test_graph_of_a_training_is_torchs_policy(symmetric):
     config = TrainConfig(num_envs=2, n_steps=8, batch_size=16, symmetric=symmetric)
     env = make_sb3_vec_env(2, seed=0, action_mode="residual")
     model = make_model(config, env)
-    perturb(model, 0.1)
+    perturb(model, 0.05)
     policy = Policy.from_sb3(model, {})
-    readings, command, phase, last_action = random_states(policy)
-    observation = control_of(policy, command, phase, last_action).observe(readings)
+    readings, *state = random_states(policy)
+    observation = control_of(policy, *state).observe(readings)
     with torch.no_grad():
         mean = model.policy.get_distribution(torch.from_numpy(observation)).distribution.mean.clamp(-1.0, 1.0).numpy()
-    found = runtime.run(session_of(policy), graph_inputs(readings, command, phase, last_action))
+    found = runtime.run(session_of(policy), graph_inputs(readings, *state))
     np.testing.assert_allclose(found["action"], mean, rtol=0, atol=TOLERANCE)
     assert PolicyInterface(policy).is_symmetric() == symmetric
     assert (np.abs(mean) < 1.0).mean() > 0.5
@@ -246,7 +259,7 @@ def height_command(readings, control):
 """
 
 
-def own_policy(tmp_path, text, widths=35):
+def own_policy(tmp_path, text, widths=3 * 35):
     (tmp_path / "mine.py").write_text(text)
     definition = load_task_file(tmp_path / "mine.py")
     rng = np.random.default_rng(0)
@@ -260,11 +273,11 @@ def test_field_of_a_users_file_is_an_input_in_its_unit(tmp_path):
     interface = PolicyInterface(policy)
     entry = next(entry for entry in interface.inputs if entry.name == "height_command")
     assert (entry.width, entry.unit) == (1, "m")
-    readings, command, phase, last_action = random_states(policy)
+    readings, command, phase, last_action, past = random_states(policy)
     height = np.float32(np.random.default_rng(1).uniform(0.1, 0.25, (SAMPLES, 1)))
-    inputs = {**graph_inputs(readings, command, phase, last_action), "height_command": height}
+    inputs = {**graph_inputs(readings, command, phase, last_action, past), "height_command": height}
     found = runtime.run(session_of(policy), inputs)
-    control = control_of(policy, np.concatenate([command, height.astype(float)], axis=1), phase, last_action)
+    control = control_of(policy, np.concatenate([command, height.astype(float)], axis=1), phase, last_action, past)
     action = policy.predict(control.observe(readings))
     np.testing.assert_allclose(found["action"], action, rtol=0, atol=TOLERANCE)
     assert runtime.largest_difference(interface, policy_graph(interface, "mine")) < TOLERANCE
@@ -273,18 +286,18 @@ def test_field_of_a_users_file_is_an_input_in_its_unit(tmp_path):
 def test_policy_without_clock_and_gait_needs_neither_command_nor_phase(tmp_path):
     policy = own_policy(tmp_path, TERMS)
     kept = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
-    weights = (policy.weights[0][:31], policy.weights[1])
+    weights = (policy.weights[0][: 3 * 31], policy.weights[1])
     blind = Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot)
     interface = PolicyInterface(blind)
-    assert {entry.name for entry in interface.inputs} == {entry.name for entry in kept}
-    assert [entry.name for entry in interface.outputs] == ["action", "joint_target"]
+    assert {entry.name for entry in interface.inputs} == {entry.name for entry in kept} | {"observation_history"}
+    assert [entry.name for entry in interface.outputs] == ["action", "joint_target", "next_observation_history"]
     assert runtime.largest_difference(interface, policy_graph(interface, "blind")) < TOLERANCE
 
 
 def test_field_with_the_name_of_another_input_is_refused(tmp_path):
     text = TERMS.replace("def height_command", "def command")
     with pytest.raises(QuadrupedError, match=r"export: the observation 'command' .* rename it and train again"):
-        PolicyInterface(own_policy(tmp_path, text, 34)).inputs  # noqa: B018
+        PolicyInterface(own_policy(tmp_path, text, 3 * 34)).inputs  # noqa: B018
 
 
 def test_graph_that_differs_from_the_policy_is_refused():
@@ -300,21 +313,24 @@ def test_graph_that_differs_from_the_policy_is_refused():
 def test_actions_and_targets_in_an_env_are_those_of_the_policy(name):
     policy = POLICIES[name]()
     interface, session = PolicyInterface(policy), session_of(policy)
-    env = policy.make_env()
+    env = gymnasium.make(ENV_ID, config=policy.config.randomized("none"))
     policy.check_env(env)
     observation, _ = env.reset(seed=0, options={"command": (0.2, 0.3)})
     task = env.unwrapped.task
-    phase = np.float32([[task.phase[0]]])
+    phase, past = np.float32([[task.phase[0]]]), np.full((1, 2 * interface.layout.width), np.nan, np.float32)
     for _ in range(100):
-        columns = (observation / interface.layout.scale + interface.offsets).astype(np.float32)[None]
+        columns = (observation[: interface.layout.width] / interface.layout.scale + interface.offsets).astype(
+            np.float32
+        )[None]
         slices = interface.layout.slices
-        inputs = {n: columns[:, s] for n, s in slices.items() if n != "gait_clock"} | {"gait_phase": phase}
+        inputs = {n: columns[:, s] for n, s in slices.items() if n != "gait_clock"}
+        inputs |= {"gait_phase": phase, "observation_history": past}
         found = runtime.run(session, inputs)
         action = policy.predict(observation)
         np.testing.assert_allclose(found["action"][0], action, rtol=0, atol=TOLERANCE)
         observation, _, terminated, _, _ = env.step(action)
         np.testing.assert_allclose(env.unwrapped.data.ctrl, found["joint_target"][0], rtol=0, atol=TOLERANCE)
-        phase = found["next_gait_phase"]
+        phase, past = found["next_gait_phase"], found["next_observation_history"]
         if terminated:
             break
     assert isinstance(env, gymnasium.Env)

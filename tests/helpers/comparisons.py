@@ -4,7 +4,7 @@ import itertools
 import math
 
 import numpy as np
-from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
+from tasks import ACTION_WIDTH, FRAME_WIDTH
 
 from quadruped_env.policies import Policy
 from quadruped_env.task import ActionConfig, TaskConfig
@@ -17,7 +17,7 @@ def random_policy(mode, **config):
     """A policy with random weights, for a task with this action mode and config."""
     rng = np.random.default_rng(0)
     task = TaskConfig(action=ActionConfig(mode=mode), **config)
-    widths = (OBSERVATION_WIDTH * task.observation_history, 16, ACTION_WIDTH)
+    widths = (FRAME_WIDTH * task.observation_history, 16, ACTION_WIDTH)
     weights = tuple(
         (0.3 * rng.normal(size=shape) / math.sqrt(shape[0])).astype(np.float32) for shape in itertools.pairwise(widths)
     )

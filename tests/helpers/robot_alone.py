@@ -19,14 +19,23 @@ class RobotAlone:
         self._feet = [model.body(f"{leg}_leg").id for leg in LEGS]
 
     def step(self, before, target):
-        """One control step with joint targets (8,), from the data before it."""
+        """One control step with joint targets (8,), from the data before it.
+
+        `substeps` has torques, joint velocities, foot forces and motions of the feet at the beginning of each physics
+        step.
+        """
         data = self.data
         mujoco.mj_copyData(data, self.model, before)
         data.ctrl = target
-        mujoco.mj_step(self.model, data, 4)
-        # Of the last physics step: read before the calls below update the kinematics.
-        self.torque = data.actuator_force.copy()
-        self._forces = self._normal_forces()
+        self.substeps = []
+        for _ in range(4):
+            speeds = data.qvel[6:].copy()
+            mujoco.mj_step(self.model, data)
+            # Of the beginning of the physics step, as all but positions and velocities of the joints.
+            self.torque = data.actuator_force.copy()
+            self._forces = self._normal_forces()
+            motion = [self.foot(leg)[1:] for leg in range(4)]
+            self.substeps.append((self.torque, speeds, self.foot_force(), motion))
         mujoco.mj_kinematics(self.model, data)
         mujoco.mj_comPos(self.model, data)
         mujoco.mj_comVel(self.model, data)

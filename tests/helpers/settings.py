@@ -10,38 +10,28 @@ CLOCK_FREQUENCY: Final = 3.4
 
 REWARD_WEIGHTS: Final = {
     "track_forward_velocity": 8.0,
-    "track_yaw_rate": 6.0,
+    "track_yaw_rate": 9.0,
     "forward_progress": 4.0,
-    "turn_progress": 6.0,
+    "turn_progress": 9.0,
     "gait_clock": 5.0,
-    "contact_clock": 1.5,
-    "touchdowns": 0.0,
-    "upright": -2.0,
-    "base_height": -20.0,
-    "crouch": 0.0,
-    "high_steps": 0.0,
-    "vertical_velocity": -0.5,
-    "roll_pitch_rate": -0.03,
-    "lateral_velocity": -0.5,
+    "contact_clock": 3.0,
+    "upright": -10.0,
+    "base_motion": -2.0,
     "action_rate": -0.08,
-    "mechanical_power": -0.005,
-    "electrical_power": 0.0,
-    "foot_slip": -0.3,
-    "stand_still": -1.0,
-    "joint_speed": -1.0,
-    "fall": -50.0,
+    "electrical_power": -0.03,
+    "foot_slip": -0.5,
+    "landing": -1.0,
+    "stand_still": -5.0,
+    "fall": -250.0,
 }
 """Weights of the built-in reward terms, per second."""
 REWARD_PARAMETERS: Final = {
     "velocity_time_constant": 0.4,  # s
     "contact_threshold": 1.0,  # N
-    "forward_velocity_std": 0.1,  # m/s
-    "yaw_rate_std": 0.2,  # rad/s
+    "forward_velocity_std": 0.07,  # m/s
+    "yaw_rate_std": 0.15,  # rad/s
     "foot_lift": 0.02,  # m
-    "base_height": 0.175,  # m
-    "crouch_height": 0.145,  # m
-    "step_height": 0.01,  # m
-    "joint_speed_margin": 1.0,  # rad/s
+    "base_arm": 0.2,  # m
 }
 """Parameters of the built-in reward terms."""
 
@@ -73,6 +63,7 @@ def settings(
     yaw_rate=None,
     shares=None,
     resample=None,
+    sudden=False,
     still_start=False,
     start_tilt=None,
     friction=None,
@@ -91,6 +82,7 @@ def settings(
         forward_velocity, yaw_rate: ranges of the command, m/s and rad/s.
         shares: of standing and of straight commands; the others are curves, and none turns in place.
         resample: range of the time between commands, s.
+        sudden: a new velocity command holds from the next step on, however much it changes.
         still_start: every episode begins in the stance, at rest.
         start_tilt: bound of the roll and of the pitch at the start, rad.
         friction, payload: ranges; payload in kg.
@@ -101,7 +93,9 @@ def settings(
     """
     standing, straight, turning = (None, None, None) if shares is None else (*shares, 0.0)
     tilt, force = (math.pi, 1e9) if never_ends else (max_tilt, None)
-    still = dict.fromkeys(("start_joint_position", "start_joint_velocity", "start_base_velocity"), 0.0)
+    still = dict.fromkeys(
+        ("start_joint_position", "start_joint_velocity", "start_base_velocity", "start_base_rotation"), 0.0
+    )
     sections = {
         "command": {
             "forward_velocity": forward_velocity,
@@ -110,6 +104,8 @@ def settings(
             "straight_fraction": straight,
             "turning_fraction": turning,
             "resample_interval": resample,
+            "forward_acceleration": 1e6 if sudden else None,
+            "yaw_acceleration": 1e6 if sudden else None,
         },
         "termination": {"max_tilt": tilt, "max_trunk_force": force},
         "randomization": {

@@ -17,16 +17,19 @@ from quadruped_env.task.reward_function import RewardFunction
 from quadruped_env.task.rewards import REWARDS
 
 LAYOUT = ObservationLayout(MINI_QUADRUPED)
+FRAME_WIDTH = LAYOUT.width
+"""Width of the observation of one step."""
+OBSERVATION_WIDTH = TaskConfig().observation_history * FRAME_WIDTH
+"""Width of the default task's observation."""
 NOISE = np.concatenate([np.full(field.width(MINI_QUADRUPED), field.noise) for field in LAYOUT.fields])
 """Amplitude of the noise per column of the observation."""
-OBSERVATION_WIDTH = LAYOUT.width
 ACTION_WIDTH = MINI_QUADRUPED.num_joints
 
 NEVER_FALLS = TerminationConfig(max_tilt=math.pi, max_trunk_force=1e9)
 # Long enough that nothing is drawn again within a test.
 ONE_COMMAND = CommandConfig(resample_interval=(1e3, 1e3))
 STILL_START = RandomizationConfig(
-    start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_tilt=0.0
+    start_joint_position=0.0, start_joint_velocity=0.0, start_base_velocity=0.0, start_base_rotation=0.0, start_tilt=0.0
 )
 
 
@@ -86,8 +89,8 @@ class Terms:
         self.function = RewardFunction(REWARDS, reward.replace(weights=weights), self.context)
 
     def set_command(self, command):
-        everywhere = np.arange(len(command))
-        self.control.set_command(everywhere, command)
+        """Commands (N, 2) that hold at once."""
+        self.control.reset(np.arange(len(command)), self.control.phase.copy(), command)
 
     def randomize(self, rng):
         """Set random actions, commands, velocities, clocks and falls."""
@@ -100,9 +103,11 @@ class Terms:
         self.context.velocity[:], self.context.smooth_velocity[:] = 0.3 * rng.standard_normal((2, n, 2))
         self.context.tracking_error[:] = self.context.smooth_velocity - command
         self.context.fallen[:] = rng.random(n) < 0.3
+        self.context._airborne[:] = rng.random((n, 4)) < 0.5
         return self
 
     def values(self):
-        """Name -> (N,)."""
+        """Name -> (N,), with the readings as those of the only physics step."""
         self.context.read()
+        self.context._contacts()
         return dict(zip(self.function.names, self.function(self.context), strict=True))

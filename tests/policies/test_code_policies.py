@@ -57,7 +57,7 @@ def test_object_is_compared_in_its_env_and_told_where_episodes_begin(path):
     comparison = compare(agent, num_seeds=2, seconds=3.0, commands=[(0.3, 0.0), (0.0, 0.0)])
     assert comparison.config.action.mode == "residual"
     assert comparison.rollouts["policy"].valid.shape[1] == 4
-    assert set(agent.widths) == {(4, 34)}
+    assert set(agent.widths) == {(4, 102)}
     assert [begun.tolist() for begun in agent.resets] == [[True] * 4]
     again = compare({"code": agent, "flat": load_policy("flat")}, 1, 3.0, [(0.3, 0.0)])
     assert set(again.rollouts) == {"code", "flat", "tuned", "article", "zero"}
@@ -72,7 +72,7 @@ def test_file_defines_a_policy_with_its_name_hash_and_env(path):
     assert policy.config.command.yaw_rate == (-0.2, 0.2)
     assert policy.make_env().unwrapped.task.config == policy.config
     policy.agent.reset(np.ones(3, dtype=bool))
-    actions = policy.predict(np.zeros((3, 34)))
+    actions = policy.predict(np.zeros((3, 102)))
     assert actions.dtype == np.float32
     np.testing.assert_allclose(actions, min(1.0, 3.0 * np.sin(0.3)), atol=1e-6)
     evaluated = find_policy(str(path))
@@ -135,7 +135,7 @@ def test_bad_actions_are_named(path, returned, found):
     policy = load_policy(path)
     policy.agent.reset(np.ones(1, dtype=bool))
     with pytest.raises(QuadrupedError, match=f"swinging.py: predict: {found}"):
-        policy.predict(np.zeros((1, 34)))
+        policy.predict(np.zeros((1, 102)))
 
 
 def test_uses_that_need_a_file_say_so(path, tmp_path):

@@ -29,7 +29,7 @@ def model_of(kind, env=None, policy="MlpPolicy", **arguments):
     return model
 
 
-def seen(width=34):
+def seen(width=102):
     return np.random.default_rng(0).uniform(-1.0, 1.0, (200, width)).astype(np.float32)
 
 
@@ -75,7 +75,7 @@ def test_plain_model_is_a_policy_that_can_be_saved_and_loaded(name, policy, argu
     np.testing.assert_allclose(loaded.predict(seen()), expected, atol=1e-5)
     assert loaded.config == model.env.task.config
     assert loaded.card == {"algo": name.lower(), "seed": None, "timesteps": 0}
-    assert loaded.make_env().observation_space.shape == (34,)
+    assert loaded.make_env().observation_space.shape == (102,)
 
 
 def test_task_is_that_of_the_models_env():
@@ -93,7 +93,7 @@ def test_normalization_of_observations_is_folded_into_the_first_layer():
     model = model_of(PPO, env, n_steps=32, batch_size=64)
     model.learn(512)
     policy = Policy.from_sb3(model)
-    raw = np.random.default_rng(0).normal(env.obs_rms.mean, np.sqrt(env.obs_rms.var), (200, 34)).astype(np.float32)
+    raw = np.random.default_rng(0).normal(env.obs_rms.mean, np.sqrt(env.obs_rms.var), (200, 102)).astype(np.float32)
     expected, _ = model.predict(env.normalize_obs(raw), deterministic=True)
     np.testing.assert_allclose(policy.predict(raw), expected, atol=1e-3)
     assert np.abs(policy.predict(raw) - model.predict(raw, deterministic=True)[0]).max() > 0.05
@@ -106,11 +106,11 @@ def test_normalization_of_observations_is_folded_into_the_first_layer():
 
 def test_normalization_of_privileged_readings_is_left_out():
     env = VecNormalize(make_sb3_vec_env(4, seed=0, privileged=True), clip_obs=1e9)
-    model = PPO(ActorCritic, env, n_steps=32, batch_size=64, policy_kwargs={"actor_width": 34}, device="cpu")
+    model = PPO(ActorCritic, env, n_steps=32, batch_size=64, policy_kwargs={"actor_width": 102}, device="cpu")
     model.learn(128)
     raw = env.get_original_obs()
     expected, _ = model.predict(env.normalize_obs(raw), deterministic=True)
-    np.testing.assert_allclose(Policy.from_sb3(model).predict(raw[:, :34]), expected, atol=1e-3)
+    np.testing.assert_allclose(Policy.from_sb3(model).predict(raw[:, :102]), expected, atol=1e-3)
 
 
 def model_as_policy(model):
@@ -143,7 +143,7 @@ class Turned(gymnasium.ObservationWrapper):
             lambda: model_of(PPO, policy_kwargs={"activation_fn": lambda: NN.LeakyReLU(0.2)}),
             r"LeakyReLU\(negative_slope=0.2\)",
         ),
-        (lambda: model_of(PPO, make_sb3_vec_env(2, privileged=True)), r"its actor sees 52 columns, and the env's"),
+        (lambda: model_of(PPO, make_sb3_vec_env(2, privileged=True)), r"its actor sees 120 columns, and the env's"),
         (lambda: model_of(PPO, VecFrameStack(make_sb3_vec_env(2), 2)), r"wrapper VecFrameStack, which changes"),
         (lambda: model_of(PPO, Turned(gymnasium.make("MiniQuadruped-v0"))), r"an ObservationWrapper, which changes"),
         (lambda: model_of(PPO, policy=Doubled), r"Doubled computes its action in a way of its own"),

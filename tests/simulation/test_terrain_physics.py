@@ -47,7 +47,7 @@ def test_walking_robot_leaves_the_field_without_falling():
     """Down the step at the edge."""
     small = dataclasses.replace(hills, size=3.0)
     controller = PolicyController(load_policy("flat"))
-    task = Task(BatchSimulation(build_model(terrain=small), 6), controller.policy.config)
+    task = Task(BatchSimulation(build_model(terrain=small), 6), controller.policy.config.randomized("none"))
     task.reset(np.arange(6), seeds=list(range(6)), command=(0.5, 0.0))
     observation, fallen = task.observe(), np.zeros(6, dtype=bool)
     for _ in range(350):
@@ -98,6 +98,7 @@ def test_plane_at_the_height_of_the_field_would_double_the_contacts(doubled):
 def turning_rate(model, controller, num_envs=16, seconds=5.0):
     """Mean yaw rate of a controller that turns on the spot at 0.5 rad/s, with random headings."""
     config = task_config(controller.action_mode, getattr(getattr(controller, "policy", None), "config", None))
+    config = config.randomized("none")
     task = Task(BatchSimulation(model, num_envs), config)
     task.reset(np.arange(num_envs), seeds=list(range(num_envs)), command=(0.0, 0.5))
     observation, rates = task.observe(), []

@@ -31,7 +31,7 @@ CONFIG = TaskConfig(
     clock_frequency=1.5,
     action=ActionConfig(mode="residual", residual_scale=0.3, gait="low"),
     command=CommandConfig(forward_velocity=(0.0, 1.0), standing_fraction=0.2),
-    reward=RewardConfig(weights=RewardConfig().weights | {"upright": -3.0}, base_height=0.15),
+    reward=RewardConfig(weights=RewardConfig().weights | {"upright": -3.0}, foot_lift=0.015),
     termination=TerminationConfig(max_tilt=0.7),
     randomization=RandomizationConfig(friction=(0.5, 1.0), payload=None, push_velocity=0.4),
 )
@@ -122,7 +122,10 @@ def test_configs_share_nothing_and_do_not_change():
         ({"command": {"resample_interval": None}}, r"resample_interval: expected a pair \(low, high\); found None"),
         ({"command": {"standing_fraction": 0.7, "straight_fraction": 0.7}}, r"must be at most 1; found 1.5"),
         ({"action": {"mode": "torque"}}, r"'torque' is unknown; valid modes are position, residual"),
-        ({"action": {"gait": "trot"}}, r"config: action.gait must be one of tuned, crouched, low, fast; found 'trot'"),
+        (
+            {"action": {"gait": "trot"}},
+            r"action.gait must be one of sinusoid, tuned, crouched, low, fast; found 'trot'",
+        ),
         ({"action": {"position_scale": 0}}, r"action.position_scale must be positive \(rad\), .*; found 0"),
         ({"decimation": True}, r"config.decimation: expected a whole number; found True"),
         ({"decimation": 0}, r"config: decimation must be 1 or more, at most 1000; found 0"),
@@ -147,7 +150,7 @@ def test_a_bad_config_names_the_field_the_value_and_the_rule(values, message):
         {"clock_frequency": 0.5},
         {"command": {"standing_fraction": 0.5, "straight_fraction": 0.25, "turning_fraction": 0.25}},
         {"command": {"yaw_rate": (0.2, 0.2), "standing_fraction": 0.0}},
-        {"reward": {"base_height": SMALLEST, "contact_threshold": 0.0}},
+        {"reward": {"foot_lift": SMALLEST, "contact_threshold": 0.0}},
         {"termination": {"max_tilt": math.pi, "max_trunk_force": 0.0}},
         {"randomization": {"start_tilt": 0.0, "push_interval": (SMALLEST, 1.0), "payload": (-0.999, 0.0)}},
         {"terrain": {"name": "flat", "seed": 1}},
@@ -202,8 +205,8 @@ def test_a_section_is_read_by_name_and_frozen():
 
 def test_a_section_is_replaced_with_the_checks_of_its_constructor():
     section = CommandConfig(standing_fraction=0.2)
-    assert section.replace(straight_fraction=0.7) == CommandConfig(standing_fraction=0.2, straight_fraction=0.7)
-    with pytest.raises(QuadrupedError, match=r"straight_fraction \+ turning_fraction must be at most 1; found 1.3"):
+    assert section.replace(straight_fraction=0.6) == CommandConfig(standing_fraction=0.2, straight_fraction=0.6)
+    with pytest.raises(QuadrupedError, match=r"straight_fraction \+ turning_fraction must be at most 1; found 1.2"):
         section.replace(standing_fraction=0.8)
 
 

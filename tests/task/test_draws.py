@@ -155,10 +155,11 @@ def commands(request):
     if request.param.startswith("first"):
         env = make_vec(512, {})
         return np.array([env.reset(seed=1 if episode == 0 else None)[1]["command"] for episode in range(10)])
-    config = settings(resample=(PHYSICS_TIMESTEP,) * 2, fast_control=True, never_ends=True)
+    config = settings(resample=(PHYSICS_TIMESTEP,) * 2, sudden=True, fast_control=True, never_ends=True)
     env = make_vec(512, config)
     env.reset(seed=1)
-    return np.array([env.step(zeros(env))[4]["command"] for _ in range(10)])
+    # That of the first step is the first of the episode.
+    return np.array([env.step(zeros(env))[4]["command"] for _ in range(11)])[1:]
 
 
 def kinds(commands):
@@ -170,8 +171,8 @@ def kinds(commands):
 def test_commands_stand_go_straight_and_turn_in_place_in_their_shares(commands):
     standing, straight, in_place, _ = kinds(commands)
     assert_probability(standing, 0.1, "standing commands")
-    assert_probability(straight, 0.4, "straight commands")
-    assert_probability(in_place, 0.1, "commands to turn in place")
+    assert_probability(straight, 0.25, "straight commands")
+    assert_probability(in_place, 0.15, "commands to turn in place")
 
 
 def test_commands_are_uniform_and_independent_whatever_their_kind(commands):
@@ -206,6 +207,7 @@ def test_resampling_intervals_are_uniform_and_independent_of_commands_and_starts
     interval = (2.5 * PHYSICS_TIMESTEP, 12.5 * PHYSICS_TIMESTEP)
     config = settings(
         resample=interval,
+        sudden=True,
         forward_velocity=FORWARD,
         yaw_rate=YAW_RATE,
         shares=(0.0, 0.0),
@@ -216,7 +218,7 @@ def test_resampling_intervals_are_uniform_and_independent_of_commands_and_starts
     observation, info = env.reset(seed=2)
     start = joint_draws(info) | {"gait phase": phases(observation)}
     history = [info["command"]]
-    for _ in range(12 * count):
+    for _ in range(12 * count + 1):
         history.append(env.step(zeros(env))[4]["command"])
     history = np.array(history)
     changed = (history[1:] != history[:-1]).all(axis=-1)
@@ -225,7 +227,8 @@ def test_resampling_intervals_are_uniform_and_independent_of_commands_and_starts
     for i in range(envs):
         times = np.flatnonzero(changed[:, i]) + 1
         assert len(times) >= count
-        lengths.append(np.diff(times[:count], prepend=0))
+        # A command that is drawn at the end of a step holds from the next one on.
+        lengths.append(np.diff(times[:count], prepend=1))
         values.append(history[[0, *times[: count - 1]], i])
     lengths, values = np.array(lengths).T, np.array(values).swapaxes(0, 1)
     assert lengths.min() == 3
@@ -242,37 +245,44 @@ def test_resampling_intervals_are_uniform_and_independent_of_commands_and_starts
 
 
 def test_pushes_are_uniform_in_size_and_time_and_independent():
-    envs, count, size = 6, 64, 0.5
+    envs, count, size, turn = 6, 64, 0.5, 0.9
     config = settings(
         push_velocity=size,
+        randomization={"push_rotation": turn},
         push_interval=(2.5 * PHYSICS_TIMESTEP, 6.5 * PHYSICS_TIMESTEP),
         fast_control=True,
         never_ends=True,
     )
-    pushes, lengths = np.zeros((count, envs, 2)), np.zeros((count, envs), dtype=int)
+    # Of the base's velocity, and of its rotation, which have times of their own.
+    pushes, lengths = np.zeros((2, count, envs, 3)), np.zeros((2, count, envs), dtype=int)
     for i in range(envs):
         env = gymnasium.make(ENV_ID, config=config, max_episode_steps=10**6)
         robot = env.unwrapped
         # The same state and targets, stepped by MuJoCo alone.
         alone = mujoco.MjData(robot.model)
         env.reset(seed=i)
-        action, found, since = np.zeros(8, dtype=np.float32), 0, 0
-        while found < count:
+        action, found, since = np.zeros(8, dtype=np.float32), [0, 0], [0, 0]
+        while min(found) < count:
             mujoco.mj_copyData(alone, robot.model, robot.data)
             env.step(action)
             alone.ctrl = robot.data.ctrl
             mujoco.mj_step(robot.model, alone)
-            since += 1
             push = robot.data.qvel - alone.qvel
-            if abs(push).max() > 1e-9:
-                np.testing.assert_allclose(push[2:], 0.0, atol=1e-12)
-                pushes[found, i], lengths[found, i] = push[:2], since
-                found, since = found + 1, 0
-    assert_equally_likely(np.bincount(lengths.ravel())[3:], "push intervals of 3 to 6 steps")
-    assert set(lengths[0]) <= {3, 4, 5, 6}
-    draws = {f"push {axis}": share(pushes[..., i], -size, size) for i, axis in enumerate("xy")}
+            np.testing.assert_allclose(push[6:], 0.0, atol=1e-12)
+            for kind, part in enumerate((push[:3], push[3:6])):
+                since[kind] += 1
+                if abs(part).max() > 1e-9:
+                    if found[kind] < count:
+                        pushes[kind, found[kind], i], lengths[kind, found[kind], i] = part, since[kind]
+                    found[kind], since[kind] = found[kind] + 1, 0
+    draws = {}
+    for kind, largest in enumerate((size, turn)):
+        assert_equally_likely(np.bincount(lengths[kind].ravel())[3:], "push intervals of 3 to 6 steps")
+        assert set(lengths[kind, 0]) <= {3, 4, 5, 6}
+        draws |= {f"push {kind} {i}": share(pushes[kind, ..., i], -largest, largest) for i in range(3)}
     assert_uniform(draws)
-    assert_independent({**draws, "push interval": share(lengths, 2.5, 6.5)}, ((0, 0), *NEIGHBOURS, (2, 0)))
+    times = {f"push interval {kind}": share(lengths[kind], 2.5, 6.5) for kind in range(2)}
+    assert_independent({**draws, **times}, ((0, 0), *NEIGHBOURS, (2, 0)))
 
 
 # --- observation noise ---
@@ -310,7 +320,7 @@ def noise():
             one, other = (results[0].astype(np.float64) for results in observations)
             differences.append(one - other)
             readings.append(other)
-    differences, readings = (np.array(x).reshape(4, 5, 200, 34) for x in (differences, readings))
+    differences, readings = (np.array(x).reshape(4, 5, 200, -1)[..., :34] for x in (differences, readings))
     tilted = (abs(readings[..., 2]) < UPRIGHT).all(axis=(0, 1))
     amplitude = np.array([amplitude for _, amplitude in NOISY_COLUMNS])
     np.testing.assert_array_equal(differences[..., len(amplitude) :], 0.0)

@@ -46,9 +46,9 @@ def test_an_example_of_the_page_is_under_fifteen_lines_and_works_alone(example, 
 def test_terms_of_a_file_appear_in_env_info_and_config(my_task):
     env = gymnasium.make(ENV_ID, task_file=my_task, config={"reward": {"weights": {"hip_usage": -2.0}, "free": 0.0}})
     built_in = gymnasium.make(ENV_ID)
-    assert env.observation_space.shape[0] == built_in.observation_space.shape[0] + 8 + 1
+    assert env.observation_space.shape[0] == built_in.observation_space.shape[0] + 3 * (8 + 1)
     observation, _ = env.reset(seed=1, options={"command": (0.3, 0.0, 0.16)})
-    assert observation[-1] == pytest.approx(5.0 * 0.16)
+    assert observation[34 + 8] == pytest.approx(5.0 * 0.16)
     _, reward, _, _, info = env.step(np.zeros(8))
     terms = {name: value for name, value in info.items() if name.startswith("reward_")}
     assert reward == pytest.approx(sum(terms.values()))
@@ -150,7 +150,7 @@ def test_defaults_of_a_users_file_are_those_of_its_config(tmp_path):
     changed = TaskConfig(reward=RewardConfig(foot_lift=0.03)).with_definition(definition)
     assert (changed.reward.weights.upright, changed.reward.foot_lift) == (-7.0, 0.03)
     # A section that is given counts as it is.
-    assert TaskConfig(reward=RewardConfig(), definition=definition).reward.weights.upright == -2.0
+    assert TaskConfig(reward=RewardConfig(), definition=definition).reward.weights.upright == -10.0
 
 
 LOGS = """

@@ -27,14 +27,18 @@ from quadruped_env.task.randomization.randomization import Active
 
 def test_starts_are_drawn_in_their_ranges():
     config = RandomizationConfig(
-        start_joint_position=0.2, start_joint_velocity=0.7, start_base_velocity=0.3, start_tilt=0.15
+        start_joint_position=0.2,
+        start_joint_velocity=0.7,
+        start_base_velocity=0.3,
+        start_base_rotation=0.4,
+        start_tilt=0.15,
     )
     simulation = BatchSimulation(build_model(), 5000, 1)
     starts = []
     simulation.reset = lambda env_ids, qpos, qvel: starts.append((qpos, qvel))
     Task(simulation, TaskConfig(randomization=config)).reset(np.arange(5000), range(5000))
     ((qpos, qvel),) = starts
-    for values, bound in ((qpos[:, 7:] - STANCE, 0.2), (qvel[:, 6:], 0.7), (qvel[:, :6], 0.3)):
+    for values, bound in ((qpos[:, 7:] - STANCE, 0.2), (qvel[:, 6:], 0.7), (qvel[:, :3], 0.3), (qvel[:, 3:6], 0.4)):
         assert (abs(values) <= bound + 1e-12).all()
         assert (abs(values).max(axis=0) > 0.99 * bound).all()
         np.testing.assert_allclose(values.mean(axis=0), 0.0, atol=0.05 * bound)
@@ -111,11 +115,11 @@ def test_a_payload_presses_on_the_ground():
     np.testing.assert_allclose(weight[0] - weight[1], 9.81, rtol=0.05)
 
 
-def test_pushes_add_a_horizontal_velocity_at_their_intervals():
-    interval, size = 0.2, 0.5
+def test_pushes_add_six_components_at_their_intervals():
+    interval, size, turn = 0.2, 0.5, 0.9
     pushed = make_env(
         command=ONE_COMMAND,
-        randomization=STILL_START.replace(push_velocity=size, push_interval=(interval, interval)),
+        randomization=STILL_START.replace(push_velocity=size, push_rotation=turn, push_interval=(interval, interval)),
         termination=NEVER_FALLS,
     )
     still = make_env(command=ONE_COMMAND, randomization=STILL_START)
@@ -127,17 +131,17 @@ def test_pushes_add_a_horizontal_velocity_at_their_intervals():
         pushed.step(np.zeros(8))
         if step % every == 0:
             still.step(np.zeros(8))
-            velocities.append(pushed.data.qvel[:3] - still.data.qvel[:3])
-            np.testing.assert_array_equal(pushed.data.qvel[3:], still.data.qvel[3:])
+            velocities.append(pushed.data.qvel[:6] - still.data.qvel[:6])
+            np.testing.assert_array_equal(pushed.data.qvel[6:], still.data.qvel[6:])
             np.testing.assert_array_equal(pushed.data.qpos, still.data.qpos)
         elif step < every:
             still.step(np.zeros(8))
             np.testing.assert_array_equal(pushed.data.qvel, still.data.qvel)
     velocities = np.array(velocities)
-    assert len(np.unique(velocities[:, 0])) == len(np.unique(velocities[:, 1])) == 10
-    assert (abs(velocities[:, :2]) <= size).all()
-    assert abs(velocities[:, :2]).max() > 0.5 * size
-    np.testing.assert_array_equal(velocities[:, 2], 0.0)
+    assert len(np.unique(velocities)) == 60
+    share = abs(velocities) / np.repeat([size, turn], 3)
+    assert (share <= 1.0).all()
+    assert (share.max(axis=0) > 0.5).all()
 
 
 # --- laws and what a user writes ---
