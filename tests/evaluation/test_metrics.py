@@ -280,7 +280,10 @@ def test_commands_that_change_within_an_episode_are_recorded_from_the_step_that_
 
     rollout = roll_out(CommandedGaitController(), [(0.0, 0.0), (0.3, 0.0)], [1], seconds=0.2, before_step=change)
     np.testing.assert_array_equal(rollout.command[:3], np.tile([[0.0, 0.0], [0.3, 0.0]], (3, 1, 1)))
-    np.testing.assert_array_equal(rollout.command[3:], np.tile([[0.0, 0.0], [0.2, 0.1]], (7, 1, 1)))
+    # Approached by 1 m/s^2 and 4 rad/s^2.
+    np.testing.assert_allclose(rollout.command[3:, 1, 0], [0.28, 0.26, 0.24, 0.22, 0.2, 0.2, 0.2])
+    np.testing.assert_allclose(rollout.command[3:, 1, 1], [0.08, *[0.1] * 6])
+    assert not rollout.command[:, 0].any()
 
 
 class Collapse:
