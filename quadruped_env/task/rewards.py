@@ -58,9 +58,9 @@ def progress(context: TaskContext) -> Floats:
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
-@reward(weight=5.0)
-def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.02) -> Floats:
-    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / 0.02 m))."""
+@reward(weight=8.0)
+def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.015) -> Floats:
+    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / 0.015 m))."""
     lift = quantities.foot_lift(context.sole_height, foot_lift)
     return quantities.clock_agreement(lift, context.leg_clock) * context.moving
 
@@ -105,7 +105,7 @@ class electrical_power:  # noqa: N801
         return quantities.mean_over_steps(power)
 
 
-@reward(weight=-0.5, unit="m^2/s^2")
+@reward(weight=-2.0, unit="m^2/s^2")
 def foot_slip(context: TaskContext) -> Floats:
     """Sum over the feet on the ground of the sole's squared sliding speed, mean over the physics steps."""
     return context.slip.sum(axis=-1)
