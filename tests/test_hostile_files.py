@@ -21,7 +21,7 @@ from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.cli.train import task_change
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_files import read_policy, shipped_directory
+from quadruped_env.control.policy_files import CHECKPOINTS, read_policy, shipped_directory
 from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.aggregate import aggregate
@@ -29,6 +29,7 @@ from quadruped_env.evaluation.suite.suite import ranked, read_references, read_r
 from quadruped_env.export.folder import check_output, evaluation_of
 from quadruped_env.export.manifest import FORMAT
 from quadruped_env.replay.motors_file import read_motors
+from quadruped_env.reporting.pages.learning import half_way
 from quadruped_env.reporting.plots.learning_plots import read_progress
 from quadruped_env.scale.sweep.search_space import read_space
 from quadruped_env.sim2sim import transfer_results as sim2sim
@@ -92,6 +93,10 @@ def prepare_whole_run(directory):
     (directory / RESUME_FILE).touch()
 
 
+def prepare_checkpoint(directory):
+    prepare_whole_run(directory / CHECKPOINTS / "00001s")
+
+
 def prepare_sweep(directory):
     write_sweep(directory).path.rename(directory / "sweep")
 
@@ -149,6 +154,12 @@ READERS = {
     "config": Reader(CONFIG_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
     "curve": Reader(PROGRESS_FILE, lambda path: Parent.load(path.parent), prepare_whole_run),
     "recipe": Reader(CONFIG_FILE, lambda path: find_policy(str(path.parent)).recipe, prepare_whole_run, lenient=True),
+    "checkpoint": Reader(
+        f"{CHECKPOINTS}/00001s/{CARD_FILE}",
+        lambda path: half_way(path.parents[2], 200),
+        prepare_checkpoint,
+        lenient=True,
+    ),
     "motors": Reader("motors.json", read_motors, sound=MOTORS),
     "task": Reader("task.json", read_task, sound=TASK),
     "terms": Reader("terms.py", load_task_file, sound=TERMS),
@@ -199,6 +210,7 @@ READ_BY = {
     "utils/files.py": "a file that it has just written",
     "utils/provenance.py": "/proc/cpuinfo",
     "replay/motors_file.py": ("motors",),
+    "reporting/pages/learning.py": ("checkpoint",),
     "reporting/plots/learning_plots.py": ("progress",),
     "robot/description.py": "a file in place of a robot: tests/robot/test_description.py",
     "sim2sim/transfer_results.py": ("second engine",),
@@ -431,7 +443,9 @@ def test_read_path_that_is_not_a_regular_file_is_refused_without_waiting(tmp_pat
         assert f"{path}: is {kind}" in message
 
 
-@pytest.mark.parametrize("name", [name for name in READERS if name not in {"references", "second engine", "export"}])
+@pytest.mark.parametrize(
+    "name", [name for name in READERS if name not in {"references", "second engine", "export", "checkpoint"}]
+)
 def test_read_name_that_no_file_can_have_is_refused(tmp_path, name):
     for bad in ("x" * 5000, "a\0b"):
         refused(READERS[name].read, tmp_path / bad / READERS[name].name)

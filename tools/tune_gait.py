@@ -19,7 +19,6 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 from gait_search.search import ONE_SPEED, achieved_table, tune_commanded_gait, tune_preset
 from gait_search.styles import STYLES
-from gait_search.trial import Scale
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait
@@ -69,7 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.table:
             log(achieved_table(preset))
             return 0
-        frequency = preset.angular_frequency * (1.0 if preset.native else Scale(robot).rate)
+        frequency = preset.angular_frequency
         if arguments.frequency is not None:
             frequency = math.tau * arguments.frequency
         gait = tune_commanded_gait(robot, name, frequency, arguments.generations, log)

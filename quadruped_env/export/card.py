@@ -62,7 +62,8 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
     text = _filled(
         f"`{GRAPH_FILE}` takes readings in SI units, float32 with a batch as first axis, and returns joint targets. "
         f"Offsets, scales and clipping are in the graph. The order of the joints is {joints}; `{MANIFEST_FILE}` has "
-        f"their stance, limits and gains. Vectors are in the frame of the base: x forward, y left, z up."
+        f"their stance, limits and gains. The graph's command approaches the requested one at a limited rate, as in "
+        f"the code. Vectors are in the frame of the base: x forward, y left, z up."
     )
     return (
         f"{text}\n\n| input | columns | unit | |\n{header}\n{inputs}\n\n"
@@ -78,10 +79,20 @@ def example(interface: PolicyInterface) -> str:
         graph_io.HISTORY: graph_io.NEXT_HISTORY,
     }
     own = {entry.name: entry.width for entry in interface.inputs if entry.name in feedback}
+    kept_inputs = {entry.name: entry.width for entry in interface.inputs if entry.name in (*feedback, graph_io.COMMAND)}
     values = {graph_io.HISTORY: "np.full((1, {}), np.nan, np.float32)"}
     first = ", ".join(
-        f'"{name}": {values.get(name, "np.zeros((1, {}), np.float32)").format(width)}' for name, width in own.items()
+        f'"{name}": {values.get(name, "np.zeros((1, {}), np.float32)").format(width)}'
+        for name, width in kept_inputs.items()
     )
+    control, largest, limited = interface.policy.control, "", ""
+    if graph_io.COMMAND in kept_inputs:
+        change = ", ".join(f"{rate * control.timestep:.7g}" for rate in control.command_rate)
+        largest = f"\nlargest_change = np.float32([{change}])  # of the command in a control step: m/s, rad/s"
+        limited = (
+            f'\n    missing = inputs["{graph_io.COMMAND}"] - memory["{graph_io.COMMAND}"]'
+            f'\n    memory["{graph_io.COMMAND}"] += np.clip(missing, -largest_change, largest_change)'
+        )
     kept = "".join(f'\n    memory["{name}"] = outputs["{feedback[name]}"]' for name in own)
     readings = ", ".join(entry.name for entry in interface.inputs if entry.name not in own)
     return f'''\
@@ -90,13 +101,14 @@ import onnxruntime
 
 session = onnxruntime.InferenceSession("{GRAPH_FILE}")
 names = [output.name for output in session.get_outputs()]
-memory = {{{first}}}
+memory = {{{first}}}{largest}
 
 
 def joint_targets(**readings):
-    """Joint targets in rad, once every {1000.0 * interface.policy.control.timestep:g} ms, for the readings
+    """Joint targets in rad, once every {1000.0 * control.timestep:g} ms, for the readings
     {readings}."""
-    inputs = {{name: np.array([value], np.float32) for name, value in readings.items()}}
+    inputs = {{name: np.array([value], np.float32) for name, value in readings.items()}}\
+{limited}
     outputs = dict(zip(names, session.run(names, {{**inputs, **memory}})))\
 {kept}
     return outputs["{graph_io.JOINT_TARGET}"][0]

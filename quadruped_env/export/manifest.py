@@ -5,6 +5,7 @@ from typing import Any, Final
 
 from quadruped_env._version import __version__
 from quadruped_env.control.clock import CommandedFrequency
+from quadruped_env.control.control_config import COMMAND_RATE_UNITS
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
@@ -125,6 +126,7 @@ def _observation(interface: PolicyInterface) -> dict[str, Any]:
 
 
 def _command(policy: Policy) -> dict[str, Any]:
+    rates = dict(enumerate(zip(policy.control.command_rate, COMMAND_RATE_UNITS, strict=True)))
     components = [
         {
             "name": entry.name,
@@ -132,12 +134,16 @@ def _command(policy: Policy) -> dict[str, Any]:
             "low": entry.range[0],
             "high": entry.range[1],
             "idle": 0.0 if i < VELOCITY else entry.default,
+            **({"largest_rate": rates[i][0], "rate_unit": rates[i][1]} if i < VELOCITY else {}),
         }
         for i, entry in enumerate(policy.control.commands)
     ]
     return {
         "meaning": "velocity of the base in its own frame: forward along x, and yaw rate about z, positive to the left",
         "idle": "the robot stands",
+        "input": "the velocity command on its way to the requested one. Once per control step, before the graph: "
+        "command = command + clip(requested - command, -largest_rate * timestep, largest_rate * timestep), from the "
+        "idle command on. The graph does not limit it",
         "standing_up_to": plain(moving_threshold(policy.robot)),
         "components": components,
     }

@@ -34,7 +34,9 @@ _HISTORY: Final = (
     "Scaled observations of the steps before, the latest first: NaN at first, then next_observation_history of the "
     "step before. Where it is NaN, the present observation stands for it."
 )
-_COMMAND: Final = "Commanded forward velocity and yaw rate."
+_COMMAND: Final = (
+    "Commanded forward velocity and yaw rate, on their way to the requested ones at the rates of the manifest."
+)
 
 
 @dataclass(frozen=True)
@@ -103,7 +105,11 @@ class PolicyInterface:
                 entry.name,
                 entry.width(robot),
                 entry.unit,
-                _ABSOLUTE if entry is observations.joint_position else entry.description,
+                _ABSOLUTE
+                if entry is observations.joint_position
+                else _COMMAND
+                if entry is observations.command
+                else entry.description,
             )
             for entry in self.policy.fields
             if entry is not observations.gait_clock

@@ -34,10 +34,11 @@ from quadruped_env.gait.gait_presets import (
     LegTable,
     sinusoid,
 )
-from quadruped_env.gait.waves import Waves, joint_phases, map_waves, relative_size, wave_positions
+from quadruped_env.gait.waves import Waves, joint_phases, map_waves, wave_positions
 from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import frozen
 from quadruped_env.utils.plain import plain
 
@@ -104,7 +105,7 @@ class SinusoidalGait:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
         """
         if name in COMMANDED:
-            return CommandedGait.preset(name, robot).at((0.4 * math.sqrt(relative_size(robot)), 0.0))
+            return CommandedGait.preset(name, robot).at((0.4 * scale_of("m/s", robot), 0.0))
         if name not in _PRESETS:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
@@ -192,7 +193,7 @@ def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
         np.stack([hip_offset, knee_offset], axis=1).ravel(),
     )
     mapped = map_waves(robot, *waves)
-    frequency = gait.angular_frequency / math.sqrt(relative_size(robot))
+    frequency = gait.angular_frequency / scale_of("m/s", robot)
     return _sinusoids(robot, frequency, np.repeat(phases[:, 0], 2), *mapped)
 
 
@@ -305,8 +306,8 @@ class CommandedGait:
         right is the mirror image of one to the left.
         """
         # A wider robot's feet are moved farther by the same yaw rate.
-        width = half_track(self.robot) / half_track(TUNED_ON) / relative_size(self.robot)
-        largest = self.largest_yaw_rate * math.sqrt(relative_size(self.robot))  # of the tuned robot
+        width = half_track(self.robot) / half_track(TUNED_ON) / scale_of("m", self.robot)
+        largest = self.largest_yaw_rate * scale_of("m/s", self.robot)  # of the tuned robot
         ahead, outer, inner = (
             np.array(map_waves(self.robot, *(straight + width * largest * change)))
             for change in (0.0 * turn, turn + side, turn - side)
@@ -387,7 +388,7 @@ class CommandedGait:
     @property
     def whole_steps(self) -> tuple[float, float]:
         """Forward velocity (m/s) and yaw rate (rad/s) from which on a command is followed with whole steps."""
-        root = math.sqrt(relative_size(self.robot))
+        root = scale_of("m/s", self.robot)
         return _WHOLE_STEPS[0] * root, _WHOLE_STEPS[1] / root
 
     def fade(self, command: Floats) -> Floats:
@@ -428,13 +429,13 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
 def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
     if SINUSOID in (robot.gaits or {}):
         return _commanded(SINUSOID, robot)
-    return _from_numbers(sinusoid(frequency * math.sqrt(relative_size(robot))), robot)
+    return _from_numbers(sinusoid(frequency * scale_of("m/s", robot)), robot)
 
 
 def _from_numbers(numbers: Mapping[str, Any], robot: Robot, native: bool = False) -> CommandedGait:
     tables = {table: LegTable(**numbers[table]) for table in _TABLES}
     if not native:
-        root = math.sqrt(relative_size(robot))
+        root = scale_of("m/s", robot)
         numbers = {
             **numbers,
             "angular_frequency": numbers["angular_frequency"] / root,

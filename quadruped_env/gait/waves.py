@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from quadruped_env.gait.gait_presets import LEG_PHASES, TUNED_ON
 from quadruped_env.robot.corners import check_bent_legs, corners, postures_with_feet_at
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of
 
 Floats = NDArray[np.float64]
 
@@ -27,11 +28,6 @@ def joint_phases(robot: Robot, gait: str = "trot") -> Floats:
     """Phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
     phases = np.array([LEG_PHASES[gait][corner] for corner in corners(robot)])
     return np.repeat(phases * math.tau, 2)
-
-
-def relative_size(robot: Robot) -> float:
-    """Height of a robot's stance over that of the tuned one."""
-    return robot.stance_height / TUNED_ON.stance_height
 
 
 def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Waves:
@@ -51,7 +47,7 @@ def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Wav
     joints = (sine * np.sin(angle) + cosine * np.cos(angle) + offset).reshape(-1, robot.num_legs, 2)
     # The tuned robot's legs are in the order of the corners.
     feet = TUNED_ON.foot_centres(joints[:, np.argsort(legs)].reshape(len(joints), -1))
-    away = relative_size(robot) * (feet - TUNED_ON.foot_centres(TUNED_ON.stance))[:, legs, ::2]
+    away = scale_of("m", robot) * (feet - TUNED_ON.foot_centres(TUNED_ON.stance))[:, legs, ::2]
     mapped = postures_with_feet_at(robot, robot.foot_centres(robot.stance)[:, ::2] + away)
     mapped = mapped.reshape(_SAMPLES, *np.shape(sine))
     wave = 2.0 / _SAMPLES

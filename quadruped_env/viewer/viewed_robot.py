@@ -209,7 +209,6 @@ class TaskRobot:
     def set_command(self, command: tuple[float, float]) -> None:
         """Set the velocity command, forward velocity in m/s and yaw rate in rad/s, clipped to its task's ranges."""
         self.task.set_command(_ROW, self._within(command))
-        self.observation = self.task.observe()
 
     def push(self, velocity: tuple[float, float]) -> None:
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
@@ -250,7 +249,7 @@ class TaskRobot:
             self.terrain,
             self._simulation.readings,
             time=task.steps * self.timestep,
-            command=task.command,
+            command=task.control.requested,
             smooth_velocity=task.smooth_velocity,
             contact=task.context.foot_contact,
             reward_terms=np.zeros((1, len(self.term_names))) if transition is None else transition.terms,

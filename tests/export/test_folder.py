@@ -16,7 +16,7 @@ from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
-from quadruped_env.control import CommandedFrequency
+from quadruped_env.control import CommandedFrequency, ControlInterface
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
@@ -190,6 +190,33 @@ def test_manifest_states_the_robot_its_joints_and_the_control(flat):
     assert document["evaluation"]["verdict"] == policy.card["verdict"]
     assert document["graph"]["symmetric"]
     assert 0.0 < document["graph"]["largest_difference_from_the_policy"] < 1e-5
+
+
+def test_example_limits_the_command_as_the_manifest_says_and_as_the_control_interface_does(tmp_path, monkeypatch):
+    rates = {"forward_acceleration": 1.5, "yaw_acceleration": 3.0}
+    policy = random_policy("residual", command=TaskConfig().command.replace(**rates))
+    export = export_policy(save_run(tmp_path / "run", policy), tmp_path / "export")
+    components = export.manifest["command"]["components"]
+    assert [(c["largest_rate"], c["rate_unit"]) for c in components] == [(1.5, "m/s^2"), (3.0, "rad/s^2")]
+    timestep = export.manifest["control"]["timestep_s"]
+    monkeypatch.chdir(export.folder)
+    code = re.search("```python\n(.*?)```", (export.folder / "README.md").read_text(), re.DOTALL)[1]
+    names = {}
+    exec(code, names)  # noqa: S102
+    control = ControlInterface(policy.robot, policy.control)
+    readings = {entry["name"]: np.zeros(entry["shape"][1]) for entry in export.manifest["graph"]["inputs"]}
+    readings = {name: value for name, value in readings.items() if name not in names["memory"]}
+    limited = np.zeros(2)
+    for step in range(80):
+        requested = np.array([0.4, -0.5] if step < 40 else [-0.1, 0.0])
+        names["joint_targets"](**readings, command=requested)
+        bound = timestep * np.array([component["largest_rate"] for component in components])
+        limited = limited + np.clip(requested - limited, -bound, bound)
+        control.set_command(np.arange(1), requested[None])
+        control.advance()
+        np.testing.assert_allclose(names["memory"]["command"], control.command, atol=1e-6)
+        np.testing.assert_allclose(limited, control.command[0], atol=1e-12)
+        np.testing.assert_allclose(names["memory"]["gait_phase"], control.phase[:, None], atol=1e-5)
 
 
 def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):

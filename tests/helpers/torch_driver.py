@@ -1,5 +1,7 @@
 """`BatchSimulation` with torch tensors in and out, so that a task on tensors can be compared with the one on arrays."""
 
+import dataclasses
+
 import numpy as np
 import torch
 
@@ -29,6 +31,8 @@ class TorchDriver:
 
     def step(self, joint_target, substeps, env_ids=None):
         self.batch.step(joint_target.numpy(), substeps, None if env_ids is None else env_ids.numpy())
+        of_all = {f.name: getattr(self.batch.substeps, f.name).copy() for f in dataclasses.fields(Readings)}
+        self.substeps = Readings(**{name: TensorArray(torch.tensor(values)) for name, values in of_all.items()})
         self._update()
 
     def reset(self, env_ids, qpos, qvel):

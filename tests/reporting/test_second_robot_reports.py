@@ -10,7 +10,6 @@ import mujoco
 import numpy as np
 import pytest
 from renamed_robot import ROBOT
-from settings import CLOCK_FREQUENCY
 
 from quadruped_env import JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.main import main
@@ -90,7 +89,7 @@ def rollout():
 @pytest.fixture(scope="module")
 def policy():
     """A policy that holds the stance, which is enough for a report."""
-    width = len(ObservationLayout(ROBOT, CONFIG.definition.observations).low)
+    width = len(ObservationLayout(ROBOT, CONFIG.definition.observations).low) * CONFIG.observation_history
     weights, biases = np.zeros((width, ROBOT.num_joints), np.float32), np.zeros(ROBOT.num_joints, np.float32)
     return Policy.for_task((weights,), (biases,), "tanh", CONFIG, {"command": "python train/ppo.py", "seed": 0})
 
@@ -140,7 +139,7 @@ class TestMetrics:
         for kind in ("electrical", "mechanical"):
             expected = values[f"{kind}_power"] / (ROBOT.total_mass * GRAVITY * np.abs(values["forward_velocity"]))
             np.testing.assert_allclose(values[f"{kind}_cost_of_transport"][:2], expected[:2])
-        np.testing.assert_allclose(values["stride_frequency"][:2], CLOCK_FREQUENCY, rtol=0.05)
+        np.testing.assert_allclose(values["stride_frequency"][:2], CONFIG.clock_frequency, rtol=0.05)
 
     def test_limits_are_those_of_the_robot(self):
         assert METRICS["peak_torque"].limit_of(ROBOT) == 14.0

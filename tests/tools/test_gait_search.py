@@ -228,7 +228,7 @@ def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, ca
     assert gait.native
     assert gait.angular_frequency == pytest.approx(CommandedGait.preset("low").angular_frequency * Scale(TALL).rate)
     assert gait.parameters() == gaits["low"]
-    assert CommandedGait.preset("fast", robot).parameters() == CommandedGait.preset("fast").parameters()
+    assert CommandedGait.preset("fast", robot).parameters() == CommandedGait.preset("fast", TALL).parameters()
     assert robot != TALL
     config = {"action": {"gait": "low"}, "clock_frequency": gait.angular_frequency / math.tau}
     env = gymnasium.make("MiniQuadruped-v0", robot=robot, action_mode="residual", config=config)
@@ -238,7 +238,7 @@ def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, ca
     for wrong in ({"fore": 3}, {**gaits["low"], "speeds": [0.0]}, {**gaits["low"], "pace": 1}):
         with pytest.raises(QuadrupedError, match=r"'tall': gaits\['low'\] must be what tools/tune_gait.py writes"):
             CommandedGait.preset("low", dataclasses.replace(TALL, gaits={"low": wrong}))
-    with pytest.raises(QuadrupedError, match="'tall': gaits has 'lower'; it may replace tuned, crouched, low, fast"):
+    with pytest.raises(QuadrupedError, match="'tall': gaits has 'lower'; it may replace sinusoid, tuned, crouched"):
         CommandedGait.tuned(dataclasses.replace(TALL, gaits={"lower": gaits["low"]}))
     with pytest.raises(QuadrupedError, match="'tall': gaits must be a dict of preset -> parameters; found 3"):
         dataclasses.replace(TALL, gaits=3)

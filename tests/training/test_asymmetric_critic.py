@@ -219,7 +219,8 @@ def test_file_of_terms_adds_and_replaces_privileged_readings(tmp_path):
     np.testing.assert_allclose(columns(env, "foot_force", observation), force, rtol=1e-5)
     assert (force > 1.0).any()
     # The policy's observation, and what a robot must measure, do not change.
-    assert env.task.control.layout.width == WIDTH
+    layout = env.task.control.layout
+    assert layout.history * layout.width == WIDTH
 
 
 @pytest.mark.parametrize(

@@ -88,7 +88,9 @@ def test_a_command_reaches_every_robot_cut_to_its_range(control):
         np.testing.assert_array_equal(shown.now.command if shown.now.time else [0.6, -0.8], [0.6, -0.8])
     controller.advance(DT)
     for index in range(2):
+        # The request is shown at once; the command that acts approaches it.
         np.testing.assert_array_equal(now(controller, index).command, [0.6, -0.8])
+        np.testing.assert_allclose(robot(controller, index).task.command, [[0.02, -0.08]], atol=1e-12)
     with pytest.raises(QuadrupedError, match="finite"):
         controller.set_command(math.nan, 0.0)
     assert controller.command == (0.6, -0.8)
@@ -251,4 +253,4 @@ def test_controller_can_be_used_from_any_thread(control):
     for thread in threads:
         thread.join()
     assert not failures
-    assert controller.command == tuple(robot(controller).task.command[0])
+    assert controller.command == tuple(robot(controller).task.control.requested[0])

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from gait_search.strides import Strides
 from quadruped_env.gait.gait_presets import TUNED_ON
 from quadruped_env.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.quantities import (
@@ -39,8 +40,8 @@ class Scale:
     """
 
     def __init__(self, robot: Robot) -> None:
-        self.length = robot.stance_height / TUNED_ON.stance_height
-        self.velocity = math.sqrt(self.length)
+        self.length = scale_of("m", robot)
+        self.velocity = scale_of("m/s", robot)
         self.rate = 1.0 / self.velocity
         self.power = robot.total_mass / TUNED_ON.total_mass * self.velocity
 

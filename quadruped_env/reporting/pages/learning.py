@@ -49,12 +49,23 @@ def half_way(directory: Path, timesteps: int) -> tuple[Path, int] | None:
     Args:
         directory: that of a run, or of its last checkpoint.
         timesteps: steps of the whole training.
+
+    Raises:
+        QuadrupedError: if the card of a checkpoint is damaged.
     """
     inside = directory.parent.name == CHECKPOINTS
     places = directory.parent.iterdir() if inside else (directory / CHECKPOINTS).glob("*")
-    steps = {path: read_json(path / CARD_FILE)["card"]["timesteps"] for path in places if (path / CARD_FILE).is_file()}
-    known = [(path, count) for path, count in steps.items() if abs(count - timesteps / 2) <= timesteps / 4]
-    return min(known, key=lambda found: (abs(found[1] - timesteps / 2), found[1]), default=None)
+    steps = {path: _steps_of(path) for path in places if (path / CARD_FILE).is_file()}
+    known = [(path, count) for path, count in steps.items() if count and 2 * abs(2 * count - timesteps) <= timesteps]
+    return min(known, key=lambda found: (abs(2 * found[1] - timesteps), found[1]), default=None)
+
+
+def _steps_of(checkpoint: Path) -> int | None:
+    """Steps of the training until a checkpoint; None if its card does not say."""
+    document = read_json(checkpoint / CARD_FILE)
+    card = document.get("card") if isinstance(document, dict) else None
+    steps = card.get("timesteps") if isinstance(card, dict) else None
+    return steps if type(steps) is int else None
 
 
 def learning_clips(evaluated: EvaluatedPolicy, comparison: Comparison) -> list[Clip]:

@@ -141,6 +141,7 @@ class WarpSimulation:
         self._past = TensorArray(torch.zeros(shape, dtype=torch.float64, device=self.torch_device))
         past: Any = self._past
         self.substeps = Readings.from_sensordata(self.model, past, self.robot)
+        self._graphs.clear()  # they write to the array before
 
     def _advance(self, substeps: int) -> None:
         """Physics steps, and the first half of another, as in the other drivers."""
