@@ -1,4 +1,4 @@
-"""The reward of whole motions, made by hand: whoever does what is commanded earns most."""
+"""The reward of whole motions, made by hand: doing what is commanded earns most."""
 
 import dataclasses
 import math
