@@ -70,14 +70,15 @@ class DrakeSimulation:
         steps = self._steps_in(substeps)
         if substeps != len(self._recorded):
             self._record(substeps)
-        # Drake's step at which each physics step of the task begins, as nearly as they fit.
-        begins = {round(k * steps / substeps): k for k in range(substeps)}
+        # Drake's step in which each physics step of the task begins; it may be the same one for several.
+        begins = np.arange(substeps) * steps // substeps
         for step in range(steps):
-            if step in begins:
-                for i in running[~self._failed[running]] if step else ():
-                    self._read(i)
-                self._recorded[begins[step], running] = self.sensordata[running]
             running = running[~self._failed[running]]
+            begun = np.flatnonzero(begins == step)
+            if len(begun):
+                for i in running if step else ():
+                    self._read(i)
+                self._recorded[np.ix_(begun, running)] = self.sensordata[running]
             torque = self._servos.torque(joint_target, self._joint_position, self._joint_velocity)
             friction = self._servos.friction(self._joint_velocity) if self._servos.has_friction else None
             for i in running:
