@@ -92,8 +92,6 @@ CLOCK_FREQUENCY: Final = 3.4
 """Frequency of the tuned robot's gait clock, Hz."""
 LIFT: Final = 0.2
 """Angle by which the knee folds in a swing, rad."""
-TURN_GAIN: Final = 4.0
-"""Speed of a side in a turn, as a multiple of what the geometry asks for: the feet slide."""
 _SPEEDS: Final = (-1.0, 1.0)
 """Forward velocities between which the amplitude is proportional to the velocity, m/s."""
 _LARGEST_YAW_RATE: Final = 0.8
@@ -102,7 +100,8 @@ _LARGEST_YAW_RATE: Final = 0.8
 def sinusoid(frequency: float) -> dict[str, Any]:
     """Parameters of the trot in closed form for the tuned robot, in the form of `COMMANDED`.
 
-    With leg length L, lift a, and the forward velocity u of the leg's side, a leg of phase p has
+    With leg length L, lift a, and the forward velocity u of the leg's side (v + r b / 2 on the right and v - r b / 2 on
+    the left, with the track width b and the turn's size r, see `turn_size`), a leg of phase p has
 
         hip  = stance + a / (2 pi) + pi u / (8 f L) cos(p) + a / 4 sin(p)
         knee = stance - a / pi                             - a / 2 sin(p)
@@ -126,7 +125,7 @@ def sinusoid(frequency: float) -> dict[str, Any]:
         "knee_offset": (knee - LIFT / math.pi,) * 2,
         "hip_cosine": tuple(stride * speed for speed in _SPEEDS),
     }
-    side = {**none, "hip_cosine": (stride * TURN_GAIN * half_track,) * 2}
+    side = {**none, "hip_cosine": (stride * half_track,) * 2}
     return {
         "angular_frequency": math.tau * frequency,
         "speeds": _SPEEDS,
