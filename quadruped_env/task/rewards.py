@@ -85,13 +85,13 @@ def base_motion(context: TaskContext, base_arm: Annotated[float, Positive("m")] 
     return v[:, 1] ** 2 + v[:, 2] ** 2 + base_arm**2 * (w[:, 0] ** 2 + w[:, 1] ** 2)
 
 
-@reward(weight=-0.08)
+@reward(weight=-1.0)
 def action_rate(context: TaskContext) -> Floats:
     """Sum of (action - previous action)^2."""
     return ((context.action - context.previous_action) ** 2).sum(axis=-1)
 
 
-@reward(weight=-0.03, unit="W")
+@reward(weight=-0.08, unit="W")
 class electrical_power:  # noqa: N801
     """Sum of max(0, torque * joint velocity) + torque^2 R / K^2, mean over the physics steps."""
 

@@ -103,9 +103,9 @@ class TrainConfig:
     """Steps of each env between updates"""
     batch_size: int = 1536
     """Samples in a gradient step"""
-    n_epochs: int = 4
+    n_epochs: int = 6
     """Passes over the samples of an update"""
-    learning_rate: float = 7e-4
+    learning_rate: float = 1e-3
     """Adam's initial step size; it decreases linearly to a tenth"""
     gamma: float = 0.985
     """Discount per step of 0.02 s"""
@@ -142,7 +142,7 @@ class TrainConfig:
     """Let the value function see privileged readings that only the simulation knows; the policy never sees them"""
     log_std_init: float = -1.0
     """Logarithm of the exploration's initial standard deviation"""
-    final_log_std: float = -3.5
+    final_log_std: float = -2.5
     """Upper bound of that logarithm at the end, reached linearly. Noise slows the robot down, and a policy that
     learned with it overshoots its commands without it"""
 
