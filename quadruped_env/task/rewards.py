@@ -59,8 +59,8 @@ def progress(context: TaskContext) -> Floats:
 
 
 @reward(weight=8.0)
-def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.015) -> Floats:
-    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / 0.015 m))."""
+def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.012) -> Floats:
+    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / 0.012 m))."""
     lift = quantities.foot_lift(context.sole_height, foot_lift)
     return quantities.clock_agreement(lift, context.leg_clock) * context.moving
 

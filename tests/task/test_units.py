@@ -243,7 +243,7 @@ def test_numbers_of_a_users_file_are_those_of_its_robot(tmp_path):
     )
     config = TaskConfig(definition=load_task_file(file)).on_terrain("bump")
     assert config.command.height == (0.07, 0.09)
-    assert (config.reward.weights.own, config.reward.size, config.reward.foot_lift) == (-2.0, 0.03, 0.0075)
+    assert (config.reward.weights.own, config.reward.size, config.reward.foot_lift) == (-2.0, 0.03, 0.006)
     assert (config.randomization.nudge, config.randomization.nudge_interval) == (0.3, (1.0, 2.0))
     assert config.randomization.noise_amplitude.turning == 0.1
     assert (config.ground.extent, config.terrain.height, config.ground.heights().max()) == ((4.0, 4.0), 0.01, 0.01)
