@@ -5,7 +5,9 @@ tools/recipe_seeds.py --only envelope runs/<fast>
 tools/recipe_seeds.py --only curves --picture assets/pictures/recipes.svg flat rough runs/<other> ...
 
 Runs are grouped by their recipe, and must not differ in anything but the seed. Each recipe gets a table for each
-measure, with a row for each seed and one of the medians. `errors`: signed errors of the mean velocities, 8 episodes of
+measure, with a row for each seed and one of the medians. `learning`: the policy and its zero action in its own task, as
+at the end of a training. `commands`: share of the suite's commands that are met, of the policy and of its zero action,
+and falls per hour of the suite's joystick commands, undisturbed and with `moderate`. `errors`: signed errors of the mean velocities, 8 episodes of
 20 s per command. `env`: falls in 300 episodes of 20 s in the env of the policy's training, with its random commands and
 its randomization, and the 95 % interval of their share. `falls`: 1000 episodes of 20 s with the preset `hard`, and the
 share of time in which a robot sits or leans, tilted by more than 0.3 rad. `gait`: clearance and bounces per stride
@@ -34,11 +36,13 @@ from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
+from quadruped_env.evaluation.learning_gain import learning_gain
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
+from quadruped_env.evaluation.suite import command_map, joystick, terrains
 from quadruped_env.evaluation.suite import gait_measures as suite_gait
-from quadruped_env.evaluation.suite import terrains
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
 from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.policies import ZeroController
 from quadruped_env.reporting.plots.learning_plots import read_progress
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
 from quadruped_env.utils.files import write_whole
@@ -59,6 +63,34 @@ _SAME_STEPS: Final = 0.75
 
 Row = dict[str, float]
 """Column -> value."""
+
+
+def learning(measured: MeasuredController, progress: Progress) -> Row:
+    """Policy and zero action in the policy's own task."""
+    gain = learning_gain(measured.controller.policy, progress=progress)  # type: ignore[attr-defined]
+    policy, zero = gain.policy, gain.zero
+    return {
+        "return per second": policy.return_per_second.mean,
+        "zero action": zero.return_per_second.mean,
+        "gain, standard errors": gain.standard_errors,
+        "commands met, %": 100.0 * policy.commands_met.mean,
+        "zero action, %": 100.0 * zero.commands_met.mean,
+        "falls, %": 100.0 * policy.falls.mean,
+        "power, W": policy.electrical_power.mean,
+        "own action, rad": policy.own_action,
+    }
+
+
+def commands(measured: MeasuredController, progress: Progress) -> Row:
+    """Commands of the suite that are met, and falls per hour of its joystick commands."""
+    suite, policy = full_suite(), measured.controller.policy  # type: ignore[attr-defined]
+    zero = MeasuredController("zero action", ZeroController(policy.action_mode), measured.config)
+    met = [command_map.run(suite.commands, one, None)["met"]["mean"] for one in (measured, zero)]
+    row = {"commands met, %": 100.0 * met[0], "zero action, %": 100.0 * met[1]}
+    for name, law in joystick.run(suite.joystick, measured, progress).items():
+        share = law["falls_per_hour"]
+        row |= {f"falls per hour, {name}": share["mean"], f"95 % to, {name}": share["high"]}
+    return row
 
 
 def errors(measured: MeasuredController, progress: Progress, episodes: int = 8) -> Row:
@@ -159,6 +191,8 @@ def fastest(rollout: Rollout, straight: int, episodes: int) -> Row:
 
 
 MEASURES: Final[dict[str, Callable[[MeasuredController, Progress], Row]]] = {
+    "learning": learning,
+    "commands": commands,
     "errors": errors,
     "env": own_env,
     "falls": falls,
