@@ -1,19 +1,19 @@
 """Measure how much the policies of a recipe differ from one training seed to the next.
 
 tools/recipe_seeds.py runs/<one> runs/<other> ...
-tools/recipe_seeds.py --only envelope runs/<fast>
-tools/recipe_seeds.py --only curves --picture assets/pictures/recipes.svg flat rough runs/<other> ...
+tools/recipe_seeds.py --only envelope runs/<one>
+tools/recipe_seeds.py --only curves --picture assets/pictures/rough.svg flat rough runs/<other> ...
 
 Runs are grouped by their recipe, and must not differ in anything but the seed. Each recipe gets a table for each
-measure, with a row for each seed and one of the medians. `learning`: the policy and its zero action in its own task, as
-at the end of a training. `commands`: share of the suite's commands that are met, of the policy and of its zero action,
-and falls per hour of the suite's joystick commands, undisturbed and with `moderate`. `errors`: signed errors of the mean velocities, 8 episodes of
-20 s per command. `env`: falls in 300 episodes of 20 s in the env of the policy's training, with its random commands and
-its randomization, and the 95 % interval of their share. `falls`: 1000 episodes of 20 s with the preset `hard`, and the
-share of time in which a robot sits or leans, tilted by more than 0.3 rad. `gait`: clearance and bounces per stride
-of the worst foot in the suite's steady walking, over the commands forwards, backwards and on turns. `terrain`: the
-suite's crossings. `envelope`: the largest mean forward velocity and yaw rate over the commands at which none of 100
-episodes of 10 s falls. `curves`: a figure of all runs.
+measure, with a row for each seed and one of the medians. `learning`: the policy and its zero action in its own task,
+as at the end of a training. `commands`: share of the suite's commands that are met, of the policy and of its zero
+action, and falls per hour of the suite's joystick commands, undisturbed and with `moderate`. `errors`: signed errors
+of the mean velocities, 8 episodes of 20 s per command. `env`: falls in 300 episodes of 20 s in the env of the
+policy's training, with its random commands and its randomization, and the 95 % interval of their share. `falls`: 1000
+episodes of 20 s with the preset `hard`, and the share of time in which a robot sits or leans, tilted by more than 0.3
+rad. `gait`: clearance and bounces per stride of the worst foot in the suite's steady walking, over the commands
+forwards, backwards and on turns. `terrain`: the suite's crossings. `envelope`: the largest mean forward velocity and
+yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of all runs.
 """
 
 import argparse
