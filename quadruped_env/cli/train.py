@@ -46,7 +46,7 @@ from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, algorithm, base_of, check_used
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
-from quadruped_env.training.train_config import GPU_DEFAULTS, on_gpu, shortness
+from quadruped_env.training.train_config import GPU_DEFAULTS, on_gpu
 from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import write_whole
@@ -169,14 +169,12 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     directory, finished = result
     card = read_json(directory / CARD_FILE)["card"]
     steps = card["timesteps"]
-    advice = shortness(config.action_mode, steps) if base_of(config.algo) == TrainConfig.algo else ""
     print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
-    if advice:
-        print(advice)
     gain = measure_learning(directory, task_file, steps)
-    print(f"\n{gain.table()}\nIn its own task, {gain.episodes} episodes of {gain.seconds:g} s: {gain.verdict()}\n")
+    print(f"\n{gain.table()}\nIn its own task, {gain.episodes} episodes of {gain.seconds:g} s: {gain.verdict()}")
+    print("" if gain.is_better else "give it more --timesteps or --seconds, or continue with --resume\n")
     task = ["--trust-task"] if arguments.trust_task else [] if task_file is None else ["--task", task_file]
     print(f"evaluate it:  {program_command('evaluate', directory, *task)}")
     print(f"see it walk:  {program_command('view', directory, *task)}")

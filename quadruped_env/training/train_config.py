@@ -16,10 +16,6 @@ from quadruped_env.training.recipes import recipe
 from quadruped_env.training.user_classes import is_user_class
 from quadruped_env.utils.seeds import check_training_seeds
 
-STEPS_TO_WALK: Final = {"residual": 17_000, "position": 113_000}
-"""Median number of steps until a policy walks at 0.5 m/s, measured by `tools/learning_speed.py`
-(docs/measurements.md)."""
-
 GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
     {"num_envs": 4096, "batch_size": 24_576, "timesteps": 50_000_000}
 )
@@ -269,14 +265,3 @@ def on_gpu(device: str) -> bool:
 def equal_batches(config: TrainConfig) -> int:
     """Number of batches in an update of rsl-rl, which need equal sizes: `--batch-size` is rounded."""
     return max(1, round(config.num_envs * config.n_steps / config.batch_size))
-
-
-def shortness(action_mode: str, timesteps: int) -> str:
-    """A warning about a training that was too short to learn to walk, or an empty string."""
-    needed = STEPS_TO_WALK[action_mode]
-    if timesteps >= needed:
-        return ""
-    return (
-        f"it has learned for only {timesteps:,} steps; in mode {action_mode!r} a policy takes about {needed:,} to walk "
-        f"well: give it more --seconds or --timesteps, or continue with --resume"
-    )

@@ -6,7 +6,7 @@ import pytest
 from settings import TRAINING
 
 from quadruped_env import QuadrupedError
-from quadruped_env.training.train_config import BOUNDS, STEPS_TO_WALK, TrainConfig, shortness
+from quadruped_env.training.train_config import BOUNDS, TrainConfig
 
 SMALLEST = math.nextafter(0.0, 1.0)
 LIMITS = {
@@ -64,10 +64,3 @@ def test_a_value_of_another_type_or_of_any_size_is_refused(name):
     for value in (1e300, -1e300, 10**400, math.nan, object(), [1e300], {"a": 1} if name != "task" else 1):
         with pytest.raises(QuadrupedError, match=f"^--{name.replace('_', '-')}: expected .*; found "):
             TrainConfig(**{name: value})
-
-
-@pytest.mark.parametrize(("mode", "steps"), [("residual", 17_000), ("position", 113_000)])
-def test_a_training_shorter_than_it_takes_to_walk_gets_a_warning(mode, steps):
-    assert STEPS_TO_WALK[mode] == steps
-    assert shortness(mode, steps) == ""
-    assert f"only {steps - 1:,} steps" in shortness(mode, steps - 1)

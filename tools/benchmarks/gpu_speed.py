@@ -8,7 +8,7 @@ from typing import Any, Final
 import torch
 import warp
 
-from benchmarks.learning_speed import WalkTest, walk_test
+from benchmarks.learning_speed import CommandTest, command_test
 from benchmarks.measures import Say
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
@@ -46,7 +46,7 @@ class Walked:
     seconds: float | None
     """Wall-clock time of learning without compilation and tests, s; None if the policy did not walk in the limit."""
     timesteps: int
-    last: WalkTest | None
+    last: CommandTest | None
 
 
 class Watch:
@@ -65,7 +65,7 @@ class Watch:
         self.learning = 0.0
         self.rollouts = 0
         self.ended = False
-        self.last: WalkTest | None = None
+        self.last: CommandTest | None = None
 
     def init_callback(self, model: WarpModel) -> None:
         """See `WarpModel.learn`."""
@@ -77,7 +77,7 @@ class Watch:
 
     def on_step(self) -> bool:
         """False if the training is to end."""
-        done = self.last is not None and self.last.walks
+        done = self.last is not None and self.last.passed
         enough = self._updates > 0 and self.rollouts > self._updates
         return not (done or enough or self.learning >= self._limit)
 
@@ -90,10 +90,10 @@ class Watch:
         if self._interval and self.learning >= self._next:
             self._next = self.learning + self._interval
             task: TaskConfig = self.model.get_env().task.config
-            self.last = walk_test(self.model.policy(task, {}))
+            self.last = command_test(self.model.policy(task, {}))
             self._say(
-                f"  {self.learning:6.1f} s, {self.model.num_timesteps:>11,} steps: {self.last.speed:+.3f} m/s, "
-                f"{self.last.falls} falls{', walks' if self.last.walks else ''}"
+                f"  {self.learning:6.1f} s, {self.model.num_timesteps:>11,} steps: {self.last.met:.0%} met, "
+                f"{self.last.falls:.1%} falls"
             )
         self._resumed = time.perf_counter()
 
@@ -173,7 +173,7 @@ def walk(
     model = make(device, num_envs, steps, **settings)
     watch = Watch(0, limit, interval, say)
     model.learn(_STEPS, watch)
-    walked = watch.last is not None and watch.last.walks
+    walked = watch.last is not None and watch.last.passed
     return Walked(num_envs, watch.learning if walked else None, model.num_timesteps, watch.last)
 
 

@@ -1,8 +1,7 @@
-"""Learning speed: wall-clock time from the start of learning until the policy walks.
+"""Learning speed: wall-clock time from the start of learning until the policy meets most of its commands.
 
-A policy walks if, with a command of 0.5 m/s straight ahead, deterministic actions and 64 episodes of 10 s that differ
-in their starts alone, it falls at most twice, its mean forward speed is within 0.05 m/s of the command, and the mean
-over episodes of the absolute mean yaw rate is at most 0.1 rad/s. The time of these tests is not counted.
+The commands are those that the suite draws, one undisturbed episode of 10 s each, with the suite's tolerance. The time
+of these tests is not counted.
 """
 
 import time
@@ -13,53 +12,46 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.policies import Policy, PolicyController
+from quadruped_env.evaluation.metrics import counted_samples
+from quadruped_env.evaluation.suite.command_map import met
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities, stands_still
+from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.sb3_models import make_model
 from quadruped_env.training.schedules import Scheduled
 from quadruped_env.training.train_config import TrainConfig
 
-COMMAND: Final = (0.5, 0.0)
-EPISODES: Final = 64
-SECONDS: Final = 10.0
-MAX_FALLS: Final = 2
-SPEED_TOLERANCE: Final = 0.05
-MAX_YAW_RATE: Final = 0.1
+MET: Final = 0.8
+"""Share of the commands from which a policy has learned its task."""
 
 
 @dataclass(frozen=True)
-class WalkTest:
+class CommandTest:
     """One test of a policy."""
 
-    falls: int
-    speed: float
-    """Mean forward speed until a fall, m/s"""
-    yaw_rate: float
-    """Mean over episodes of the absolute mean yaw rate, rad/s"""
+    met: float
+    """Share of the commands that it meets"""
+    falls: float
+    """Share of the episodes that end in a fall"""
 
     @property
-    def walks(self) -> bool:
-        """True if the policy walks, as this module defines it."""
-        return (
-            self.falls <= MAX_FALLS
-            and abs(self.speed - COMMAND[0]) <= SPEED_TOLERANCE
-            and self.yaw_rate <= MAX_YAW_RATE
-        )
+    def passed(self) -> bool:
+        """True if the policy has learned its task, as this module defines it."""
+        return self.met >= MET
 
 
-def walk_test(policy: Policy, episodes: int = EPISODES, seconds: float = SECONDS) -> WalkTest:
-    """Test a policy."""
-    rollout = roll_out(
-        PolicyController(policy),
-        [COMMAND],
-        range(FIRST_SEED, FIRST_SEED + episodes),
-        seconds,
-        policy.config.randomized("none"),
-    )
-    counts = np.maximum(rollout.valid.sum(axis=0), 1)
-    speed, yaw_rate = ((rollout.velocity * rollout.valid[..., None]).sum(axis=0) / counts[:, None]).T
-    return WalkTest(int(rollout.fallen.sum()), float(speed.mean()), float(np.abs(yaw_rate).mean()))
+def command_test(policy: Policy, commands: int | None = None, seconds: float | None = None) -> CommandTest:
+    """Test a policy, at all commands of the suite's map or the first of them."""
+    part = full_suite().commands
+    drawn = list(part.drawn)[:commands]
+    measured = MeasuredController.of_policy(policy, "policy")
+    rollout = measured.run(drawn, part.seeds[:1], part.seconds if seconds is None else seconds)
+    shape = len(drawn), 1
+    fallen = rollout.fallen.reshape(shape)
+    still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
+    kept = met(part, drawn, mean_velocities(rollout).reshape(*shape, 2), fallen, still)
+    return CommandTest(float(kept.mean()), float(fallen.mean()))
 
 
 @dataclass(frozen=True)
@@ -69,16 +61,16 @@ class Learned:
     action_mode: str
     seed: int
     seconds: float | None
-    """Wall-clock time of learning until the policy walked, s; None if it never did"""
+    """Wall-clock time of learning until the policy passed the test, s; None if it never did"""
     timesteps: int
-    """Time steps until the policy walked, or in total"""
-    last: WalkTest
+    """Time steps until then, or in total"""
+    last: CommandTest
 
 
-def time_to_walk(
+def time_to_learn(
     action_mode: str, seed: int, limit: float, interval: float, say: Callable[[str], None], **training: Any
 ) -> Learned:
-    """Train until the policy walks, or for `limit` s; the policy is tested every `interval` s of learning."""
+    """Train until the policy passes the test, or for `limit` s; it is tested every `interval` s of learning."""
     config = TrainConfig(**{"action_mode": action_mode, "seed": seed, **training})
     env = make_sb3_vec_env(
         config.num_envs,
@@ -92,12 +84,12 @@ def time_to_walk(
     model.learn(config.timesteps, callback=watch)
     env.close()
     assert watch.last is not None
-    walked = watch.last.walks
-    return Learned(action_mode, seed, watch.learning if walked else None, model.num_timesteps, watch.last)
+    passed = watch.last.passed
+    return Learned(action_mode, seed, watch.learning if passed else None, model.num_timesteps, watch.last)
 
 
 class _Watch(Scheduled):
-    """Callback that tests the policy at intervals and stops when it walks or the time limit is reached."""
+    """Callback that tests the policy at intervals and stops when it passes or the time limit is reached."""
 
     def __init__(
         self, config: TrainConfig, task: TaskConfig, limit: float, interval: float, say: Callable[[str], None]
@@ -106,7 +98,7 @@ class _Watch(Scheduled):
         self._task, self._activation = task, config.activation
         self._limit, self._interval, self._say = limit, interval, say
         self.learning = 0.0
-        self.last: WalkTest | None = None
+        self.last: CommandTest | None = None
 
     def _on_training_start(self) -> None:
         super()._on_training_start()
@@ -114,7 +106,7 @@ class _Watch(Scheduled):
         self._next = self._interval
 
     def _on_step(self) -> bool:
-        return not (self.last is not None and (self.last.walks or self.learning >= self._limit))
+        return not (self.last is not None and (self.last.passed or self.learning >= self._limit))
 
     def _on_rollout_start(self) -> None:
         super()._on_rollout_start()
@@ -123,24 +115,24 @@ class _Watch(Scheduled):
             return
         self.learning = now
         self._next = now + self._interval
-        self.last = walk_test(Policy.from_sb3(self.model, {}))
+        self.last = command_test(Policy.from_sb3(self.model, {}))
         self._say(
-            f"  {self.learning:5.1f} s, {self.num_timesteps:>9,} steps: {self.last.speed:+.3f} m/s, "
-            f"yaw {self.last.yaw_rate:.3f} rad/s, {self.last.falls} falls{', walks' if self.last.walks else ''}"
+            f"  {self.learning:5.1f} s, {self.num_timesteps:>9,} steps: {self.last.met:.0%} of the commands met, "
+            f"{self.last.falls:.1%} falls"
         )
         self._resumed = time.perf_counter()
 
 
 def summary(results: list[Learned]) -> str:
-    """A Markdown table of the seeds of each action mode; a seed that never walked counts as infinitely slow."""
-    lines = ["| action mode | seeds that walk | median s | each seed, s | median steps |", "|---|---|---|---|---|"]
+    """A Markdown table of the seeds of each action mode; a seed that never passed counts as infinitely slow."""
+    lines = ["| action mode | seeds that learn | median s | each seed, s | median steps |", "|---|---|---|---|---|"]
     for mode in dict.fromkeys(result.action_mode for result in results):
         found = [result for result in results if result.action_mode == mode]
         seconds = sorted(np.inf if result.seconds is None else result.seconds for result in found)
         steps = sorted(result.timesteps for result in found)
-        walked = sum(result.seconds is not None for result in found)
+        passed = sum(result.seconds is not None for result in found)
         each = ", ".join("never" if np.isinf(value) else f"{value:.1f}" for value in seconds)
         lines.append(
-            f"| {mode} | {walked} of {len(found)} | {np.median(seconds):.1f} | {each} | {np.median(steps):,.0f} |"
+            f"| {mode} | {passed} of {len(found)} | {np.median(seconds):.1f} | {each} | {np.median(steps):,.0f} |"
         )
     return "\n".join(lines)

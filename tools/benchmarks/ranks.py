@@ -40,7 +40,8 @@ _WALKING: Final[Mapping[str, Any]] = {
 """Settings of a training that walks soon and on every seed: straight ahead only, with many small updates. With the
 default settings, seeds differ by more than anything that is compared here."""
 _EPISODES: Final = 8
-"""Episodes of a test of walking. `benchmarks.learning_speed` has more, which take as long as the training between."""
+"""Episodes of a test of walking, few, so that it does not take as long as the training between."""
+_COMMAND: Final = (0.5, 0.0)
 _SPEED_TOLERANCE: Final = 0.1
 """Largest difference from the commanded speed with which a policy counts as walking, m/s."""
 
@@ -215,8 +216,8 @@ def _measure_exchange(group: Any, rounds: int) -> dict[str, Any]:
 
 
 def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str, float | None]:
-    from benchmarks.learning_speed import COMMAND, walk_test
-    from quadruped_env.policies import Policy
+    from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
+    from quadruped_env.policies import Policy, PolicyController
     from quadruped_env.training import train
     from quadruped_env.training.step_statistics import StepStatistics
 
@@ -235,8 +236,10 @@ def _measure_walk(group: Any, seed: int, timesteps: int, every: int) -> dict[str
             self._next += every
             self._learned += time.perf_counter() - self._resumed
             policy = Policy.from_sb3(self.model, {})
-            test = walk_test(policy, episodes=_EPISODES)
-            if test.falls == 0 and abs(test.speed - COMMAND[0]) <= _SPEED_TOLERANCE:
+            seeds = range(FIRST_SEED, FIRST_SEED + _EPISODES)
+            rollout = roll_out(PolicyController(policy), [_COMMAND], seeds, 10.0, policy.config.randomized("none"))
+            speed = float(rollout.velocity[..., 0].mean())
+            if not rollout.fallen.any() and abs(speed - _COMMAND[0]) <= _SPEED_TOLERANCE:
                 result.update(seconds=self._learned, timesteps=self.num_timesteps)
                 self.stopped = True
             self._resumed = time.perf_counter()
