@@ -40,16 +40,16 @@ TRAINING: Final = {
     "num_envs": 256,
     "n_steps": 24,
     "batch_size": 1536,
-    "n_epochs": 4,
+    "n_epochs": 6,
     "hidden": (128, 128),
-    "learning_rate": 7e-4,
+    "learning_rate": 1e-3,
     "gamma": 0.985,
     "gae_lambda": 0.95,
     "clip_range": 0.2,
     "ent_coef": 0.0,
     "max_grad_norm": 1.0,
     "log_std_init": -1.0,
-    "final_log_std": -3.5,
+    "final_log_std": -2.5,
 }
 """Defaults of a training with PPO."""
 
