@@ -297,7 +297,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         "s",
         valid=Parameter("s", _NOT_NEGATIVE, MAX_DELAY),
         description="delay from joint target to motor, added to that of the motors",
-        source=f"0 to 0.04 s: {_MINITAUR}; 0.06 s is where the policy `flat` loses its speed",
+        source=f"0 to 0.04 s: {_MINITAUR}; a target that arrives three control steps late: 0.06 s",
     ),
     Randomization(
         "observation_latency",
