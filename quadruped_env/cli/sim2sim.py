@@ -1,6 +1,6 @@
 """Run a policy in a second physics engine, Drake, and measure what it loses there.
 
-The robot in Drake is built from its URDF alone. The policy and the tuned gait run on the same commands and random
+The robot in Drake is built from its URDF alone. The policy and the searched gait run on the same commands and random
 starts in MuJoCo and in Drake, and the stance where standing is commanded. The results go into sim2sim.json; the
 next report of 'evaluate' shows them, too.
 

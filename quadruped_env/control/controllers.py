@@ -56,7 +56,7 @@ class GaitController:
 
 
 class CommandedGaitController:
-    """The tuned gait, adapted to each env's command.
+    """The searched gait, adapted to each env's command.
 
     It steps with the task's gait clock, as the gait of `residual` mode does. A clock of another frequency it cannot
     follow: its phase is then that of its own frequency since the reset.

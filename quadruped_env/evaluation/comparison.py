@@ -58,7 +58,7 @@ MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
 
 CONTROLLERS: Final = {
     "policy": "Trained policy",
-    "tuned": "Tuned gait",
+    "tuned": "Searched gait",
     "article": "Article's gait",
     "zero": "Standing still",
 }
@@ -188,11 +188,11 @@ def compare(
     terrain: str | Terrain | None = None,
     randomization: str = "none",
 ) -> Comparison:
-    """Run policies, the tuned gait, the tutorial's gait (`article`) and standing still on the same episodes.
+    """Run policies, the searched gait, the tutorial's gait (`article`) and standing still on the same episodes.
 
     Each policy runs the task that it was trained for, with a preset in place of its randomization, a user's own
     included: by default, only the start of an episode is random. The scripted controllers run the first policy's task,
-    the tuned gait with a clock of its own frequency. Commands may lie outside the training ranges.
+    the searched gait with a clock of its own frequency. Commands may lie outside the training ranges.
 
     Args:
         policies: one policy, which is called `policy`, or several by name: trained ones, or objects with the two
@@ -236,7 +236,7 @@ def compare(
                 f"policies for one robot"
             )
     tuned = CommandedGait.tuned(config.robot)
-    # With a clock of its own frequency the tuned gait is in phase, so that the reward's terms of the clock judge it.
+    # With a clock of its own frequency the searched gait is in phase, so that the reward's terms of the clock judge it.
     configs["tuned"] = dataclasses.replace(config, clock_frequency=tuned.angular_frequency / math.tau)
     controllers: tuple[Controller, ...] = (
         *(PolicyController(policy, name) for name, policy in known.items()),

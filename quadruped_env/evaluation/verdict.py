@@ -86,7 +86,7 @@ def verdict(
     findings.append(("Effort", _effort(comparison)))
     findings += [
         (topic, _against(comparison, other))
-        for other, topic in (("tuned", "Tuned gait"), ("article", "Article's gait"))
+        for other, topic in (("tuned", "Searched gait"), ("article", "Article's gait"))
     ]
     findings += () if suite is None else suite_findings(suite)
     level, headline = _headline(comparison, gain)
@@ -130,12 +130,12 @@ def _headline(comparison: Comparison, gain: LearningGain | None) -> tuple[str, s
         walks = "Not reliably: it walks" if unstable else "Yes, it walks"
         return "fair", f"{walks}, but it {listed(flaws)}."
     standing = f"it {falls}" if fall_rate else "it does not fall"
-    against = "" if "not comparable" in ranks.values() else " at least as well as the tuned gait"
+    against = "" if "not comparable" in ranks.values() else " at least as well as the searched gait"
     return "good", f"Yes, it walks: {standing}, and follows its commands{against}."
 
 
 def _flaws(comparison: Comparison, ranks: Mapping[str, str]) -> list[str]:
-    """Flaws of a policy that walks, apart from its falls; `ranks` are those against the tuned gait, by motion."""
+    """Flaws of a policy that walks, apart from its falls; `ranks` are those against the searched gait, by motion."""
     has = comparison.conditions
     flaws = []
     error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
@@ -154,7 +154,7 @@ def _flaws(comparison: Comparison, ranks: Mapping[str, str]) -> list[str]:
         flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the commanded rate")
     behind = [motion for motion, rank in ranks.items() if rank == "less accurate"]
     if behind:
-        flaws.append(f"is less accurate than the tuned gait {listed(behind)}")
+        flaws.append(f"is less accurate than the searched gait {listed(behind)}")
     return flaws
 
 
@@ -218,7 +218,7 @@ def _turning(comparison: Comparison) -> str:
         return "it falls too early to tell."
     share = reached_share(comparison, "policy", "turning")
     tuned = reached_share(comparison, "tuned", "turning")
-    against = "" if math.isnan(tuned) else f", the tuned gait {_percent(tuned)}"
+    against = "" if math.isnan(tuned) else f", the searched gait {_percent(tuned)}"
     return (
         f"{_closeness(error.mean, tolerances('yaw_rate_error', comparison.robot))} its yaw rate commands, "
         f"with an error of {_with_interval(error, 'yaw_rate_error')}; it reaches {_percent(share)} of the commanded "
@@ -277,7 +277,7 @@ def _effort(comparison: Comparison) -> str:
     for kind in ("electrical", "mechanical"):
         name = f"{kind}_cost_of_transport"
         cost, tuned = (comparison.estimate(who, name, motion).mean for who in ("policy", "tuned"))
-        against = "" if math.isnan(tuned) else f" (tuned gait {tuned:.2f})"
+        against = "" if math.isnan(tuned) else f" (searched gait {tuned:.2f})"
         if not math.isnan(cost):
             costs.append(f"{kind} cost of transport {cost:.2f}{against}; ")
     return f"{''.join(costs)}{words}."

@@ -39,7 +39,7 @@ MAX_SECONDS: Final = 120.0
 """Maximum length of an episode, s: Drake simulates one robot after the other."""
 
 CONTROLLERS: Final = ("policy", "tuned", "zero")
-"""Names of the controllers: the policy, the tuned gait and the robot that holds its stance."""
+"""Names of the controllers: the policy, the searched gait and the robot that holds its stance."""
 QUANTITIES: Final = ("forward_velocity", "yaw_rate", "base_height", "fallen")
 """Quantities of an episode: means in m/s, rad/s and m after the start-up and before a fall; 1 for a fall, else 0."""
 TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2}
@@ -164,7 +164,7 @@ def run_transfer(
     there: Engine | None = None,
     progress: Progress | None = None,
 ) -> Transfer:
-    """Run a policy and the tuned gait on every command, and the stance on those that stand, in two engines.
+    """Run a policy and the searched gait on every command, and the stance on those that stand, in two engines.
 
     The task is the policy's own, on level ground; of its randomization only the start of an episode remains. A seed
     gives the same start in both engines.

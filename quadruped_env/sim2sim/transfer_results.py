@@ -18,7 +18,7 @@ from quadruped_env.utils.text_table import text_table
 RESULTS_FILE: Final = "sim2sim.json"
 FORMAT_VERSION: Final = 1
 
-_LABELS: Final = {"policy": "Trained policy", "tuned": "Tuned gait", "zero": "Standing still"}
+_LABELS: Final = {"policy": "Trained policy", "tuned": "Searched gait", "zero": "Standing still"}
 _VELOCITIES: Final = {"forward_velocity": "forward velocity", "yaw_rate": "yaw rate"}
 _NOTHING: Final = "-"
 

@@ -244,7 +244,7 @@ def as_field(value):
     return {"clock_frequency": value}
 
 
-# --- the tuned gait as a controller
+# --- the searched gait as a controller
 
 
 @pytest.mark.parametrize("make", [CommandedGaitController, lambda: EditableGaitController("tuned", MINI_QUADRUPED)])

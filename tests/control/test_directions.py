@@ -66,12 +66,12 @@ def walked_in_env(mode, commands, policy=None, **config):
 
 
 FOLLOWERS = {
-    "tuned gait": lambda: walked(CommandedGaitController(), COMMANDS),
-    "tuned gait in the viewer": lambda: walked_one_by_one(
+    "searched gait": lambda: walked(CommandedGaitController(), COMMANDS),
+    "searched gait in the viewer": lambda: walked_one_by_one(
         lambda: EditableGaitController("tuned", MINI_QUADRUPED), COMMANDS
     ),
-    "tuned gait under a residual policy": lambda: walked_in_env("residual", COMMANDS, action={"gait": "tuned"}),
-    "tuned gait at each command": lambda: np.concatenate(
+    "searched gait under a residual policy": lambda: walked_in_env("residual", COMMANDS, action={"gait": "tuned"}),
+    "searched gait at each command": lambda: np.concatenate(
         [walked(GaitController(CommandedGait.tuned().at(command), "at"), [STANDING]) for command in COMMANDS]
     ),
     "shipped policy": lambda: walked(PolicyController(load_policy("flat")), COMMANDS),
@@ -101,7 +101,7 @@ def test_command_follower_goes_and_turns_as_commanded(name):
 
 @pytest.mark.parametrize(
     "make", [ZeroController, CommandedGaitController, lambda: PolicyController(load_policy("flat"))],
-    ids=["zero", "tuned gait", "shipped policy"],
+    ids=["zero", "searched gait", "shipped policy"],
 )  # fmt: skip
 def test_controller_at_a_standing_command_stays_where_it_is(make):
     forward, yaw_rate = walked(make(), [STANDING])[0]

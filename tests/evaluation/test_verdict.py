@@ -47,8 +47,12 @@ def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=
 @pytest.mark.parametrize(
     ("numbers", "level", "headline"),
     [
-        ({"velocity": 1.0}, "good", "at least as well as the tuned gait"),
-        ({"velocity": 0.95, "tuned_error": 0.0}, "fair", "less accurate than the tuned gait forwards, backwards and"),
+        ({"velocity": 1.0}, "good", "at least as well as the searched gait"),
+        (
+            {"velocity": 0.95, "tuned_error": 0.0},
+            "fair",
+            "less accurate than the searched gait forwards, backwards",
+        ),
         ({"velocity": 1.0, "yaw_rate": 0.2}, "fair", "turns at 20 % of the commanded rate"),
         ({"velocity": 1.0, "fallen": [1, 3]}, "fair", "Not reliably: it walks, but it falls in 18 % of the episodes."),
         ({"velocity": 1.0, "fallen": [3, 4, 6, 7, 8, 9]}, "poor", "No: it falls in 55 % of the episodes."),
@@ -92,9 +96,9 @@ def test_findings_say_how_far_it_gets_and_where_it_falls():
     assert findings["Falls"].startswith("3 in 33 episodes of 20 s, 9.1 % (95 % interval ")
     assert findings["Falls"].endswith("3 forwards.")
     assert "-0.18 m/s of the commanded -0.20 m/s" in findings["Backwards"]
-    assert "reaches 90 % of the commanded yaw rate, the tuned gait 90 %" in findings["Turning"]
+    assert "reaches 90 % of the commanded yaw rate, the searched gait 90 %" in findings["Turning"]
     assert "6.0 of 10 N m" in findings["Effort"]
-    assert "more accurate forwards (0.032 against 0.050 m/s), standing" in findings["Tuned gait"]
+    assert "more accurate forwards (0.032 against 0.050 m/s), standing" in findings["Searched gait"]
     assert "more accurate forwards" in findings["Article's gait"]
 
 
@@ -110,8 +114,8 @@ NO_VALUE = [
 @pytest.mark.parametrize(("falls", "words"), NO_VALUE)
 def test_controllers_without_values_have_no_rank(falls, words):
     judged = verdict(invented(1.0, **falls))
-    assert words in dict(judged.findings)["Tuned gait"]
-    assert "at least as well as the tuned gait" not in judged.headline
+    assert words in dict(judged.findings)["Searched gait"]
+    assert "at least as well as the searched gait" not in judged.headline
     assert "nan" not in judged.text().lower().split()
 
 
@@ -134,7 +138,7 @@ def test_policy_with_a_fall_does_not_stay_on_its_feet():
 
 def test_motions_that_were_not_commanded_are_not_judged():
     topics = [topic for topic, _ in verdict(invented(0.9, commands=[(0.3, 0.0)])).findings]
-    assert topics == ["Falls", "Forwards", "Effort", "Tuned gait", "Article's gait"]
+    assert topics == ["Falls", "Forwards", "Effort", "Searched gait", "Article's gait"]
 
 
 def test_reached_share_in_the_wrong_direction_is_negative():

@@ -1,4 +1,4 @@
-"""The scripted gait: the tutorial's formula, the presets within the robot's limits, and the tuned gait by command."""
+"""The scripted gait: the tutorial's formula, the presets within its limits, and the searched gait by command."""
 
 import dataclasses
 import math
@@ -188,7 +188,7 @@ def test_gaits_are_equal_by_their_parameters_and_do_not_change():
     np.testing.assert_array_equal(one.positions(0.0), kept)
 
 
-# --- the tuned gait ---
+# --- the searched gait ---
 
 
 @pytest.mark.parametrize("name", ["tuned", "crouched", "low", "fast"])

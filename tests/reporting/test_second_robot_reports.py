@@ -37,7 +37,7 @@ from quadruped_env.task import TaskConfig
 CONFIG = TaskConfig().for_robot(ROBOT)
 LABELS = [name.removesuffix("_joint").replace("_", " ") for name in ROBOT.joint_names]
 COMMANDS = ((0.3, 0.0), (0.0, 0.4))
-"""Stride frequency of the tuned gait, Hz"""
+"""Stride frequency of the searched gait, Hz"""
 
 
 def texts(svg):

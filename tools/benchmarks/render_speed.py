@@ -58,7 +58,7 @@ def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
         MissingExtraError: if a library of the `report` extra is not installed.
     """
     rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [FIRST_SEED], _SECONDS)
-    walk = Clip.of_rollout(rollout, 0, "tuned gait")
+    walk = Clip.of_rollout(rollout, 0, "searched gait")
     say("| shadow | multisampling | rendering, pictures/s | film, pictures/s | difference | |")
     say("|---|---|---|---|---|---|")
     best, results = None, []

@@ -1,4 +1,4 @@
-"""Speed of the physics on tiles of all kinds and levels, with the tuned gait and random commands."""
+"""Speed of the physics on tiles of all kinds and levels, with the searched gait and random commands."""
 
 import time
 from typing import Any, Final
@@ -15,7 +15,7 @@ _STEPS: Final = 60
 
 
 class Drive:
-    """A task in which the tuned gait walks, and a clock around its physics.
+    """A task in which the searched gait walks, and a clock around its physics.
 
     Args:
         config: config of the task.

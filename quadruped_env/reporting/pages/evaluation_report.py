@@ -191,7 +191,7 @@ def _figures(evaluated: EvaluatedPolicy, comparison: Comparison, gain: LearningG
             plots.reward_terms(comparison),
             "Weighted terms of the policy's reward, per second. Above: positive terms. Below, on separate scales: "
             "penalties. Marks show the same terms for the scripted gaits, which were not optimized for this reward. "
-            "The tuned gait steps with the reward's clock; the tutorial's gait does not.",
+            "The searched gait steps with the reward's clock; the tutorial's gait does not.",
         ),
     ]
     if evaluated.progress_file is not None:

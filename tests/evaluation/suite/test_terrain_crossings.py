@@ -53,7 +53,7 @@ def test_levels_are_tried_until_the_first_that_is_not_passed(monkeypatch):
 
 
 def test_robots_start_on_their_tiles_and_cross_when_they_leave_them():
-    """On level 1 of `slope` the tuned gait leaves the tile at 0.4 m/s; a robot that stands does not."""
+    """On level 1 of `slope` the searched gait leaves the tile at 0.4 m/s; a robot that stands does not."""
     part = replace(PART, kinds=("rough", "slope"), levels=2)
     crossed = terrains.crossings(part, TUNED, ["slope"], 1)
     assert list(crossed) == ["slope"]
