@@ -27,18 +27,7 @@ class Recipe:
 
 RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
     {
-        "flat": Recipe(
-            "level ground, another robot in each episode, and hard pushes",
-            task={
-                "randomization": {
-                    "preset": "moderate",
-                    "payload": [-0.3, 0.8],
-                    "action_latency": [0.0, 0.03],
-                    "push_velocity": 0.8,
-                    "push_rotation": 1.2,
-                }
-            },
-        ),
+        "flat": Recipe("level ground, another robot in each episode, and pushes", task={"randomization": "moderate"}),
         "rough": Recipe(
             "all kinds of terrain, with a curriculum, another robot in each episode, and pushes",
             {"timesteps": 6_000_000},
