@@ -223,6 +223,7 @@ def test_code_of_the_exported_page_feeds_the_history_back(tmp_path, monkeypatch)
     env.reset(seed=0, options={"command": (0.2, 0.3)})
     task, layout = env.unwrapped.task, interface.layout
     task.phase[:] = 0.0  # as the code begins
+    page["memory"]["command"][:] = (0.2, 0.3)  # which approaches a command, where a reset of the env sets it
     observation = task.observe()[0]
     for _ in range(8):
         frame = observation[:WIDTH] / layout.scale + interface.offsets

@@ -13,13 +13,13 @@ REWARD_WEIGHTS: Final = {
     "track_yaw_rate": 9.0,
     "forward_progress": 4.0,
     "turn_progress": 9.0,
-    "gait_clock": 5.0,
+    "gait_clock": 8.0,
     "contact_clock": 3.0,
     "upright": -10.0,
     "base_motion": -2.0,
-    "action_rate": -0.08,
-    "electrical_power": -0.03,
-    "foot_slip": -0.5,
+    "action_rate": -1.0,
+    "electrical_power": -0.08,
+    "foot_slip": -2.0,
     "landing": -1.0,
     "stand_still": -5.0,
     "fall": -250.0,
@@ -30,7 +30,7 @@ REWARD_PARAMETERS: Final = {
     "contact_threshold": 1.0,  # N
     "forward_velocity_std": 0.07,  # m/s
     "yaw_rate_std": 0.15,  # rad/s
-    "foot_lift": 0.02,  # m
+    "foot_lift": 0.012,  # m
     "base_arm": 0.2,  # m
 }
 """Parameters of the built-in reward terms."""

@@ -47,10 +47,12 @@ def test_recipes_are_what_their_names_say(asked):
     default = TaskConfig()
     assert flat.randomization == rough.randomization == RandomizationConfig(preset="moderate")
     for task in (flat, rough):
-        as_default = {"randomization": default.randomization, "terrain": default.terrain, "reward": default.reward}
+        as_default = {
+            name: getattr(default, name) for name in ("randomization", "terrain", "reward", "clock_frequency")
+        }
         assert dataclasses.replace(task, **as_default) == default, "and nothing else"
-    assert flat.reward == default.reward
-    assert rough.reward == default.reward.replace(foot_lift=0.045), "more than the steps that it shall climb"
+    assert (flat.reward, flat.clock_frequency) == (default.reward, default.clock_frequency)
+    assert rough.reward.foot_lift == 0.045, "more than the steps that it shall climb"
     assert (flat.terrain.name, rough.terrain.name, rough.terrain.curriculum) == ("flat", "tiles", True)
     assert {*rough.terrain.kinds} == {*TaskConfig.from_dict({"terrain": {"name": "tiles"}}).terrain.kinds}
 

@@ -179,7 +179,7 @@ def test_first_line_names_the_batch_after_rounding(tmp_path):
     config = TrainConfig(device="cuda", ranks=2, num_envs=100, n_steps=10, batch_size=300)
     line = Job(config, tmp_path, "test").description(1)
     assert line.startswith(
-        "2 ranks of 50 envs and one GPU each; effective batch: 332 samples, 166 per rank; 12 gradient steps after"
+        "2 ranks of 50 envs and one GPU each; effective batch: 332 samples, 166 per rank; 18 gradient steps after"
     )
 
 
