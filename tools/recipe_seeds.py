@@ -48,7 +48,7 @@ from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
-from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.progress import Progress, part_of
 
 STRAIGHT_COMMANDS: Final = ((-0.2, 0.0), (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.3, 0.0), (0.4, 0.0), (0.5, 0.0))
 TURN_COMMANDS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))
@@ -137,8 +137,11 @@ def own_env(measured: MeasuredController, progress: Progress, episodes: int = 30
 
 def falls(measured: MeasuredController, progress: Progress, episodes: int = 200) -> Row:
     """Share of episodes that end in a fall with the preset `hard`, and of time tilted by more than 0.3 rad, %."""
-    result = disturbed(measured.controller.policy, episodes, progress)  # type: ignore[attr-defined]
+    policy = measured.controller.policy  # type: ignore[attr-defined]
+    result = disturbed(policy, episodes, part_of(progress, 0.0, 0.5))
+    zero = disturbed(policy, episodes, part_of(progress, 0.5, 1.0), ZeroController(policy.action_mode))
     shares = {"all": result["fall_rate"], **result["fall_rate_by_command"], "tilted": result["tilted_share"]}
+    shares["zero action"] = zero["fall_rate"]
     return {name: 100.0 * share for name, share in shares.items()}
 
 

@@ -21,7 +21,7 @@ from gait_search.search import ONE_SPEED, achieved_table, tune_commanded_gait, t
 from gait_search.styles import STYLES
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.gait import CommandedGait
+from quadruped_env.gait import SINUSOID, CommandedGait
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
@@ -33,7 +33,7 @@ def main(argv: list[str] | None = None) -> int:
         description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument(
-        "--preset", choices=(*STYLES, *ONE_SPEED), default="tuned", help="the gait (default: %(default)s)"
+        "--preset", choices=(*STYLES, *ONE_SPEED, SINUSOID), default="tuned", help="the gait (default: %(default)s)"
     )
     parser.add_argument("--task", type=Path, metavar="FILE", help="Python file with a robot of one's own")
     parser.add_argument(
@@ -68,6 +68,8 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.table:
             log(achieved_table(preset))
             return 0
+        if name == SINUSOID:
+            raise QuadrupedError(f"--preset {name} has nothing to search for; measure it with --table")
         frequency = preset.angular_frequency
         if arguments.frequency is not None:
             frequency = math.tau * arguments.frequency

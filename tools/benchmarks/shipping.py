@@ -16,7 +16,7 @@ from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.verdict import verdict
-from quadruped_env.policies import Policy, PolicyController, load_policy
+from quadruped_env.policies import Controller, Policy, PolicyController, load_policy
 from quadruped_env.reporting.pages.page import without_nan
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.files import write_whole
@@ -68,7 +68,12 @@ def acceptance(policy: Policy, progress: Progress | None = None) -> dict[str, An
     }
 
 
-def disturbed(policy: Policy, episodes: int = DISTURBED_EPISODES, progress: Progress | None = None) -> dict[str, Any]:
+def disturbed(
+    policy: Policy,
+    episodes: int = DISTURBED_EPISODES,
+    progress: Progress | None = None,
+    controller: Controller | None = None,
+) -> dict[str, Any]:
     """Falls in episodes of 20 s with the preset `hard`, which has a push of 0.75 m/s every 3 s.
 
     The share of time tilted by more than 0.3 rad tells a robot that walks on after a push from one that sits down.
@@ -77,9 +82,10 @@ def disturbed(policy: Policy, episodes: int = DISTURBED_EPISODES, progress: Prog
         policy: the policy.
         episodes: number of episodes of each of `DISTURBED_COMMANDS`.
         progress: called with the fraction done.
+        controller: what acts in the policy's task; None: the policy.
     """
     rollout = roll_out(
-        PolicyController(policy),
+        controller or PolicyController(policy),
         DISTURBED_COMMANDS,
         range(FIRST_SEED, FIRST_SEED + episodes),
         config=policy.config.on_terrain("flat").randomized("hard"),
