@@ -250,7 +250,7 @@ def play(episode):
         observation, reward, terminated, _, info = env.step(action)
         # A clock that was never observed has its first phase from this observation.
         phase = observed_phase(observation) if memory.phase is None else memory.phase + CLOCK_RATE * DT
-        last, memory.command, memory.phase = memory.command, info["command"], phase
+        memory.phase = phase
         target = joint_target(episode.mode, action, memory)
         robot.step(before, target)
         for i, value in enumerate((robot.velocity[0], robot.rates[2])):
@@ -276,13 +276,13 @@ def play(episode):
                 },
                 observed=observation_of(data, action, info["command"], phase or 0.0),
                 observation=observation,
-                command=last,
+                command=memory.command,
                 phase=memory.phase,
                 on_ground=robot.foot_force() > 1.0,
                 trunk_force=robot.trunk_force(),
             )
         )
-        memory.last_action = np.clip(action, -1.0, 1.0)
+        memory.last_action, memory.command = np.clip(action, -1.0, 1.0), info["command"]
         if terminated:
             break
     return steps
