@@ -91,7 +91,7 @@ def action_rate(context: TaskContext) -> Floats:
     return ((context.action - context.previous_action) ** 2).sum(axis=-1)
 
 
-@reward(weight=-0.08, unit="W")
+@reward(weight=-0.04, unit="W")
 class electrical_power:  # noqa: N801
     """Sum of max(0, torque * joint velocity) + torque^2 R / K^2, mean over the physics steps."""
 

@@ -18,7 +18,7 @@ REWARD_WEIGHTS: Final = {
     "upright": -10.0,
     "base_motion": -2.0,
     "action_rate": -1.0,
-    "electrical_power": -0.08,
+    "electrical_power": -0.04,
     "foot_slip": -2.0,
     "landing": -1.0,
     "stand_still": -5.0,

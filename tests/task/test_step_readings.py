@@ -76,7 +76,7 @@ def gait(command, phase):
     size = min(1.0, max(abs(forward) / 0.05, abs(yaw_rate) / 0.15))
     joints = []
     for leg, start in enumerate(LEG_PHASES):
-        velocity = forward + HALF_TRACK * turn * (1.0 if leg % 2 else -1.0)
+        velocity = forward + 4.0 * HALF_TRACK * turn * (1.0 if leg % 2 else -1.0)
         sine, cosine = math.sin(phase + start), math.cos(phase + start)
         stride = velocity / (3.0 * CLOCK_FREQUENCY * LEG_LENGTH)
         joints += [0.2 / math.tau + stride * cosine + 0.2 / 4.0 * sine, -0.2 / math.pi - 0.2 / 2.0 * sine]
