@@ -24,8 +24,8 @@ class ControlInterface:
     """Gait clock, command, actions and observations of N robots.
 
     In each control step, call `advance()`, then `joint_target(action)` if a policy acts. Then the robot moves. Then
-    `approach_requested()` changes the command, and `observe(readings)` returns the next observation. The values of an env do not depend on N: see the rules in
-    CONTRIBUTING.md.
+    `approach_requested()` changes the command, and `observe(readings)` returns the next observation. The values of an
+    env do not depend on N: see the rules in CONTRIBUTING.md.
 
     Args:
         robot: robot that is controlled.

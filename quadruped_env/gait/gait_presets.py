@@ -93,8 +93,8 @@ CLOCK_FREQUENCY: Final = 3.4
 LIFT: Final = 0.2
 """Angle by which the knee folds in a swing, rad."""
 TURN_GAIN: Final = 4.0
-"""Difference of the sides in a turn over that of wheels that roll. Without sideways joints the feet of a turning robot must
-slide sideways, and friction acts along the sliding: only feet that slide fast along x turn the robot."""
+"""Difference of the sides in a turn over that of wheels that roll. Without sideways joints the feet of a turning robot
+slide sideways, and friction acts along the sliding: only feet that slide faster along x turn the robot."""
 _SPEEDS: Final = (-1.0, 1.0)
 """Forward velocities between which the amplitude is proportional to the velocity, m/s."""
 _LARGEST_YAW_RATE: Final = 0.8
@@ -103,8 +103,9 @@ _LARGEST_YAW_RATE: Final = 0.8
 def sinusoid(frequency: float) -> dict[str, Any]:
     """Parameters of the trot in closed form for the tuned robot, in the form of `COMMANDED`.
 
-    With leg length L, lift a, and the forward velocity u of the leg's side (v + k r b / 2 on the right and v - k r b / 2
-    on the left, with the track width b, the turn's size r, see `turn_size`, and k = `TURN_GAIN`), a leg of phase p has
+    With leg length L, lift a, and the forward velocity u of the leg's side (v + k r b / 2 on the right and
+    v - k r b / 2 on the left, with the track width b, the turn's size r, see `turn_size`, and k = `TURN_GAIN`), a leg
+    of phase p has
 
         hip  = stance + a / (2 pi) + u / (3 f L) cos(p) + a / 4 sin(p)
         knee = stance - a / pi                             - a / 2 sin(p)
