@@ -107,18 +107,18 @@ def sinusoid(frequency: float) -> dict[str, Any]:
     v - k r b / 2 on the left, with the track width b, the turn's size r, see `turn_size`, and k = `TURN_GAIN`), a leg
     of phase p has
 
-        hip  = stance + a / (2 pi) + u / (3 f L) cos(p) + a / 4 sin(p)
+        hip  = stance + a / (2 pi) + u / (2.8 f L) cos(p) + a / 4 sin(p)
         knee = stance - a / pi                             - a / 2 sin(p)
 
     The feet swing forward while sin(p) > 0. The lift is that of a knee that folds by a max(0, sin(p)) and a hip that
     turns by half of it to keep the foot below, without their higher harmonics. During half a cycle on the ground the
-    hip turns by twice its amplitude, at a mean speed of 4/3 u: the servos lag behind their targets.
+    hip turns by twice its amplitude, at a mean speed of 1.4 u: the servos lag behind their targets.
 
     Args:
         frequency: frequency of the clock f, Hz.
     """
     hip, knee = TUNED_ON.stance[:2].tolist()
-    stride = 1.0 / (3.0 * frequency * TUNED_ON.stance_height)
+    stride = 1.0 / (2.8 * frequency * TUNED_ON.stance_height)
     half_track = float(abs(TUNED_ON.stance_feet[0, 1]))
     none = dict.fromkeys(LegTable.__dataclass_fields__, (0.0, 0.0))
     straight = {

@@ -78,7 +78,7 @@ def gait(command, phase):
     for leg, start in enumerate(LEG_PHASES):
         velocity = forward + 4.0 * HALF_TRACK * turn * (1.0 if leg % 2 else -1.0)
         sine, cosine = math.sin(phase + start), math.cos(phase + start)
-        stride = velocity / (3.0 * CLOCK_FREQUENCY * LEG_LENGTH)
+        stride = velocity / (2.8 * CLOCK_FREQUENCY * LEG_LENGTH)
         joints += [0.2 / math.tau + stride * cosine + 0.2 / 4.0 * sine, -0.2 / math.pi - 0.2 / 2.0 * sine]
     return STANCE + size * np.array(joints)
 
