@@ -25,7 +25,6 @@ from quadruped_env.task import ActionConfig, TaskConfig
 TABLE = {"speeds": [0.1, 0.3, 0.6], "frequencies": [2.0, 2.5, 4.0], "turn_arm": 0.5}
 FOLLOWING = CommandedFrequency((0.1, 0.3, 0.6), (2.0, 2.5, 4.0), 0.5)
 DT = 0.02
-"""Default rates of change of the command, m/s^2 and rad/s^2."""
 STEP = 20_000_000
 """The same control step in ns."""
 
