@@ -23,9 +23,9 @@ Floats = NDArray[np.float64]
 class ControlInterface:
     """Gait clock, command, actions and observations of N robots.
 
-    In each control step, call `advance()`, then `joint_target(action)` if a policy acts. Then the robot moves, and
-    `observe(readings)` returns the next observation. The values of an env do not depend on N: see the rules in
-    CONTRIBUTING.md.
+    In each control step, call `advance()`, then `joint_target(action)` if a policy acts. Then the robot moves. Then
+    `approach_requested()` changes the command, and `observe(readings)` returns the next observation. The values of an
+    env do not depend on N: see the rules in CONTRIBUTING.md.
 
     Args:
         robot: robot that is controlled.
@@ -112,13 +112,17 @@ class ControlInterface:
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
         """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change.
 
-        The velocities approach the requested ones at the rate of `ControlConfig.command_rate`, as `advance` is called.
+        The velocities approach the requested ones at the rate of `ControlConfig.command_rate`, as `approach_requested`
+        is called.
         """
         self.requested[env_ids] = command[:, :VELOCITY]
         self.commands[env_ids, VELOCITY : command.shape[1]] = command[:, VELOCITY:]
 
-    def _approach_requested(self) -> None:
-        """Change the velocity commands towards the requested ones by at most the largest change."""
+    def approach_requested(self) -> None:
+        """Change the velocity commands towards the requested ones, by at most what a control step allows.
+
+        Before an observation, so that it has the command that clock and scripted gait follow in the step after it.
+        """
         missing = self.requested - self.command
         if not np.count_nonzero(missing):
             return
@@ -150,8 +154,7 @@ class ControlInterface:
         return np.maximum(self.steps - 1, 0) * self.config.timestep
 
     def advance(self) -> None:
-        """Begin a control step: advance command and clock, and set the action to zero."""
-        self._approach_requested()
+        """Begin a control step: advance the clock, and set the action to zero."""
         self.steps += 1
         np.remainder(self.phase + self._phase_step, math.tau, out=self.phase)
         self.previous_action[:] = self.action

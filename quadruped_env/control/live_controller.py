@@ -297,6 +297,7 @@ class LiveController:
             target = self._ramp(now)
         else:
             self._follow(self._command if self.moving(now) else np.zeros(VELOCITY))
+            self._control.approach_requested()
             observation = self._control.observe(self._readings)
             self._control.advance()
             target = self._controller.act(observation, self._control)[0]

@@ -183,9 +183,9 @@ def _run(
     fallen = np.zeros((steps, robots), np.bool_)
     rewards, power, squares = np.zeros(robots), np.zeros(robots), 0.0
     for step in range(steps):
+        command[step] = task.command
         transition = task.act(controller, observation)
         readings, substeps = task.simulation.readings, task.context.substeps
-        command[step] = task.command
         velocity[step, :, 0], velocity[step, :, 1] = readings.linear_velocity_b[:, 0], readings.angular_velocity_b[:, 2]
         fallen[step] = transition.terminated
         rewards += transition.reward

@@ -92,6 +92,9 @@ CLOCK_FREQUENCY: Final = 3.4
 """Frequency of the tuned robot's gait clock, Hz."""
 LIFT: Final = 0.2
 """Angle by which the knee folds in a swing, rad."""
+TURN_GAIN: Final = 4.0
+"""Difference of the sides in a turn over that of wheels that roll. Without sideways joints the feet of a turning robot
+slide sideways, and friction acts along the sliding: only feet that slide faster along x turn the robot."""
 _SPEEDS: Final = (-1.0, 1.0)
 """Forward velocities between which the amplitude is proportional to the velocity, m/s."""
 _LARGEST_YAW_RATE: Final = 0.8
@@ -100,21 +103,22 @@ _LARGEST_YAW_RATE: Final = 0.8
 def sinusoid(frequency: float) -> dict[str, Any]:
     """Parameters of the trot in closed form for the tuned robot, in the form of `COMMANDED`.
 
-    With leg length L, lift a, and the forward velocity u of the leg's side (v + r b / 2 on the right and v - r b / 2 on
-    the left, with the track width b and the turn's size r, see `turn_size`), a leg of phase p has
+    With leg length L, lift a, and the forward velocity u of the leg's side (v + k r b / 2 on the right and
+    v - k r b / 2 on the left, with the track width b, the turn's size r, see `turn_size`, and k = `TURN_GAIN`), a leg
+    of phase p has
 
-        hip  = stance + a / (2 pi) + pi u / (8 f L) cos(p) + a / 4 sin(p)
+        hip  = stance + a / (2 pi) + u / (2.8 f L) cos(p) + a / 4 sin(p)
         knee = stance - a / pi                             - a / 2 sin(p)
 
     The feet swing forward while sin(p) > 0. The lift is that of a knee that folds by a max(0, sin(p)) and a hip that
     turns by half of it to keep the foot below, without their higher harmonics. During half a cycle on the ground the
-    hip turns by twice its amplitude, at a mean speed of (pi / 2) u: the servos lag behind their targets.
+    hip turns by twice its amplitude, at a mean speed of 1.4 u: the servos lag behind their targets.
 
     Args:
         frequency: frequency of the clock f, Hz.
     """
     hip, knee = TUNED_ON.stance[:2].tolist()
-    stride = math.pi / (8.0 * frequency * TUNED_ON.stance_height)
+    stride = 1.0 / (2.8 * frequency * TUNED_ON.stance_height)
     half_track = float(abs(TUNED_ON.stance_feet[0, 1]))
     none = dict.fromkeys(LegTable.__dataclass_fields__, (0.0, 0.0))
     straight = {
@@ -125,7 +129,7 @@ def sinusoid(frequency: float) -> dict[str, Any]:
         "knee_offset": (knee - LIFT / math.pi,) * 2,
         "hip_cosine": tuple(stride * speed for speed in _SPEEDS),
     }
-    side = {**none, "hip_cosine": (stride * half_track,) * 2}
+    side = {**none, "hip_cosine": (TURN_GAIN * stride * half_track,) * 2}
     return {
         "angular_frequency": math.tau * frequency,
         "speeds": _SPEEDS,

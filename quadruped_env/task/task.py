@@ -259,6 +259,7 @@ class Task:
         if self._own_terms and not np.isfinite(reward).all():
             self._refuse_reward(terms)
         self._resample_commands(running)
+        self.control.approach_requested()
         self._randomizer.within_episodes(running)
         if restart is not None:
             self.reset(np.flatnonzero(restart))

@@ -46,7 +46,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
                 # The feet rise above the steps that they climb, which takes power, and come down from there.
                 "reward": {
                     "foot_lift": 0.045,
-                    "weights": {"gait_clock": 14.0, "electrical_power": -0.02, "landing": -0.2, "action_rate": -0.3},
+                    "weights": {"gait_clock": 14.0, "electrical_power": -0.01, "landing": -0.1, "action_rate": -0.3},
                 },
             },
         ),

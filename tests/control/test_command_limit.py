@@ -45,7 +45,7 @@ def played(control, requests):
     for steps, request in requests:
         control.set_command(np.arange(control.num_envs), np.atleast_2d(request).astype(float))
         for _ in range(steps):
-            control.advance()
+            control.approach_requested()
             found.append(control.command.copy())
     return np.array(found)
 
@@ -71,10 +71,10 @@ def test_rate_is_per_second_and_reset_sets_the_command_at_once():
     assert control.command_of("height").tolist() == [0.1, 0.7], "only velocities are limited"
     np.testing.assert_array_equal(control.command, [[0.3, 0.2]] * 2)
     for _ in range(7):
-        control.advance()
+        control.approach_requested()
     np.testing.assert_allclose(control.command, [[0.3, 0.2], [0.335, -0.01]], atol=1e-12)
     control.reset(np.array([1]))
-    control.advance()
+    control.approach_requested()
     np.testing.assert_array_equal(control.command, [[0.3, 0.2], [0.0, 0.0]])
 
 

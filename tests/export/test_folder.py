@@ -213,6 +213,7 @@ def test_example_limits_the_command_as_the_manifest_says_and_as_the_control_inte
         bound = timestep * np.array([component["largest_rate"] for component in components])
         limited = limited + np.clip(requested - limited, -bound, bound)
         control.set_command(np.arange(1), requested[None])
+        control.approach_requested()
         control.advance()
         np.testing.assert_allclose(names["memory"]["command"], control.command, atol=1e-6)
         np.testing.assert_allclose(limited, control.command[0], atol=1e-12)

@@ -25,8 +25,8 @@ def formula(phase, command, frequency):
     joints = []
     for start, side in LEGS:
         p = phase + math.tau * start
-        u = velocity + side * HALF_TRACK * turn
-        hip = LIFT / math.tau + math.pi * u / (8.0 * frequency * LEG_LENGTH) * math.cos(p) + LIFT / 4.0 * math.sin(p)
+        u = velocity + side * 4.0 * HALF_TRACK * turn
+        hip = LIFT / math.tau + u / (2.8 * frequency * LEG_LENGTH) * math.cos(p) + LIFT / 4.0 * math.sin(p)
         knee = -LIFT / math.pi - LIFT / 2.0 * math.sin(p)
         joints += [STANCE[0] + size * hip, STANCE[1] + size * knee]
     return joints

@@ -9,16 +9,16 @@ CLOCK_FREQUENCY: Final = 3.4
 """Default of the task, Hz."""
 
 REWARD_WEIGHTS: Final = {
-    "track_forward_velocity": 8.0,
+    "track_forward_velocity": 9.0,
     "track_yaw_rate": 9.0,
-    "forward_progress": 4.0,
+    "forward_progress": 9.0,
     "turn_progress": 9.0,
     "gait_clock": 8.0,
     "contact_clock": 3.0,
     "upright": -10.0,
     "base_motion": -2.0,
     "action_rate": -1.0,
-    "electrical_power": -0.08,
+    "electrical_power": -0.04,
     "foot_slip": -2.0,
     "landing": -1.0,
     "stand_still": -5.0,

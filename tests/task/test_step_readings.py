@@ -76,9 +76,9 @@ def gait(command, phase):
     size = min(1.0, max(abs(forward) / 0.05, abs(yaw_rate) / 0.15))
     joints = []
     for leg, start in enumerate(LEG_PHASES):
-        velocity = forward + HALF_TRACK * turn * (1.0 if leg % 2 else -1.0)
+        velocity = forward + 4.0 * HALF_TRACK * turn * (1.0 if leg % 2 else -1.0)
         sine, cosine = math.sin(phase + start), math.cos(phase + start)
-        stride = math.pi * velocity / (8.0 * CLOCK_FREQUENCY * LEG_LENGTH)
+        stride = velocity / (2.8 * CLOCK_FREQUENCY * LEG_LENGTH)
         joints += [0.2 / math.tau + stride * cosine + 0.2 / 4.0 * sine, -0.2 / math.pi - 0.2 / 2.0 * sine]
     return STANCE + size * np.array(joints)
 
@@ -250,7 +250,7 @@ def play(episode):
         observation, reward, terminated, _, info = env.step(action)
         # A clock that was never observed has its first phase from this observation.
         phase = observed_phase(observation) if memory.phase is None else memory.phase + CLOCK_RATE * DT
-        last, memory.command, memory.phase = memory.command, info["command"], phase
+        memory.phase = phase
         target = joint_target(episode.mode, action, memory)
         robot.step(before, target)
         for i, value in enumerate((robot.velocity[0], robot.rates[2])):
@@ -276,13 +276,13 @@ def play(episode):
                 },
                 observed=observation_of(data, action, info["command"], phase or 0.0),
                 observation=observation,
-                command=last,
+                command=memory.command,
                 phase=memory.phase,
                 on_ground=robot.foot_force() > 1.0,
                 trunk_force=robot.trunk_force(),
             )
         )
-        memory.last_action = np.clip(action, -1.0, 1.0)
+        memory.last_action, memory.command = np.clip(action, -1.0, 1.0), info["command"]
         if terminated:
             break
     return steps
