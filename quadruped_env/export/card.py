@@ -73,11 +73,7 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
 
 def example(interface: PolicyInterface) -> str:
     """Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
-    feedback = {
-        graph_io.LAST_ACTION: "action",
-        graph_io.GAIT_PHASE: graph_io.NEXT_GAIT_PHASE,
-        graph_io.HISTORY: graph_io.NEXT_HISTORY,
-    }
+    feedback = graph_io.FEEDBACK
     own = {entry.name: entry.width for entry in interface.inputs if entry.name in feedback}
     kept_inputs = {entry.name: entry.width for entry in interface.inputs if entry.name in (*feedback, graph_io.COMMAND)}
     values = {graph_io.HISTORY: "np.full((1, {}), np.nan, np.float32)"}
