@@ -1,6 +1,5 @@
 """The golden trace of an exported policy: readings and what its loop makes of them, step by step, as a CSV file."""
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Final
@@ -17,7 +16,7 @@ from quadruped_env.simulation import SingleSimulation, build_model
 
 TRACE_FILE: Final = "golden_trace.csv"
 STEPS: Final = 200
-RANDOM_STEPS: Final = 20
+RANDOM_STEPS: Final = 40
 """Steps at the end whose readings are random, within 1.25 times the range that is not clipped."""
 REQUESTED: Final = "requested_command"
 STEP: Final = "step"
@@ -26,7 +25,7 @@ STATE: Final = "state"
 RESULT: Final = "result"
 """Parts of a field in the loop: given from outside, kept from step to step, computed in this step."""
 
-_REQUESTS: Final = ((0.0, 0.0), (0.8, 0.0), (0.5, 0.7), (-0.7, -0.5), (0.0, 0.0))
+_REQUESTS: Final = ((0.0, 0.0), (0.8, 0.0), (0.5, 0.7), (-0.7, -0.5), (0.3, -0.7))
 """Requested velocities, one after another, relative to the ends of their ranges."""
 _ROW: Final = np.zeros(1, dtype=np.intp)
 
@@ -72,8 +71,8 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
     """Values of all fields of a policy's trace by name (STEPS, width), by this package's own arithmetic.
 
     The readings are those of the robot in the simulation of its task, on level ground and without randomization. It
-    stands, walks, turns, walks backwards and stands. Readings of the last `RANDOM_STEPS` are random and reach the bounds
-    to which observations are clipped.
+    stands, walks, turns and walks backwards. Readings of the last `RANDOM_STEPS` are random and reach the bounds to
+    which observations are clipped.
     """
     policy, robot = interface.policy, interface.policy.robot
     config = policy.config
@@ -121,7 +120,7 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
 
 
 def largest_change(rate: Sequence[float], timestep: float) -> NDArray[np.float32]:
-    """Largest change of the velocity command in a control step (2,): rates in m/s^2 and rad/s^2, times the step in s."""
+    """Largest change of the velocity command in a control step (2,), m/s and rad/s, for rates in m/s^2 and rad/s^2."""
     return (np.array(rate) * timestep).astype(np.float32)
 
 
@@ -136,8 +135,7 @@ def _requests(commands: Sequence[Any]) -> NDArray[np.float32]:
     """Requested forward velocity and yaw rate of every step (STEPS, 2)."""
     low, high = np.array([entry.range for entry in commands[:VELOCITY]]).T
     parts = np.array([np.where(np.array(part) < 0.0, -low, high) * part for part in _REQUESTS])
-    each = math.ceil(STEPS / len(parts))
-    return np.repeat(parts, each, axis=0)[:STEPS].astype(np.float32)
+    return np.repeat(parts, STEPS // len(parts), axis=0).astype(np.float32)
 
 
 def trace_document(interface: PolicyInterface) -> dict[str, Any]:

@@ -38,8 +38,8 @@ class TraceDifference:
 
     def __str__(self) -> str:
         return (
-            f"step {self.step} on: {self.field}_{self.column} is {self.found:.7g}; the trace has {self.expected:.7g}, and "
-            f"{self.tolerance:g} is tolerated"
+            f"step {self.step} on: {self.field}_{self.column} is {self.found:.7g}; the trace has {self.expected:.7g} "
+            f"and tolerates {self.tolerance:g}"
         )
 
 
@@ -142,7 +142,7 @@ class ExportedTrace:
             difference[np.isnan(values) & np.isnan(expected)] = 0.0
             difference[np.isnan(difference)] = math.inf
             largest = max(largest, float(difference.max()))
-            steps = (difference > field.tolerance).any(axis=1).nonzero()[0]
+            steps = np.flatnonzero((difference > field.tolerance).any(axis=1))
             if len(steps) and (first is None or steps[0] < first.step):
                 step, column = int(steps[0]), int(difference[steps[0]].argmax())
                 first = TraceDifference(

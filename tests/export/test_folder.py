@@ -34,7 +34,8 @@ from quadruped_env.task import ActionConfig, TaskConfig
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
 
-FILES = {"README.md", "manifest.json", "policy.json", "policy.onnx", "policy.safetensors", "robot.urdf", "robot.xml"}
+FILES = {"README.md", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx", "policy.safetensors"}
+FILES |= {"robot.urdf", "robot.xml"}
 
 WALK = """
 import json, re, sys
