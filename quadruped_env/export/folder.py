@@ -76,7 +76,7 @@ def export_policy(
     evaluated.policy.check_is_data("export")
     check_output(output, overwrite)
     policy, interface = evaluated.policy, PolicyInterface(evaluated.policy)
-    graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface, evaluated.name))
+    graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface))
     difference = largest_difference(interface, graph)
     trace = csv_text(trace_fields(interface), golden_trace(interface))
     contents = {GRAPH_FILE: graph, TRACE_FILE: trace.encode(), **policy.files()}

@@ -56,7 +56,7 @@ def trace_fields(interface: PolicyInterface) -> list[TraceField]:
 
     for entry in interface.inputs:
         if entry.name == graph_io.COMMAND:
-            text = "Command that is asked for; the loop's own command approaches it."
+            text = "Requested command, which the loop's own command approaches."
             add(GIVEN, replace(entry, name=REQUESTED, description=text))
         add(STATE if entry.name == graph_io.COMMAND or entry.name in FEEDBACK else GIVEN, entry)
     text = "Scaled and clipped observation of this step alone."

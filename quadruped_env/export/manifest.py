@@ -84,7 +84,7 @@ def manifest(
     }
 
 
-def metadata(policy: Policy, interface: PolicyInterface, name: str) -> dict[str, str]:
+def metadata(policy: Policy, interface: PolicyInterface) -> dict[str, str]:
     """Entries of the graph's `metadata_props` under the names of mjlab's exporter, and `update_rate` of exploy's.
 
     A list is one text with commas, one value per joint, observation or command.
@@ -109,7 +109,7 @@ def metadata(policy: Policy, interface: PolicyInterface, name: str) -> dict[str,
         key: ",".join(f"{entry:.9g}" if isinstance(entry, float) else str(entry) for entry in entries)
         for key, entries in values.items()
     }
-    return {"run_path": name, **lists, "update_rate": f"{1.0 / policy.control.timestep:.9g}"}
+    return {**lists, "update_rate": f"{1.0 / policy.control.timestep:.9g}"}
 
 
 def _joints(policy: Policy) -> list[dict[str, Any]]:

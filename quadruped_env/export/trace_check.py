@@ -179,7 +179,7 @@ def read_columns(path: Path, expected: Sequence[str] = ()) -> dict[str, NDArray[
         expected: columns that it has to have, each once, next to others.
 
     Raises:
-        QuadrupedError: if it cannot be read or lacks a column, or a value is no number.
+        QuadrupedError: if it cannot be read or lacks a column, or a value is not a number.
     """
     check_regular(path, "name a CSV file")
     try:

@@ -183,7 +183,7 @@ def test_metadata_are_read_as_those_of_other_exporters(tmp_path):
     policy = random_policy("position")
     policy = Policy.for_task(policy.weights, policy.biases, policy.activation, task, {})
     interface, robot = PolicyInterface(policy), second_robot.ROBOT
-    content = policy_graph(interface, "test", metadata=metadata(policy, interface, "mine"))
+    content = policy_graph(interface, "test", metadata=metadata(policy, interface))
     found = onnxruntime.InferenceSession(content, providers=["CPUExecutionProvider"]).get_modelmeta()
     lists = {name: text.split(",") for name, text in found.custom_metadata_map.items()}
     assert lists.pop("joint_names") == list(robot.joint_names)
@@ -202,7 +202,7 @@ def test_metadata_are_read_as_those_of_other_exporters(tmp_path):
     assert lists.pop("observation_history_lengths") == ["3"] * 7
     assert lists.pop("command_names") == ["forward_velocity", "yaw_rate"]
     assert float(lists.pop("update_rate")[0]) == pytest.approx(1.0 / task.control_timestep)
-    assert lists == {"run_path": ["mine"], "action_mode": ["position"]}
+    assert lists == {"action_mode": ["position"]}
 
 
 def test_graph_takes_any_batch():
