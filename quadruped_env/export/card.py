@@ -7,9 +7,9 @@ from typing import Any, Final
 
 from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
-from quadruped_env.export.golden_trace import GIVEN, REQUESTED, TRACE_FILE
+from quadruped_env.export.golden_trace import GIVEN, TRACE_FILE
 from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
-from quadruped_env.export.onnx_interface import PolicyInterface
+from quadruped_env.export.onnx_interface import REQUESTED, PolicyInterface
 
 CARD_PAGE: Final = "README.md"
 TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")

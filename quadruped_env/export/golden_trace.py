@@ -10,15 +10,14 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.export import onnx_interface as graph_io
-from quadruped_env.export.onnx_interface import FEEDBACK, Input, PolicyInterface
-from quadruped_env.export.runtime import OBSERVATION, TOLERANCE, Arrays, expected_outputs, random_inputs
+from quadruped_env.export.onnx_interface import FEEDBACK, OBSERVATION, REQUESTED, Input, PolicyInterface
+from quadruped_env.export.runtime import TOLERANCE, Arrays, expected_outputs, random_inputs
 from quadruped_env.simulation import SingleSimulation, build_model
 
 TRACE_FILE: Final = "golden_trace.csv"
 STEPS: Final = 200
 RANDOM_STEPS: Final = 40
 """Steps at the end whose readings are random, within 1.25 times the range that is not clipped."""
-REQUESTED: Final = "requested_command"
 STEP: Final = "step"
 GIVEN: Final = "given"
 STATE: Final = "state"

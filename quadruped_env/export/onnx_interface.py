@@ -27,6 +27,9 @@ JOINT_TARGET: Final = "joint_target"
 NEXT_GAIT_PHASE: Final = "next_gait_phase"
 HISTORY: Final = "observation_history"
 NEXT_HISTORY: Final = "next_observation_history"
+OBSERVATION: Final = "observation"
+REQUESTED: Final = "requested_command"
+"""Fields of the golden trace that are neither input nor output of the graph."""
 FEEDBACK: Final = {LAST_ACTION: ACTION, GAIT_PHASE: NEXT_GAIT_PHASE, HISTORY: NEXT_HISTORY}
 """Inputs that are outputs of the step before."""
 
@@ -70,6 +73,8 @@ class PolicyInterface:
             LAST_ACTION: observations.last_action,
             GAIT_PHASE: None,
             HISTORY: None,
+            OBSERVATION: None,
+            REQUESTED: None,
         }
         for entry in self.policy.fields:
             if entry.name in reserved and entry is not reserved[entry.name]:

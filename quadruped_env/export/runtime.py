@@ -14,8 +14,6 @@ from quadruped_env.export.onnx_interface import Input, PolicyInterface
 
 Arrays = dict[str, NDArray[np.float32]]
 
-OBSERVATION: Final = "observation"
-"""Name of the observation of one step among the expected outputs; the graph computes it, and has no such output."""
 SAMPLES: Final = 10_000
 TOLERANCE: Final = 1e-4
 """Difference between the graph and the policy above which the export is refused; measured ones are below 1e-5."""
@@ -70,7 +68,7 @@ def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Ar
 
 
 def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
-    """Outputs and observation by this package's own observation scaling, network and action interface."""
+    """Outputs, and the observation of one step, by this package's own scaling, network and action interface."""
     policy, layout = interface.policy, interface.layout
     samples = len(next(iter(inputs.values())))
     everything = np.arange(samples)
@@ -100,7 +98,7 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
         graph_io.NEXT_HISTORY: observation[:, : interface.history_width],
     }
     outputs = {entry.name: found[entry.name].astype(np.float32) for entry in interface.outputs}
-    return {OBSERVATION: present, **outputs}
+    return {graph_io.OBSERVATION: present, **outputs}
 
 
 def largest_difference(interface: PolicyInterface, content: bytes, samples: int = SAMPLES) -> float:

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, cut, short
 from quadruped_env.export import onnx_interface as graph_io
-from quadruped_env.export.golden_trace import GIVEN, REQUESTED, STATE, STEP, TraceField, approached, largest_change
+from quadruped_env.export.golden_trace import GIVEN, STATE, STEP, TraceField, approached, largest_change
 from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE
-from quadruped_env.export.onnx_interface import FEEDBACK
-from quadruped_env.export.runtime import OBSERVATION, Arrays, run, session_of
+from quadruped_env.export.onnx_interface import FEEDBACK, OBSERVATION, REQUESTED
+from quadruped_env.export.runtime import Arrays, run, session_of
 from quadruped_env.utils.documents import check_regular, read_json
 
 Run = Callable[[Arrays], Arrays]
@@ -90,13 +90,16 @@ class ExportedTrace:
         try:
             trace = document["golden_trace"]
             fields = tuple(TraceField(**field) for field in trace["fields"])
-            rates = [part["largest_rate"] for part in document["command"]["components"] if "largest_rate" in part]
-            change = largest_change(rates, document["control"]["timestep_s"])
+            rates = [
+                float(part["largest_rate"]) for part in document["command"]["components"] if "largest_rate" in part
+            ]
+            with np.errstate(over="raise"):
+                change = largest_change(rates, float(document["control"]["timestep_s"]))
             if not all(0 < field.width < _MAX_WIDTH and field.tolerance > 0.0 for field in fields):
-                raise ValueError("width and tolerance of each field have to be positive")
+                raise ValueError("expected a positive width and tolerance of each field")
             file = folder / Path(trace["file"]).name
             columns = [name for field in fields for name in field.columns]
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
+        except (KeyError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
             raise QuadrupedError(f"{path}: golden_trace: is missing or damaged ({error!r}); {_AGAIN}") from error
         return cls(folder, fields, _arrays(fields, read_columns(file, columns)), change)
 
@@ -189,7 +192,9 @@ def read_columns(path: Path, expected: Sequence[str] = ()) -> dict[str, NDArray[
         raise QuadrupedError(f"{path}: cannot be read as CSV ({error}); {_AGAIN}") from error
     header = [name.strip() for name in lines[0]] if lines else []
     if missing := [name for name in [STEP, *expected] if header.count(name) != 1]:
-        raise QuadrupedError(f"{path}: line 1: expected one column {missing[0]!r}; found {header.count(missing[0])}")
+        raise QuadrupedError(
+            f"{path}: line 1: expected one column {short(missing[0])}; found {header.count(missing[0])}"
+        )
     table = np.empty((len(lines) - 1, len(header)))
     for number, line in enumerate(lines[1:]):
         if len(line) != len(header):
@@ -199,7 +204,7 @@ def read_columns(path: Path, expected: Sequence[str] = ()) -> dict[str, NDArray[
                 table[number, column] = float(text)
             except ValueError as error:
                 raise QuadrupedError(
-                    f"{path}: line {number + 2}: {header[column]}: expected a number; found {short(text)}"
+                    f"{path}: line {number + 2}: {short(header[column])}: expected a number; found {short(text)}"
                 ) from error
     steps = table[:, header.index(STEP)]
     if not len(steps) or (steps != np.arange(len(steps))).any():

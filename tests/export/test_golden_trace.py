@@ -274,7 +274,7 @@ def test_file_of_ones_own_program_is_compared_in_the_fields_that_it_has(flat, tm
         (lambda c: {k: v for k, v in c.items() if k != "step"}, "line 1: expected one column 'step'; found 0"),
         (
             lambda c: {**c, "action_0": ["left", *c["action_0"][1:]]},
-            "line 2: action_0: expected a number; found 'left'",
+            "line 2: 'action_0': expected a number; found 'left'",
         ),
         (lambda c: {**c, "step": c["step"][::-1]}, r"step: expected 0, 1, 2, \.\.\.; write one line for each step"),
     ],
