@@ -237,7 +237,9 @@ def _openvino(path: Path) -> tuple[str, Run]:
 
     model = openvino.Core().compile_model(str(path), "CPU")
     names = [output.get_any_name() for output in model.outputs]
-    return f"openvino {openvino.__version__}", lambda x: {name: model(x)[name].copy() for name in names}
+    return f"openvino {openvino.__version__.partition('-')[0]}", lambda x: {
+        name: model(x)[name].copy() for name in names
+    }
 
 
 RUNTIMES: Final[dict[str, Callable[[Path], tuple[str, Run]]]] = {
