@@ -236,10 +236,11 @@ def _openvino(path: Path) -> tuple[str, Run]:
     import openvino
 
     model = openvino.Core().compile_model(str(path), "CPU")
-    names = [output.get_any_name() for output in model.outputs]
-    return f"openvino {openvino.__version__.partition('-')[0]}", lambda x: {
-        name: model(x)[name].copy() for name in names
-    }
+
+    def run(inputs: Arrays) -> Arrays:
+        return {output.get_any_name(): value.copy() for output, value in model(inputs).items()}
+
+    return f"openvino {openvino.__version__.partition('-')[0]}", run
 
 
 RUNTIMES: Final[dict[str, Callable[[Path], tuple[str, Run]]]] = {
