@@ -1,8 +1,8 @@
 """Export a policy for deployment: a folder that needs nothing of this package.
 
-It holds the policy as ONNX, from readings in SI units to joint targets; a manifest of joints, gains, limits, command
-and entry pose; a page with results; the policy's own files; and the robot's URDF and MJCF. The graph is compared with
-the policy on ONNX Runtime first. Nothing is uploaded.
+It holds the policy as ONNX, from readings in SI units to joint targets; a golden trace for 'check-export'; a manifest
+of joints, gains, limits, command and entry pose; a page with results; the policy's own files; and the robot's URDF and
+MJCF. The graph is compared with the policy on ONNX Runtime first. Nothing is uploaded.
 
     mini-quadruped export                      the latest run in runs/, or the shipped policy flat
     mini-quadruped export runs/<name>          a run; if it was interrupted, its last checkpoint
@@ -21,6 +21,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the folder."""
     add_run(parser)
     parser.add_argument("--film", action="store_true", help="also film the robot: film.webp in the folder")
+    parser.add_argument(
+        "--opset",
+        type=int,
+        default=18,
+        metavar="N",
+        help="version of ONNX's operators: ONNX Runtime 1.14 and later run 18 (default: %(default)s)",
+    )
     add_task_file(parser)
     add_overwrite(parser, "replace an earlier export")
     add_output(parser, "DIR", "the folder (default: RUN/export, or results/flat-export)")
@@ -38,7 +45,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     default = Path("results", f"{evaluated.name}-export") if shipped else evaluated.output.with_name("export")
     output = arguments.output or default
     check_output(output, arguments.overwrite)
-    export = export_policy(evaluated, output, arguments.film, arguments.overwrite, ProgressLine("filming"))
+    progress = ProgressLine("filming")
+    export = export_policy(evaluated, output, arguments.film, arguments.overwrite, progress, arguments.opset)
     graph = export.manifest["graph"]
     print(
         f"{evaluated.name}: {len(graph['inputs'])} inputs, opset {graph['onnx_opset']}; ONNX Runtime differs from the "

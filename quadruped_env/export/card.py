@@ -7,8 +7,9 @@ from typing import Any, Final
 
 from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
+from quadruped_env.export.golden_trace import GIVEN, TRACE_FILE
 from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
-from quadruped_env.export.onnx_interface import PolicyInterface
+from quadruped_env.export.onnx_interface import REQUESTED, PolicyInterface
 
 CARD_PAGE: Final = "README.md"
 TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")
@@ -29,6 +30,7 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
         f"# {manifest['name']}\n\n{_introduction(manifest)}",
         "" if film is None else f"![The robot walks.]({film})",
         f"## Use\n\n{_use(interface, manifest)}",
+        f"## Check your loop\n\n{_check(interface, manifest['golden_trace'])}",
         f"## Before it walks\n\n{_entry(manifest)}",
         f"## Results\n\n{_results(manifest['evaluation'])}",
         _learning(manifest["learning"]),
@@ -71,13 +73,42 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
     )
 
 
+def _check(interface: PolicyInterface, trace: Mapping[str, Any]) -> str:
+    text = _filled(
+        f"`{trace['file']}` holds {trace['steps']} steps of readings and all that the loop makes of them, and "
+        f"`{MANIFEST_FILE}` its columns and tolerances. This runs the code above on it. `mini-quadruped check-export` "
+        f"compares other runtimes, or a file that your own program wrote, and names the first step and field that "
+        f"differ."
+    )
+    return f"{text}\n\n```python\n{trace_example(interface, trace)}```"
+
+
+def trace_example(interface: PolicyInterface, trace: Mapping[str, Any]) -> str:
+    """Python code that compares the code of `example` with the golden trace, in the folder of the policy."""
+    names = {field["name"] for field in trace["fields"] if field["part"] == GIVEN}
+    readings = [entry.name for entry in interface.inputs if entry.name in names]
+    command = f'"{graph_io.COMMAND}": values("{REQUESTED}")' if REQUESTED in names else ""
+    (tolerance,) = (field["tolerance"] for field in trace["fields"] if field["name"] == graph_io.JOINT_TARGET)
+    return f'''\
+import csv
+
+READINGS = {readings}
+with open("{trace["file"]}", newline="") as file:
+    for step in csv.DictReader(file):
+
+        def values(name):
+            return [float(text) for column, text in step.items() if column.rpartition("_")[0] == name]
+
+        given = {{{command}}}
+        given.update((name, values(name)) for name in READINGS)
+        difference = np.abs(joint_targets(**given) - values("{graph_io.JOINT_TARGET}")).max()
+        assert difference <= {tolerance:g}, f"step {{step['step']}}: {{difference:.2g}} rad"
+'''
+
+
 def example(interface: PolicyInterface) -> str:
     """Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
-    feedback = {
-        graph_io.LAST_ACTION: "action",
-        graph_io.GAIT_PHASE: graph_io.NEXT_GAIT_PHASE,
-        graph_io.HISTORY: graph_io.NEXT_HISTORY,
-    }
+    feedback = graph_io.FEEDBACK
     own = {entry.name: entry.width for entry in interface.inputs if entry.name in feedback}
     kept_inputs = {entry.name: entry.width for entry in interface.inputs if entry.name in (*feedback, graph_io.COMMAND)}
     values = {graph_io.HISTORY: "np.full((1, {}), np.nan, np.float32)"}
@@ -193,6 +224,7 @@ def _verbatim(text: str) -> str:
 def _files(files: Iterable[str]) -> str:
     meanings = {
         GRAPH_FILE: "the policy: readings to joint targets, ONNX",
+        TRACE_FILE: "readings and all that the loop makes of them, step by step, to compare your own loop with",
         MANIFEST_FILE: "joints, gains, limits, command, entry pose, training, results, and the SHA-256 of every file",
         "policy.json": "the policy for this package: `quadruped_env.policies.load_policy(FOLDER)`",
         "policy.safetensors": "its weights",

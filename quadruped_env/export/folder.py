@@ -13,8 +13,9 @@ from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.export.card import CARD_PAGE, card_page
-from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, RESULTS, manifest
-from quadruped_env.export.onnx_graph import policy_graph
+from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
+from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, RESULTS, manifest, metadata
+from quadruped_env.export.onnx_graph import OPSET, policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
 from quadruped_env.reporting.films.video import prepare_video, save_film
@@ -54,8 +55,9 @@ def export_policy(
     with_film: bool = False,
     overwrite: bool = False,
     progress: Progress | None = None,
+    opset: int = OPSET,
 ) -> Export:
-    """Write a policy's folder: ONNX graph, manifest, page, the policy's own files, and the robot's models.
+    """Write a policy's folder: ONNX graph, golden trace, manifest, page, the policy's own files, the robot's models.
 
     The graph is run on ONNX Runtime and compared with the policy before anything is written.
 
@@ -65,6 +67,7 @@ def export_policy(
         with_film: whether to film the robot.
         overwrite: whether to replace an earlier export.
         progress: called with the fraction of the film that is rendered.
+        opset: version of ONNX's operators, one of `OPSETS`.
 
     Raises:
         MissingExtraError: if a library of the extra `export`, or with a film of `report`, is not installed.
@@ -73,13 +76,14 @@ def export_policy(
     evaluated.policy.check_is_data("export")
     check_output(output, overwrite)
     policy, interface = evaluated.policy, PolicyInterface(evaluated.policy)
-    graph = policy_graph(interface, policy.robot.name)
+    graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface))
     difference = largest_difference(interface, graph)
-    contents = {GRAPH_FILE: graph, **policy.files()}
+    trace = csv_text(trace_fields(interface), golden_trace(interface))
+    contents = {GRAPH_FILE: graph, TRACE_FILE: trace.encode(), **policy.files()}
     contents |= {"robot.urdf": policy.robot.urdf.encode(), "robot.xml": policy.robot.mjcf.encode()}
     if evaluated.progress_file is not None:
         contents[PROGRESS_FILE] = evaluated.progress_file.read_bytes()
-    document = manifest(policy, interface, evaluated.name, evaluation_of(evaluated), difference)
+    document = manifest(policy, interface, evaluated.name, evaluation_of(evaluated), difference, opset)
     with whole(output) as part:
         part.mkdir()
         if with_film:

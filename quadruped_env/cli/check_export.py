@@ -1,0 +1,46 @@
+"""Compare an exported policy with its golden trace, and name the first step and field that differ.
+
+Without --trace, every runtime on this machine runs the graph: ONNX Runtime, ONNX's reference, OpenVINO. With it, the
+file is compared that your own program wrote when it ran on the readings of golden_trace.csv. Exit status 1 if anything
+differs by more than its tolerance.
+
+    mini-quadruped check-export runs/latest/export
+    mini-quadruped check-export results/flat-export --trace my_loop.csv
+"""
+
+import argparse
+from pathlib import Path
+
+from quadruped_env.cli.invocation import Invocation
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the folder and the trace."""
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="folder that 'export' wrote")
+    parser.add_argument(
+        "--trace",
+        type=Path,
+        metavar="FILE",
+        help="CSV file with the columns of golden_trace.csv, or those of some fields, by your own program",
+    )
+
+
+def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
+    """Compare, and print one line for each runtime or file."""
+    from quadruped_env.export.trace_check import ExportedTrace, check_export
+
+    if arguments.trace is None:
+        results = check_export(arguments.folder)
+    else:
+        results = [ExportedTrace.load(arguments.folder).of_file(arguments.trace)]
+    for result in results:
+        if result.refusal:
+            print(f"{result.name}: does not run the graph: {result.refusal}")
+        elif result.first is not None:
+            print(f"{result.name}: differs from {result.first}")
+        else:
+            print(f"{result.name}: equal; largest difference {result.largest:.1g} ({', '.join(result.compared)})")
+        if result.hides_nan_in:
+            names = ", ".join(result.hides_nan_in)
+            print(f"{result.name}: gives joint targets for NaN in {names}: check readings before you run the graph")
+    return 0 if all(result.passed for result in results) else 1
