@@ -8,9 +8,8 @@ from typing import Any, Final
 from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
-from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
+from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
-from quadruped_env.robot.ros2_control import CONTROLLERS_FILE
 
 CARD_PAGE: Final = "README.md"
 TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")

@@ -14,7 +14,7 @@ from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.export.c_source import c_files
 from quadruped_env.export.card import CARD_PAGE, card_page
-from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, RESULTS, manifest
+from quadruped_env.export.manifest import CONTROLLERS_FILE, FORMAT, GRAPH_FILE, MANIFEST_FILE, RESULTS, manifest
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.quantization import int8_loss
@@ -22,7 +22,7 @@ from quadruped_env.export.runtime import largest_difference
 from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.reporting.pages.page import METRICS_FILE, without_nan
 from quadruped_env.reporting.pages.pictures import filmed
-from quadruped_env.robot.ros2_control import CONTROLLERS_FILE, controllers_yaml
+from quadruped_env.robot.ros2_control import controllers_yaml
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import unwritable, whole, write_json

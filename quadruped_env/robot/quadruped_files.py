@@ -8,7 +8,9 @@ from typing import Final
 
 from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE, JointMotor
 from quadruped_env.robot.quadruped_dimensions import QuadrupedDimensions
-from quadruped_env.robot.ros2_control import IMU
+
+IMU: Final = "imu"
+"""Name of the IMU in the MJCF and in the URDF's `<ros2_control>`."""
 
 _FRONT_SHARE: Final = 0.1
 """Length of the mark at the front of the base, relative to the base."""

@@ -2,11 +2,8 @@
 
 import json
 from collections.abc import Sequence
-from typing import Final
 
-CONTROLLERS_FILE: Final = "controllers.yaml"
-IMU: Final = "imu"
-"""Name of the sensor in the URDF's `<ros2_control>`."""
+from quadruped_env.robot.quadruped_files import IMU
 
 
 def controllers_yaml(joint_names: Sequence[str], base_name: str) -> str:
