@@ -110,6 +110,8 @@ def test_c_equals_onnx_runtime(name, tmp_path):
     samples = 10_000 if name in ("shipped", "8 bits") else 2_000
     compiled = Compiled(policy, tmp_path, int8=name == "8 bits")
     inputs = runtime.random_inputs(compiled.interface, samples)
+    if "command" in inputs:  # some near the end of standing
+        inputs["command"][1::5] = np.random.default_rng(1).uniform(-0.04, 0.04, inputs["command"][1::5].shape)
     exact = PolicyInterface(quantization.quantized(policy)) if name == "8 bits" else compiled.interface
     expected = runtime.run(runtime.session_of(policy_graph(exact, "test")), inputs)
     assert largest_difference(compiled.graph(inputs), expected) < TOLERANCE
