@@ -7,6 +7,7 @@ MJCF. The graph is compared with the policy on ONNX Runtime first. Nothing is up
     mini-quadruped export                      the latest run in runs/, or the shipped policy flat
     mini-quadruped export runs/<name>          a run; if it was interrupted, its last checkpoint
     mini-quadruped export flat --film          a shipped policy, with a film
+    mini-quadruped export flat --c             also as C99 for a microcontroller, with a sketch for an ESP32
 """
 
 import argparse
@@ -28,6 +29,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="version of ONNX's operators: ONNX Runtime 1.14 and later run 18 (default: %(default)s)",
     )
+    form = parser.add_mutually_exclusive_group()
+    for option, weights, text in (
+        ("--c", "float32", "also write the policy as C99, and a sketch of the loop for an ESP32"),
+        ("--c-int8", "int8", "the same with weights of 8 bits, a quarter of the size, and the measured loss"),
+    ):
+        form.add_argument(option, dest="c", action="store_const", const=weights, help=text)
     add_task_file(parser)
     add_overwrite(parser, "replace an earlier export")
     add_output(parser, "DIR", "the folder (default: RUN/export, or results/flat-export)")
@@ -46,12 +53,21 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     output = arguments.output or default
     check_output(output, arguments.overwrite)
     progress = ProgressLine("filming")
-    export = export_policy(evaluated, output, arguments.film, arguments.overwrite, progress, arguments.opset)
+    export = export_policy(
+        evaluated, output, arguments.film, arguments.overwrite, progress, arguments.opset, arguments.c
+    )
     graph = export.manifest["graph"]
     print(
         f"{evaluated.name}: {len(graph['inputs'])} inputs, opset {graph['onnx_opset']}; ONNX Runtime differs from the "
         f"policy by {graph['largest_difference_from_the_policy']:.1g} at most"
     )
+    if loss := export.manifest.get("c", {}).get("loss"):
+        one, other = (loss["walking"][weights]["forward_velocity_error"] for weights in ("float32", "int8"))
+        print(
+            f"weights of 8 bits change joint targets by {loss['joint_target_rms_rad']:.2g} rad (RMS), "
+            f"{loss['joint_target_largest_rad']:.2g} rad at most; forward velocity error of a walk: {one:.2g} m/s, "
+            f"with them {other:.2g} m/s"
+        )
     if export.manifest["evaluation"] is None:
         print("no results are included: evaluate the policy first to export them, too")
     print(f"folder: {export.folder} ({', '.join(export.files)})")

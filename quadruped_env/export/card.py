@@ -7,8 +7,9 @@ from typing import Any, Final
 
 from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
+from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.golden_trace import GIVEN, TRACE_FILE
-from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
+from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import REQUESTED, PolicyInterface
 
 CARD_PAGE: Final = "README.md"
@@ -230,6 +231,10 @@ def _files(files: Iterable[str]) -> str:
         "policy.safetensors": "its weights",
         "progress.csv": "the learning curve",
         "film.webp": "the robot walks forwards, turns, and walks backwards",
+        HEADER_FILE: "the policy for a microcontroller: readings and functions",
+        SOURCE_FILE: "its weights and code, C99 without allocation",
+        SKETCH_FILE: "a loop for an ESP32 with a PCA9685 and an MPU-6050; not run on hardware",
+        CONTROLLERS_FILE: "parameters of ros2_control's controllers, for `controller --arrays`",
         "robot.urdf": "the robot, for ROS and other simulators",
         "robot.xml": "the robot, for MuJoCo",
     }

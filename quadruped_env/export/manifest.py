@@ -19,6 +19,7 @@ from quadruped_env.utils.plain import plain
 
 MANIFEST_FILE: Final = "manifest.json"
 GRAPH_FILE: Final = "policy.onnx"
+CONTROLLERS_FILE: Final = "controllers.yaml"
 FORMAT: Final = "mini-quadruped policy"
 FORMAT_VERSION: Final = 1
 

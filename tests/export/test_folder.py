@@ -23,6 +23,7 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_poli
 from quadruped_env.evaluation.learning_gain import learning_gain
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
+from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.folder import export_policy
 from quadruped_env.export.manifest import manifest, metadata
 from quadruped_env.export.onnx_graph import policy_graph
@@ -34,8 +35,8 @@ from quadruped_env.task import ActionConfig, TaskConfig
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
 
-FILES = {"README.md", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx", "policy.safetensors"}
-FILES |= {"robot.urdf", "robot.xml"}
+FILES = {"README.md", "controllers.yaml", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx"}
+FILES |= {"policy.safetensors", "robot.urdf", "robot.xml"}
 
 WALK = """
 import json, re, sys
@@ -394,7 +395,8 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     of_graph = {entry["name"] for entry in graph["inputs"] + graph["outputs"]}
     policy = load_policy("flat")
     of_metadata = metadata(policy, PolicyInterface(policy)).keys()
-    assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"}
+    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE}
+    assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
 
@@ -414,6 +416,7 @@ def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_p
     assert (document["residual_gait"] is None) == (mode == "position")
     assert {joint["kp_n_m_rad"] for joint in document["joints"]} == {70.0, 60.0}
     assert (folder / "robot.urdf").read_text() == second_robot.ROBOT.urdf
+    assert 'joints:  # in the order of the arrays\n      - "RH_hip_joint"' in (folder / "controllers.yaml").read_text()
     assert "70 N m/rad and 1.5 N m s/rad" in (folder / "README.md").read_text()
 
 
