@@ -23,7 +23,7 @@ _SMALLEST_COMMAND: Final = frozen(np.array([0.1, 0.2]))
 """Command below which progress is reduced in proportion, for the built-in robot, m/s and rad/s."""
 
 
-@reward_group(track_forward_velocity=8.0, track_yaw_rate=9.0)
+@reward_group(track_forward_velocity=9.0, track_yaw_rate=9.0)
 class tracking:  # noqa: N801  named like the other terms
     """Tracking of the velocity command.
 
@@ -44,7 +44,7 @@ class tracking:  # noqa: N801  named like the other terms
         return np.exp(-((context.tracking_error / self._std) ** 2))
 
 
-@reward_group(forward_progress=4.0, turn_progress=9.0)
+@reward_group(forward_progress=9.0, turn_progress=9.0)
 def progress(context: TaskContext) -> Floats:
     """Share of the commanded velocity that is reached: share - 2 max(0, share - 1), in [-1, 1].
 

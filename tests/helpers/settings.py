@@ -9,9 +9,9 @@ CLOCK_FREQUENCY: Final = 3.4
 """Default of the task, Hz."""
 
 REWARD_WEIGHTS: Final = {
-    "track_forward_velocity": 8.0,
+    "track_forward_velocity": 9.0,
     "track_yaw_rate": 9.0,
-    "forward_progress": 4.0,
+    "forward_progress": 9.0,
     "turn_progress": 9.0,
     "gait_clock": 8.0,
     "contact_clock": 3.0,
