@@ -67,7 +67,7 @@ class LiveRobot:
         self, node: Node, robot: Robot, refused: Refused = lambda reason: None, terrain: Terrain = flat
     ) -> None:
         self.robot = robot
-        joints = JointReader(JOINT_STATES.name, robot, ["positions"])
+        joints = JointReader(JOINT_STATES.name, robot, states=True)
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
@@ -76,7 +76,9 @@ class LiveRobot:
         self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read))
         self._settings: GaitSettings | None = None
         self._changed_at = -_SETTINGS_HOLD
-        self._joints = Joints(0, robot.stance, np.zeros(robot.num_joints), None)
+        self._positions, self._joint_velocities, self._efforts = robot.stance, *np.zeros((2, robot.num_joints))
+        self.receives_states = False
+        """True once a joint of the robot has been received."""
         self._pose = robot.resting_pose(robot.stance)
         self._twist = np.zeros(6)
         self._odometry_at = -_ODOMETRY_TIMEOUT
@@ -126,10 +128,8 @@ class LiveRobot:
         now = time.monotonic()
         self._listen(now)
         self._steer(self._command, now)
-        positions = self._joints.positions
-        assert positions is not None
         if now - self._odometry_at > _ODOMETRY_TIMEOUT:
-            resting = self.robot.resting_pose(positions)
+            resting = self.robot.resting_pose(self._positions)
             resting[2] += highest_ground(self._simulation, self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
@@ -137,10 +137,8 @@ class LiveRobot:
 
     def _place(self) -> ViewedTrace:
         """Set the model to the last received state."""
-        positions, velocities, efforts = self._joints.positions, self._joints.velocities, self._joints.efforts
-        assert positions is not None
-        qpos = np.concatenate([self._pose, positions])
-        qvel = np.concatenate([self._twist, np.zeros(self.robot.num_joints) if velocities is None else velocities])
+        qpos = np.concatenate([self._pose, self._positions])
+        qvel = np.concatenate([self._twist, self._joint_velocities])
         self._simulation.reset(_ROW, qpos[None], qvel[None])
         readings = self._simulation.readings
         velocity = np.array([readings.linear_velocity_b[0, 0], readings.angular_velocity_b[0, 2]])
@@ -153,7 +151,7 @@ class LiveRobot:
             time=np.array([self._steps * self.timestep]),
             command=self._command[None],
             smooth_velocity=self._smooth_velocity[None],
-            joint_torque=np.zeros((1, self.robot.num_joints)) if efforts is None else efforts[None],
+            joint_torque=self._efforts[None],
             contact=readings.foot_force > _CONTACT,
             reward_terms=np.zeros((1, 0)),
         )
@@ -191,15 +189,9 @@ class LiveRobot:
             motion=time.monotonic() - self._odometry_at <= _ODOMETRY_TIMEOUT,
         )
 
-    @property
-    def receives_states(self) -> bool:
-        """True once joint states have been received."""
-        return self._states.count > 0
-
     def _listen(self, now: float) -> None:
-        state = self._states.newest(self._refused)
-        if state is not None:
-            self._joints = state[1]
+        for _, joints in self._states.messages(self._refused):
+            self._take(joints)
         newest = self._odometry.newest(self._refused)
         if newest is not None:
             self._odometry_at = now
@@ -208,6 +200,18 @@ class LiveRobot:
         # While a slider is dragged, received settings are older than the slider.
         if settings is not None and now - self._changed_at > _SETTINGS_HOLD:
             self._settings = settings[1]
+
+    def _take(self, joints: Joints) -> None:
+        """Take a message, which may hold some of the joints only; velocities and torques that it lacks are zero."""
+        assert joints.positions is not None
+        found = np.isfinite(joints.positions)
+        zeros = np.zeros(len(found))
+        velocities = zeros if joints.velocities is None else np.nan_to_num(joints.velocities)
+        efforts = zeros if joints.efforts is None else joints.efforts
+        self._positions = np.where(found, joints.positions, self._positions)
+        self._joint_velocities = np.where(found, velocities, self._joint_velocities)
+        self._efforts = np.where(found, efforts, self._efforts)
+        self.receives_states |= bool(found.any())
 
     def _steer(self, command: NDArray[np.float64], now: float) -> None:
         """Send the viewer's command while it is not zero, and zero for a moment afterwards."""

@@ -23,6 +23,8 @@ STATUS_PERIOD_LOG: Final = 10.0
 """Time between status lines in a log file, s."""
 PROBLEMS_PERIOD: Final = 1.0
 """Time between checks of the ROS graph for problems, s."""
+WAITING_PERIOD: Final = 1.0
+"""Time between log lines about what a node waits for, s."""
 CLEAR_LINE: Final = "\r\x1b[K"
 """Control sequence that clears the terminal line of the cursor."""
 _SAME_SIGNAL: Final = 0.5
@@ -78,7 +80,7 @@ class Session:
         self._start = time.monotonic()
         self._end = None if arguments.seconds is None else self._start + arguments.seconds
         self._waiting_for = ""
-        self._waiting_since = self._start
+        self._waiting_since = self._waiting_logged = self._start
         self._said: dict[str, None] = {}
         self.refuse = Refusals(self.say)
         """Counts a refused message, and logs the reason once a second"""
@@ -173,19 +175,25 @@ class Session:
             self.say(text)
 
     def wait_for(self, what: str) -> None:
-        """Log what the node waits for, when that changes.
+        """Log what the node waits for, once per second with the time. On a terminal, the status line has the repeats.
 
         Args:
             what: description of what is missing; empty if nothing is.
         """
-        if what == self._waiting_for:
-            return
-        now = time.monotonic()
-        if what:
+        now, before = time.monotonic(), self._waiting_for
+        self._waiting_for = what
+        if what and not before:
+            self._waiting_since = self._waiting_logged = now
             self.say(f"waiting for {what}")
-        else:
-            self.say(f"found {self._waiting_for} after {now - self._waiting_since:.1f} s")
-        self._waiting_for, self._waiting_since = what, now
+        elif before and not what:
+            self.say(f"waited {now - self._waiting_since:.1f} s for {before}")
+        elif what and now - self._waiting_logged >= WAITING_PERIOD:
+            self._waiting_logged = now
+            if self._quiet or not self._log.isatty():
+                self.say(self._waiting_text(now))
+
+    def _waiting_text(self, now: float) -> str:
+        return f"waiting for {self._waiting_for} ({now - self._waiting_since:.0f} s)"
 
     def report(self, *details: str) -> None:
         """Update the status line, and log problems of the ROS graph. Call this often; it limits its own rate."""
@@ -209,7 +217,7 @@ class Session:
             rate = self._rates.setdefault(one, Rate(since=self._start)).per_second(one.count)
             parts.append(_rate_text(one, rate))
         if self._waiting_for:
-            parts.append(f"waiting for {self._waiting_for}")
+            parts.append(self._waiting_text(time.monotonic()))
         return " | ".join(parts)
 
     def _write_status(self, text: str) -> None:

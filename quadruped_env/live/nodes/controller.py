@@ -8,14 +8,19 @@
 Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
 a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
 after 1 s or after a fall; then it waits for fresh states again. Joint targets keep to the joints' range and speed.
-States with NaN, wrong names or counts, or old or repeated timestamps are refused and logged; while the robot is limp,
-states that are all late are accepted after 0.5 s. Each command has the timestamp of the state it answers.
+States may come in several messages and with other joints; velocities that they lack are computed from the positions if
+the policy needs them. States with NaN or wrong counts, and with old, repeated or empty timestamps, are refused and
+logged; while the robot is limp, states that are all late are accepted after 0.5 s. Each command has the timestamp of
+the state that it answers.
 """
 
 import argparse
 import functools
 import time
 from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
@@ -24,21 +29,32 @@ from quadruped_env.control.live_controller import JointCommand, LiveController, 
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED, Terms, load_terms, policy_directory, read_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.imu_messages import Imu, read_imu
-from quadruped_env.live.messages.joint_messages import JointReader, Joints, command_message, positions_message
+from quadruped_env.live.messages.imu_messages import Imu, ImuMount, read_imu
+from quadruped_env.live.messages.joint_messages import (
+    JointMerger,
+    JointReader,
+    Joints,
+    Period,
+    command_message,
+    positions_message,
+)
 from quadruped_env.live.middleware.node import Subscription, message_reader
-from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, TF_STATIC
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
-from quadruped_env.ros import SENSOR_DATA_QOS
+from quadruped_env.ros import SENSOR_DATA_QOS, Qos
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
-_NEEDED: Final = ("positions", "velocities")
 _POLL_PERIOD: Final = 0.01
 """Time between checks for missing states, s."""
-_IMU_AGE: Final = 0.02
-"""Maximum difference between the timestamps of orientation and joint states, s."""
+_STATES_QOS: Final = Qos(depth=50, reliable=False)
+"""As for sensor data, but deep enough for states that come as one message per joint."""
+_FRAMES_QOS: Final = Qos(depth=100, transient_local=True)
+"""`tf2_ros::StaticListenerQoS`: the last messages of several publishers."""
+_SILENCE: Final = 0.5
+"""Time without a message after which a waiting node says so, s."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -67,6 +83,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--trust-task", action="store_true", help="execute the copy of that file that the run keeps, in place of --task"
     )
+    parser.add_argument(
+        "--imu-mount",
+        nargs=3,
+        type=float,
+        metavar=("ROLL", "PITCH", "YAW"),
+        help=f"orientation of the IMU in the base frame, rad, as rpy in a URDF (default: looked up on {TF_STATIC.name} "
+        f"by the frame_id of {IMU.name})",
+    )
     add_realtime_argument(parser)
 
 
@@ -81,23 +105,20 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     node = session.node
     outbox = _Outbox(session, arguments.arrays, robot)
     # Drivers of real robots may offer only best-effort delivery.
-    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, robot, _NEEDED))
-    attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
     velocities = node.subscribe(CMD_VEL)
-    inbox = _Inbox(session, states, attitudes)
+    inbox = _Inbox(session, robot, live_controller.needs_velocities, _mount(arguments))
     while session.running:
         session.wait(_POLL_PERIOD)
         _take_command(session, live_controller, velocities)
-        received = inbox.measurement()
         answer = None
-        if received is not None:
-            try:
+        try:
+            if received := inbox.measurement():
                 answer = live_controller.measured(*received)
-            except QuadrupedError as error:
-                session.refuse(str(error))
+        except QuadrupedError as error:
+            session.refuse(str(error))
         now = time.monotonic()
         outbox.send(answer or live_controller.silent(now))
-        session.wait_for(_missing(live_controller, states, attitudes))
+        session.wait_for(live_controller.waiting_for and (inbox.missing() or live_controller.waiting_for))
         session.report(
             "" if live_controller.mode is not Mode.WALKING or live_controller.moving(now) else "standing: no /cmd_vel"
         )
@@ -115,34 +136,95 @@ def _terms(arguments: argparse.Namespace) -> Terms:
     return Terms() if kept is None else load_terms(*kept)
 
 
-class _Inbox:
-    """Combines joint states and orientations into measurements."""
+def _mount(arguments: argparse.Namespace) -> NDArray[np.float64] | None:
+    """The quaternion of `--imu-mount`."""
+    angles = arguments.imu_mount
+    if angles is None:
+        return None
+    if not np.isfinite(angles).all():
+        raise QuadrupedError(f"--imu-mount: expected three finite angles in rad; found {angles}")
+    return from_roll_pitch_yaw(angles)
 
-    def __init__(self, session: Session, states: Subscription[Joints], attitudes: Subscription[Imu]) -> None:
+
+class _Inbox:
+    """Combines joint states and orientations into measurements.
+
+    Args:
+        session: the session of this process.
+        robot: the robot.
+        velocities: True if measurements need joint velocities.
+        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: look it up.
+    """
+
+    def __init__(self, session: Session, robot: Robot, velocities: bool, mount: NDArray[np.float64] | None) -> None:
+        node = session.node
         self._session = session
-        self._states = states
-        self._attitudes = attitudes
+        # Drivers of real robots may offer only best-effort delivery.
+        reader = JointReader(JOINT_STATES.name, robot, states=True)
+        self._states = node.subscribe(JOINT_STATES, _STATES_QOS, read=reader)
+        self._attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
+        self._frames = node.subscribe(TF_STATIC, _FRAMES_QOS)
+        self._merger = JointMerger(robot, velocities, session.say)
+        self._mount = ImuMount(robot.base_name, mount)
         self._imu: Imu | None = None
+        self._imu_period = Period()
+        self._heard = dict.fromkeys((JOINT_STATES.name, IMU.name), time.monotonic())
+        """Time at which the last message that can be read was taken, s, by topic."""
+        self._refusal = ""
+        """Why the last messages gave no measurement; empty if they gave one."""
 
     def measurement(self) -> tuple[Measurement, float] | None:
-        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None."""
+        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
+
+        Raises:
+            QuadrupedError: if the times of joint states and IMU differ, or the IMU's mounting is unknown.
+        """
         # Joint states first: an orientation sent before a joint state has then arrived as well.
-        states = list(self._states.messages(self._session.refuse))
-        attitude = self._attitudes.newest(self._session.refuse)
-        if attitude is not None:
-            self._imu = attitude[1]
+        states = []
+        for received, joints in self._states.messages(self._session.refuse):
+            self._heard[JOINT_STATES.name] = received.taken
+            if state := self._merger.add(joints):
+                states.append((received, state))
+        for _, transforms in self._frames.messages(self._session.refuse):
+            self._mount.add(transforms)
+        for received, imu in self._attitudes.messages(self._session.refuse):
+            self._heard[IMU.name] = received.taken
+            self._imu_period.add(imu.stamp)
+            self._imu = imu
         if not states or self._imu is None:
             return None
         received, newest = max(states, key=lambda state: state[1].stamp)
-        if abs(newest.stamp - self._imu.stamp) > _IMU_AGE * NS_PER_SECOND:
-            self._session.refuse(f"{IMU.name} and {JOINT_STATES.name} have timestamps more than {_IMU_AGE:g} s apart")
-            return None
-        assert newest.positions is not None
-        assert newest.velocities is not None
-        measurement = Measurement(
-            newest.stamp, newest.positions, newest.velocities, self._imu.orientation, self._imu.angular_velocity
-        )
+        try:
+            measurement = self._paired(newest, self._imu)
+        except QuadrupedError as error:
+            self._refusal = str(error)
+            raise
+        self._refusal = ""
         return measurement, received.taken
+
+    def _paired(self, joints: Joints, imu: Imu) -> Measurement:
+        age = (joints.stamp - imu.stamp) / NS_PER_SECOND
+        tolerance = max(self._merger.period.tolerance, self._imu_period.tolerance)
+        if abs(age) > tolerance:
+            raise QuadrupedError(
+                f"{IMU.name}: {abs(age):.3g} s {'older' if age > 0.0 else 'newer'} than {JOINT_STATES.name}, over "
+                f"{tolerance:.3g} s (1.5 periods); check the clocks of both publishers"
+            )
+        imu = self._mount.in_base(imu)
+        assert joints.positions is not None
+        assert joints.velocities is not None
+        return Measurement(joints.stamp, joints.positions, joints.velocities, imu.orientation, imu.angular_velocity)
+
+    def missing(self) -> str:
+        """Why there are no measurements; empty if they come."""
+        silent = [one.topic.name for one in (self._states, self._attitudes) if not one.writers]
+        if silent:
+            return f"a publisher of {' and of '.join(silent)}"
+        now = time.monotonic()
+        for name, heard in self._heard.items():
+            if now - heard > _SILENCE:
+                return f"{name}: no message that can be read for {now - heard:.1f} s"
+        return self._merger.missing or self._refusal
 
 
 def _take_command(session: Session, live_controller: LiveController, velocities: Subscription[Any]) -> None:
@@ -186,10 +268,3 @@ class _Outbox:
         if self._stamp:
             self.send(JointCommand(self._stamp, LIMP))
             self._commands.wait_until_read(0.5)
-
-
-def _missing(live_controller: LiveController, states: Subscription[Joints], attitudes: Subscription[Imu]) -> str:
-    if live_controller.mode is not Mode.WAITING:
-        return ""
-    silent = [one.topic.name for one in (states, attitudes) if not one.writers]
-    return f"a publisher of {' and of '.join(silent)}" if silent else "fresh states"
