@@ -15,8 +15,9 @@ from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.gait.gaits import limit_violations
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader, Joints
+from quadruped_env.live.messages.velocity_messages import VelocityPublisher
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
-from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
@@ -70,7 +71,7 @@ class LiveRobot:
         joints = JointReader(JOINT_STATES.name, robot, states=True)
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
-        self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
+        self._velocities, self._pushes = VelocityPublisher(node), node.publish(PUSH)
         self._gaits = node.publish(GAIT)
         read = functools.partial(read_settings, robot=robot)
         self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read))
@@ -220,8 +221,7 @@ class LiveRobot:
         if now - self._commanded_at > _STOP_PERIOD or now - self._sent_at < _COMMAND_PERIOD:
             return
         self._sent_at = now
-        twist = {"linear": {"x": command[0]}, "angular": {"z": command[1]}}
-        self._velocities.send(cdr.message(CMD_VEL.type_name, **twist))
+        self._velocities.send((float(command[0]), float(command[1])))
 
 
 def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -21,7 +21,8 @@ from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import LiveRobot
 from quadruped_env.live.messages.imu_messages import Imu, ImuMount
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, Joints, Period
-from quadruped_env.live.middleware.topics import IMU, JOINT_COMMANDS, JOINT_STATES, TF, TF_STATIC
+from quadruped_env.live.messages.velocity_messages import VelocityPublisher, VelocitySubscription
+from quadruped_env.live.middleware.topics import CMD_VEL, CMD_VEL_STAMPED, IMU, JOINT_COMMANDS, JOINT_STATES, TF, TF_STATIC
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.session import Session
 from quadruped_env.policies import load_policy
@@ -262,3 +263,26 @@ def test_state_and_view_use_the_joints_that_they_know(run_node, nodes):
     np.testing.assert_array_equal(view.step().joint_position, truth)
     states.send(joint_state(0))
     wait_until(lambda: "the timestamp is empty" in log.getvalue(), log.getvalue)
+
+
+def test_velocity_commands_are_of_the_type_that_the_other_side_uses(nodes):
+    ours, nav2, robot = nodes(), nodes(), nodes()
+    said = []
+    subscription, publisher = VelocitySubscription(ours, said.append), VelocityPublisher(ours)
+    sender = nav2.publish(CMD_VEL_STAMPED, Qos(10, reliable=False))
+    message = cdr.message(CMD_VEL_STAMPED.type_name, twist={"linear": {"x": 0.3}, "angular": {"z": -0.2}})
+    newest = wait_until(lambda: sender.send(message) or subscription.newest(pytest.fail))
+    assert newest[1] == (0.3, -0.2)
+    assert len(said) == 1
+    listener = robot.subscribe(CMD_VEL_STAMPED)
+    wait_until(lambda: publisher.readers and listener.writers)
+    publisher.send((0.1, 0.4))
+    (received,) = received_from(listener, 1)
+    assert listener.decode(received).twist.angular.z == 0.4
+    # Both types are used again: the present one stays until its publisher leaves.
+    twists = robot.publish(CMD_VEL)
+    wait_until(lambda: sum(one.writes for one in ours.graph.endpoints("/cmd_vel")) == 3)
+    assert wait_until(lambda: sender.send(message) or subscription.newest(pytest.fail))[1] == (0.3, -0.2)
+    nav2.close()
+    newest = wait_until(lambda: twists.send(cdr.message(CMD_VEL.type_name)) or subscription.newest(pytest.fail))
+    assert newest[1] == (0.0, 0.0)

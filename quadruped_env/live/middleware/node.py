@@ -85,6 +85,10 @@ class Publisher:
             ) from error
         self.count += 1
 
+    def delete(self) -> None:
+        """Leave the topic; see `Node.remove`."""
+        self._writer._delete(self._writer._ref)
+
     @property
     def readers(self) -> int:
         """Number of matched subscriptions."""
@@ -174,6 +178,10 @@ class Subscription(Generic[T]):
         prefix = f"{self.topic.name}: "
         raise QuadrupedError(reason if reason.startswith(prefix) else f"{prefix}{reason}")
 
+    def delete(self) -> None:
+        """Leave the topic; see `Node.remove`."""
+        self._reader._delete(self._reader._ref)
+
     @property
     def writers(self) -> int:
         """Number of matched publishers."""
@@ -239,6 +247,15 @@ class Node:
         self.subscriptions.append(subscription)
         self._waitset.attach(subscription.condition)
         return subscription
+
+    def remove(self, end: Publisher | Subscription[Any]) -> None:
+        """Delete a publisher or subscription of this node."""
+        if isinstance(end, Publisher):
+            self.publishers.remove(end)
+        else:
+            self._waitset.detach(end.condition)
+            self.subscriptions.remove(end)
+        end.delete()
 
     def wait(self, seconds: float) -> bool:
         """Wait for a message, with a timeout in s. Returns True if a message is available."""

@@ -43,6 +43,8 @@ TF_STATIC: Final = Topic("/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS)
 CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=False))
 ROBOT_DESCRIPTION: Final = Topic("/robot_description", "std_msgs/msg/String", LATCHED_QOS)
 CMD_VEL: Final = Topic("/cmd_vel", "geometry_msgs/msg/Twist", _DEFAULT)
+CMD_VEL_STAMPED: Final = Topic("/cmd_vel", "geometry_msgs/msg/TwistStamped", _DEFAULT)
+"""The default of Nav2 since Kilted; see `messages.velocity_messages`."""
 JOINT_COMMANDS: Final = Topic("/joint_commands", "sensor_msgs/msg/JointState", _LATEST)
 """Joint targets: names with positions in rad. Names with efforts of zero and no positions let the robot go limp."""
 JOINT_POSITIONS: Final = Topic("/forward_position_controller/commands", "std_msgs/msg/Float64MultiArray", _LATEST)

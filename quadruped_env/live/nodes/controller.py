@@ -17,7 +17,7 @@ the state that it answers.
 import argparse
 import functools
 import time
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,8 +38,9 @@ from quadruped_env.live.messages.joint_messages import (
     command_message,
     positions_message,
 )
-from quadruped_env.live.middleware.node import Subscription, message_reader
-from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, TF_STATIC
+from quadruped_env.live.messages.velocity_messages import VelocitySubscription
+from quadruped_env.live.middleware.node import message_reader
+from quadruped_env.live.middleware.topics import IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, TF_STATIC
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
@@ -104,8 +105,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     )
     node = session.node
     outbox = _Outbox(session, arguments.arrays, robot)
-    # Drivers of real robots may offer only best-effort delivery.
-    velocities = node.subscribe(CMD_VEL)
+    velocities = VelocitySubscription(node, session.say)
     inbox = _Inbox(session, robot, live_controller.needs_velocities, _mount(arguments))
     while session.running:
         session.wait(_POLL_PERIOD)
@@ -227,13 +227,13 @@ class _Inbox:
         return self._merger.missing or self._refusal
 
 
-def _take_command(session: Session, live_controller: LiveController, velocities: Subscription[Any]) -> None:
+def _take_command(session: Session, live_controller: LiveController, velocities: VelocitySubscription) -> None:
     newest = velocities.newest(session.refuse)
     if newest is None:
         return
-    received, twist = newest
+    received, velocity = newest
     try:
-        live_controller.command(twist.linear.x, twist.angular.z, received.taken)
+        live_controller.command(*velocity, received.taken)
     except QuadrupedError as error:
         session.refuse(str(error))
 
