@@ -165,6 +165,8 @@ class LiveController:
         self._fresh = 0
         self._rest, self._rest_stamp = robot.stance, 0
         self._obstacle = ""
+        self._stopped = False
+        """True from an emergency stop to its release."""
         self._fallen = False
         """True if the robot went limp because it had fallen."""
         self._upright_since: int | None = None
@@ -207,7 +209,32 @@ class LiveController:
     @property
     def waiting_for(self) -> str:
         """Condition that is missing before the robot is moved; empty while it is moved."""
+        if self._stopped:
+            return "the release of the emergency stop"
         return "" if self.mode in (Mode.RAMPING, Mode.WALKING) else self._obstacle or "fresh states"
+
+    def restart(self, why: str) -> None:
+        """Wait for fresh states as at the start, as after the clock was set back; the robot keeps its last targets."""
+        self._timestamps = TimestampFilter("/joint_states", self._on_lag_changed)
+        self._heard = self._command_at = self._clipped_at = -math.inf
+        self._fallen = False
+        self._reset_count()
+        self._enter(Mode.WAITING, why)
+
+    def emergency_stop(self, stopped: bool) -> JointCommand | None:
+        """Let the robot go limp until the stop is released; then wait for fresh states as at the start.
+
+        Returns:
+            Command to send, or None if nothing changes.
+        """
+        if stopped == self._stopped:
+            return None
+        self._stopped = stopped
+        if not stopped:
+            self.restart("emergency stop released")
+            return None
+        self._go_limp("emergency stop")
+        return JointCommand(self._stamp, LIMP)
 
     def moving(self, now: float) -> bool:
         """True if a velocity command is in effect at a time in s."""
@@ -235,7 +262,7 @@ class LiveController:
             raise QuadrupedError(refusal)
         self._heard, self._stamp = now, measurement.stamp
         self._take_in(measurement)
-        if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP):
+        if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP) and not self._stopped:
             self._qualify(measurement, now)
         if self.mode not in (Mode.RAMPING, Mode.WALKING):
             return None

@@ -4,6 +4,7 @@ import functools
 import math
 import time
 from collections import deque
+from pathlib import Path
 from typing import Any, Final
 
 import mujoco
@@ -17,11 +18,12 @@ from quadruped_env.live.messages.gait_messages import read_settings, settings_me
 from quadruped_env.live.messages.joint_messages import JointReader, Joints
 from quadruped_env.live.messages.velocity_messages import VelocityPublisher
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
-from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PAUSE, PUSH, RESET, STEP
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.utils.rotations import rotate
+from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, Offered, ViewedTrace, heading, sample, world_vector
 
 NAME: Final = "live robot"
@@ -73,6 +75,10 @@ class LiveRobot:
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = VelocityPublisher(node), node.publish(PUSH)
         self._gaits = node.publish(GAIT)
+        self._resets, self._pauses, self._steps_sent = node.publish(RESET), node.publish(PAUSE), node.publish(STEP)
+        self._pauses_received = node.subscribe(PAUSE, ignore_own=True)
+        self.paused = False
+        """True if a message of this node or another one has paused the simulation."""
         read = functools.partial(read_settings, robot=robot)
         self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read))
         self._settings: GaitSettings | None = None
@@ -112,6 +118,19 @@ class LiveRobot:
         self.history.clear()
         self._place()
 
+    def restart(self) -> None:
+        """Send a reset to simulator and controller."""
+        self._resets.send(cdr.message(RESET.type_name))
+
+    def pause(self, paused: bool) -> None:
+        """Pause the simulation, or let it run again."""
+        self.paused = paused
+        self._pauses.send(cdr.message(PAUSE.type_name, data=paused))
+
+    def single_step(self) -> None:
+        """Let the paused simulation perform one control step."""
+        self._steps_sent.send(cdr.message(STEP.type_name))
+
     def set_command(self, command: tuple[float, float]) -> None:
         """Set the velocity command: forward velocity in m/s and yaw rate in rad/s. Sent with the next message."""
         self._command = np.array(command)
@@ -129,7 +148,7 @@ class LiveRobot:
         now = time.monotonic()
         self._listen(now)
         self._steer(self._command, now)
-        if now - self._odometry_at > _ODOMETRY_TIMEOUT:
+        if now - self._odometry_at > _ODOMETRY_TIMEOUT and not self.paused:
             resting = self.robot.resting_pose(self._positions)
             resting[2] += highest_ground(self._simulation, self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
@@ -180,12 +199,12 @@ class LiveRobot:
         return limit_violations(self.robot, positions.min(axis=0), positions.max(axis=0), speed, _OVERTRAVEL)
 
     def offered(self) -> Offered:
-        """The available controls, those with a subscriber, and readings. No topic pauses or resets a robot."""
+        """The available controls, those with a subscriber, and readings."""
         return Offered(
             command=bool(self._velocities.readers),
             push=bool(self._pushes.readers),
             force=False,
-            clock=False,
+            clock=bool(self._resets.readers),
             sources=False,
             motion=time.monotonic() - self._odometry_at <= _ODOMETRY_TIMEOUT,
         )
@@ -197,6 +216,8 @@ class LiveRobot:
         if newest is not None:
             self._odometry_at = now
             self._pose, self._twist = newest[1]
+        for _, message in self._pauses_received.messages(self._refused):
+            self.paused = message.data
         settings = self._gait_settings.newest(self._refused)
         # While a slider is dragged, received settings are older than the slider.
         if settings is not None and now - self._changed_at > _SETTINGS_HOLD:
@@ -222,6 +243,43 @@ class LiveRobot:
             return
         self._sent_at = now
         self._velocities.send((float(command[0]), float(command[1])))
+
+
+class LiveViewController(ViewController):
+    """A view controller whose pause, step and reset are those of the simulator that the live robot is in.
+
+    Args:
+        robot: the live robot.
+        results: directory of recordings.
+    """
+
+    def __init__(self, robot: LiveRobot, results: Path) -> None:
+        self._live = robot
+        super().__init__({NAME: lambda: robot}, [NAME], results, robot.robot)
+        self.restart_after_fall = False
+
+    @property
+    def paused(self) -> bool:
+        """True if the simulation is paused; the view goes on."""
+        return self._live.paused
+
+    @paused.setter
+    def paused(self, paused: bool) -> None:
+        with self._lock:
+            self._live.pause(paused)
+
+    def reset(self) -> None:
+        """Reset simulator, controller and plots."""
+        with self._lock:
+            super().reset()
+            self._live.restart()
+
+    def step(self) -> None:
+        """Pause, and advance by one control step."""
+        with self._lock:
+            if not self.paused:
+                self.paused = True
+            self._live.single_step()
 
 
 def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -14,6 +14,8 @@ MESSAGE_TYPES: Final = (
     "builtin_interfaces/msg/Time",
     "std_msgs/msg/Header",
     "std_msgs/msg/String",
+    "std_msgs/msg/Bool",
+    "std_msgs/msg/Empty",
     "std_msgs/msg/MultiArrayDimension",
     "std_msgs/msg/MultiArrayLayout",
     "std_msgs/msg/Float64MultiArray",

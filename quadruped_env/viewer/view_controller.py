@@ -327,7 +327,7 @@ class ViewController:
         with self._lock:
             return View(
                 self._time,
-                self._paused,
+                self.paused,
                 self._speed,
                 tuple(
                     robot_view(slot.robot, name, slot.scratch)

@@ -1,9 +1,7 @@
 """Input of real robots: joints in several messages or unknown ones, no velocities, an IMU that is mounted turned."""
 
-import io
 import math
 import re
-import threading
 import time
 
 import numpy as np
@@ -17,14 +15,19 @@ from waiting import wait_until
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.live_controller import LiveController, Mode
-from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import LiveRobot
 from quadruped_env.live.messages.imu_messages import Imu, ImuMount
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, Joints, Period
 from quadruped_env.live.messages.velocity_messages import VelocityPublisher, VelocitySubscription
-from quadruped_env.live.middleware.topics import CMD_VEL, CMD_VEL_STAMPED, IMU, JOINT_COMMANDS, JOINT_STATES, TF, TF_STATIC
-from quadruped_env.live.nodes import node_module
-from quadruped_env.live.session import Session
+from quadruped_env.live.middleware.topics import (
+    CMD_VEL,
+    CMD_VEL_STAMPED,
+    IMU,
+    JOINT_COMMANDS,
+    JOINT_STATES,
+    TF,
+    TF_STATIC,
+)
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
@@ -190,30 +193,6 @@ def test_only_a_policy_that_observes_velocities_needs_them():
     assert LiveController(PolicyController(load_policy("flat"))).needs_velocities
     assert not Bench().live_controller.needs_velocities
     assert LiveController(PolicyController(make_policy())).needs_velocities
-
-
-@pytest.fixture
-def run_node(domain_id):
-    """Runs a node in a thread; `log` is what it has said."""
-    threads = []
-
-    def run(*arguments):
-        args, log = make_parser().parse_args(arguments), io.StringIO()
-
-        def target(session):
-            with session:
-                node_module(args.node).run(session, args)
-
-        session = Session(args.node, args, log)
-        thread = threading.Thread(target=target, args=(session,))
-        thread.start()
-        threads.append((session, thread))
-        return log
-
-    yield run
-    for session, thread in threads:
-        session.stop()
-        thread.join()
 
 
 def test_controller_moves_a_robot_that_sends_legs_apart_without_velocities_and_a_turned_imu(run_node, nodes):

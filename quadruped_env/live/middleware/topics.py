@@ -51,6 +51,14 @@ JOINT_POSITIONS: Final = Topic("/forward_position_controller/commands", "std_msg
 """Joint targets for the `forward_position_controller` of ros2_control: rad, in the order of `JOINT_NAMES`."""
 PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT)
 """To `sim`: velocity in the world frame, m/s, that is added to the base's."""
+RESET: Final = Topic("/reset", "std_msgs/msg/Empty", _DEFAULT)
+"""To `sim` and `controller`: start again."""
+PAUSE: Final = Topic("/pause", "std_msgs/msg/Bool", _DEFAULT)
+"""To `sim` and `controller`: true stops simulated time, false lets it run again."""
+STEP: Final = Topic("/step", "std_msgs/msg/Empty", _DEFAULT)
+"""To `sim`: one control step of a paused simulation."""
+ESTOP: Final = Topic("/estop", "std_msgs/msg/Bool", _DEFAULT)
+"""Emergency stop, to `sim` and `controller`: limp from true to false."""
 GAIT: Final = Topic("/gait", "std_msgs/msg/Float64MultiArray", _LATEST)
 """To `gait`: amplitude as a multiple of the preset's, frequency in Hz, phases of LF, RF, LH and RH in cycles."""
 GAIT_SETTINGS: Final = Topic("/gait/settings", "std_msgs/msg/Float64MultiArray", LATCHED_QOS)
@@ -70,6 +78,10 @@ TOPICS: Final = {
         JOINT_COMMANDS,
         JOINT_POSITIONS,
         PUSH,
+        RESET,
+        PAUSE,
+        STEP,
+        ESTOP,
         GAIT,
         GAIT_SETTINGS,
     )

@@ -27,8 +27,10 @@ from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED, Terms, load_terms, policy_directory, read_policy
+from quadruped_env.control.steering import Velocity
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
+from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
 from quadruped_env.live.messages.imu_messages import Imu, ImuMount, read_imu
 from quadruped_env.live.messages.joint_messages import (
     JointMerger,
@@ -40,8 +42,9 @@ from quadruped_env.live.messages.joint_messages import (
 )
 from quadruped_env.live.messages.velocity_messages import VelocitySubscription
 from quadruped_env.live.middleware.node import message_reader
-from quadruped_env.live.middleware.topics import IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, TF_STATIC
+from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, TF_STATIC
 from quadruped_env.live.session import Session, add_realtime_argument
+from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos
@@ -54,6 +57,9 @@ _STATES_QOS: Final = Qos(depth=50, reliable=False)
 """As for sensor data, but deep enough for states that come as one message per joint."""
 _FRAMES_QOS: Final = Qos(depth=100, transient_local=True)
 """`tf2_ros::StaticListenerQoS`: the last messages of several publishers."""
+_SET_BACK: Final = "the clock was set back"
+_COMMAND_TIMEOUT: Final = 0.5
+"""System time after which a velocity command expires, where the controller's own timeout is in simulated time, s."""
 _SILENCE: Final = 0.5
 """Time without a message after which a waiting node says so, s."""
 
@@ -92,6 +98,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"orientation of the IMU in the base frame, rad, as rpy in a URDF (default: looked up on {TF_STATIC.name} "
         f"by the frame_id of {IMU.name})",
     )
+    parser.add_argument(
+        "--sim-time",
+        action="store_true",
+        help=f"the time is that of {CLOCK.name}, or of the states' timestamps where nothing publishes it: for a "
+        "simulator that does not run at real time, pauses or starts again (ROS's use_sim_time)",
+    )
     add_realtime_argument(parser)
 
 
@@ -105,20 +117,34 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     )
     node = session.node
     outbox = _Outbox(session, arguments.arrays, robot)
-    velocities = VelocitySubscription(node, session.say)
+    commands = _VelocityCommands(session, live_controller)
+    clock: ControlTime = SimTime(node) if arguments.sim_time else SystemTime()
+    simulator = SimulatorCommands(session)
     inbox = _Inbox(session, robot, live_controller.needs_velocities, _mount(arguments))
     while session.running:
         session.wait(_POLL_PERIOD)
-        _take_command(session, live_controller, velocities)
+        simulator.take()
+        clock.pause(simulator.paused)
+        if simulator.reset:
+            live_controller.restart("reset")
+        if clock.set_back(session.refuse):
+            live_controller.restart(_SET_BACK)
+        outbox.send(live_controller.emergency_stop(simulator.stopped))
+        commands.take(clock)
         answer = None
         try:
             if received := inbox.measurement():
-                answer = live_controller.measured(*received)
+                measurement, taken = received
+                at, back = clock.state(measurement.stamp, taken)
+                if back:
+                    live_controller.restart(_SET_BACK)
+                answer = live_controller.measured(measurement, at)
         except QuadrupedError as error:
             session.refuse(str(error))
-        now = time.monotonic()
+        now = clock.now
         outbox.send(answer or live_controller.silent(now))
-        session.wait_for(live_controller.waiting_for and (inbox.missing() or live_controller.waiting_for))
+        waiting = live_controller.waiting_for
+        session.wait_for((waiting and not simulator.stopped and inbox.missing()) or waiting)
         session.report(
             "" if live_controller.mode is not Mode.WALKING or live_controller.moving(now) else "standing: no /cmd_vel"
         )
@@ -227,15 +253,32 @@ class _Inbox:
         return self._merger.missing or self._refusal
 
 
-def _take_command(session: Session, live_controller: LiveController, velocities: VelocitySubscription) -> None:
-    newest = velocities.newest(session.refuse)
-    if newest is None:
-        return
-    received, velocity = newest
-    try:
-        live_controller.command(*velocity, received.taken)
-    except QuadrupedError as error:
-        session.refuse(str(error))
+class _VelocityCommands:
+    """Forwards velocity commands to the controller."""
+
+    def __init__(self, session: Session, live_controller: LiveController) -> None:
+        self._session = session
+        self._live_controller = live_controller
+        self._velocities = VelocitySubscription(session.node, session.say)
+        self._last: tuple[Velocity, float] | None = None
+        """The last command and the `time.monotonic` at which it was taken, s."""
+
+    def take(self, clock: ControlTime) -> None:
+        """Forward the newest command; `clock` is the controller's."""
+        newest = self._velocities.newest(self._session.refuse)
+        if newest is not None:
+            self._last = newest[1], newest[0].taken
+        elif not clock.simulated or self._last is None or time.monotonic() - self._last[1] > _COMMAND_TIMEOUT:
+            # In simulated time, a command that is new by the system's time is repeated: its publisher may not be
+            # slowed down or accelerated with the simulator.
+            return
+        assert self._last is not None
+        velocity, taken = self._last
+        try:
+            self._live_controller.command(*velocity, clock.of(taken))
+        except QuadrupedError as error:
+            self._last = None
+            self._session.refuse(str(error))
 
 
 class _Outbox:

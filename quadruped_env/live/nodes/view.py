@@ -9,11 +9,11 @@ The page accepts browsers on this machine only; the log prints its address.
 import argparse
 import time
 
-from quadruped_env.live.live_robot import NAME, LiveRobot
+from quadruped_env.live.live_robot import LiveRobot, LiveViewController
 from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.node_options import add_robot_argument, add_terrain_arguments, chosen_terrain, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
+from quadruped_env.viewer import PORT, RESULTS, Show
 from quadruped_env.viewer.server import import_viser
 
 
@@ -28,8 +28,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     """Show until the session ends."""
     import_viser()
     robot = LiveRobot(session.node, robot_of(arguments), session.refuse, chosen_terrain(arguments))
-    controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS, robot.robot)
-    controller.restart_after_fall = False
+    controller = LiveViewController(robot, RESULTS)
     controller.available = robot.offered()
     show = Show(controller, port=arguments.port)
     try:
