@@ -11,6 +11,7 @@ from typing import Any, Final, Self, TextIO
 
 from quadruped_env.live.middleware import dds_log
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
+from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.node import Node, Publisher, Subscription
 from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
 from quadruped_env.live.refusals import Refusals
@@ -44,6 +45,17 @@ def add_common_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="communicate with other machines of the subnet; without it, with this machine only",
     )
+    group.add_argument(
+        "--namespace", metavar="NS", help="namespace of the node and its topics, except /tf, /tf_static and /clock"
+    )
+    group.add_argument(
+        "--remap",
+        action="append",
+        default=[],
+        metavar="FROM:=TO",
+        help="use another topic; __node:=NAME renames the node. ROS's form works too: --ros-args -r FROM:=TO "
+        "-r __ns:=/NS -p use_sim_time:=true",
+    )
     group.add_argument("--seconds", type=float, metavar="S", help="end after S seconds (default: with Ctrl-C)")
     group.add_argument("--quiet", action="store_true", help="no status line")
 
@@ -72,7 +84,8 @@ class Session:
         # Before DDS starts its threads, so that they inherit the priority.
         refusal = request_realtime_priority() if getattr(arguments, "realtime", False) else ""
         with dds_log.captured():
-            self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
+            names = Names.of(name, arguments.namespace, tuple(arguments.remap))
+            self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet), names)
         self._log = log or sys.stderr
         self._quiet: bool = arguments.quiet
         self._stopped = False

@@ -23,8 +23,8 @@ pytest.importorskip("cyclonedds")
 class Watcher:
     """A node that publishes a velocity command and watches the robot's odometry."""
 
-    def __init__(self, velocity=0.5):
-        self.node = Node("watcher")
+    def __init__(self, velocity=0.5, names=None):
+        self.node = Node("watcher", names=names)
         self.velocity = velocity
         self._velocities = self.node.publish(CMD_VEL)
         self._odometry = self.node.subscribe(ODOMETRY, Qos(1000))

@@ -68,7 +68,9 @@ def assert_read(raw, state):
 class TestMessageTypes:
     def test_definitions_and_hashes_are_those_of_the_distributions(self, distribution):
         for kind in map(message_type, MESSAGE_TYPES):
-            assert distribution.hash_rihs01(kind.name) == kind.type_hash
+            # Of these, rosbags has the definition of Humble; the test below compares them.
+            if kind.name.partition("/")[0] != "rmw_dds_common":
+                assert distribution.hash_rihs01(kind.name) == kind.type_hash
 
     @pytest.mark.parametrize("name", ros2_peers.DISTRIBUTIONS)
     def test_definitions_and_hashes_are_those_that_ros_2_installs(self, name):

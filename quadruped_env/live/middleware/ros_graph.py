@@ -1,7 +1,8 @@
 """The ROS graph of a domain: all publishers and subscriptions, and why some of them do not match."""
 
 import itertools
-from collections.abc import Iterator
+import uuid
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -9,6 +10,7 @@ from quadruped_env.live.middleware.topics import ros_name
 from quadruped_env.ros import Qos
 
 _TAKEN: Final = 256
+_NAMELESS: Final = "a process that gives no name"
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,8 @@ class Endpoint:
     """Instance handle, equal to `Received.writer` of the messages that it sends."""
     participant: str
     """Key of the participant that owns it."""
+    key: str = ""
+    """Key of the endpoint, under which its process announces the node that it belongs to."""
     structure: str = ""
     """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
@@ -41,9 +45,10 @@ class Graph:
 
     Args:
         participant: a `cyclonedds` participant.
+        announced: returns the messages of `ros_discovery_info` since the last call.
     """
 
-    def __init__(self, participant: Any) -> None:
+    def __init__(self, participant: Any, announced: Callable[[], Iterable[tuple[Any, Any]]] = lambda: ()) -> None:
         from cyclonedds import builtin
 
         self.participant = str(participant.guid)
@@ -55,6 +60,9 @@ class Graph:
         self._participants = builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsParticipant)
         self._endpoints: dict[str, Endpoint] = {}
         self._names: dict[str, str] = {}
+        self._announced = announced
+        self._nodes: dict[str, dict[str, list[str]]] = {}
+        """Participant -> node -> keys of its endpoints."""
 
     def endpoints(self, topic: str | None = None) -> list[Endpoint]:
         """All current endpoints, or those of one topic, including this process's own."""
@@ -67,9 +75,19 @@ class Graph:
         return endpoint.participant == self.participant
 
     def owner(self, endpoint: Endpoint) -> str:
-        """Name, process ID and machine of the process that owns an endpoint, as far as announced."""
+        """Name of the node that owns an endpoint, or of its process; process ID and machine, as far as announced."""
         self._update()
-        return self._names.get(endpoint.participant, "a process that gives no name")
+        name = self._names.get(endpoint.participant, _NAMELESS)
+        for node, keys in self._nodes.get(endpoint.participant, {}).items():
+            if endpoint.key in keys:
+                shown = node.removeprefix("/") if node.count("/") == 1 else node
+                return f"{shown}{name[name.find(' (') :] if ' (' in name else ''}"
+        return name
+
+    def nodes(self) -> list[str]:
+        """Full names of all nodes that processes have announced, this one's included."""
+        self._update()
+        return sorted(node for participant in self._names for node in self._nodes.get(participant, ()))
 
     def problems(self, all_processes: bool = False) -> list[str]:
         """Reasons why publishers and subscriptions of the same topic do not match, without repetition.
@@ -117,6 +135,14 @@ class Graph:
                 self._names[key] = _name(participant.qos)
             else:
                 self._names.pop(key, None)
+                self._nodes.pop(key, None)
+        for _, info in self._announced():
+            self._nodes[_key(info.gid)] = {
+                f"{one.node_namespace.rstrip('/')}/{one.node_name}": [
+                    _key(gid) for gid in (*one.reader_gid_seq, *one.writer_gid_seq)
+                ]
+                for one in info.node_entities_info_seq
+            }
         for writes, reader in self._readers.items():
             for one in _taken(reader):
                 key = str(one.key)
@@ -131,8 +157,13 @@ class Graph:
                         _read_type_hash(one.qos),
                         one.sample_info.instance_handle,
                         str(one.participant_key),
+                        key,
                         _structure(one.type_id),
                     )
+
+
+def _key(gid: Any) -> str:
+    return str(uuid.UUID(bytes=bytes(gid.data)))
 
 
 def _read_qos(qos: Any) -> Qos:
@@ -197,4 +228,4 @@ def _name(qos: Any) -> str:
     process = properties.get("__Pid")
     where = f"process {process} on {properties.get('__Hostname', 'some machine')}" if process else ""
     name = properties.get("name") or properties.get("__ProcessName", "")
-    return f"{name} ({where})" if name and where else name or where or "a process that gives no name"
+    return f"{name} ({where})" if name and where else name or where or _NAMELESS

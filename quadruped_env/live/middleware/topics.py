@@ -14,11 +14,13 @@ class Topic:
     type_name: str
     qos: Qos
     """Quality of service that publishers offer, and that subscriptions request by default."""
+    is_global: bool = False
+    """True if a node's namespace does not apply to the name."""
 
     @property
     def dds_name(self) -> str:
-        """The topic's name on DDS."""
-        return f"rt{self.name}"
+        """The topic's name on DDS; a name without a slash is that of DDS itself."""
+        return f"rt{self.name}" if self.name.startswith("/") else self.name
 
     @property
     def type(self) -> MessageType:
@@ -35,12 +37,14 @@ _DEFAULT: Final = Qos(depth=10)
 """Default of rclcpp and `ros2 topic pub`."""
 _LATEST: Final = Qos(depth=1)
 
+DISCOVERY_INFO: Final = Topic("ros_discovery_info", "rmw_dds_common/msg/ParticipantEntitiesInfo", LATCHED_QOS, True)
+"""Nodes of each process and their publishers and subscriptions, from which ROS 2 makes its graph."""
 JOINT_STATES: Final = Topic("/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
 IMU: Final = Topic("/imu/data", "sensor_msgs/msg/Imu", _DEFAULT)
 ODOMETRY: Final = Topic("/odom", "nav_msgs/msg/Odometry", _DEFAULT)
-TF: Final = Topic("/tf", "tf2_msgs/msg/TFMessage", TF_QOS)
-TF_STATIC: Final = Topic("/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS)
-CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=False))
+TF: Final = Topic("/tf", "tf2_msgs/msg/TFMessage", TF_QOS, is_global=True)
+TF_STATIC: Final = Topic("/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS, is_global=True)
+CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=False), is_global=True)
 ROBOT_DESCRIPTION: Final = Topic("/robot_description", "std_msgs/msg/String", LATCHED_QOS)
 CMD_VEL: Final = Topic("/cmd_vel", "geometry_msgs/msg/Twist", _DEFAULT)
 CMD_VEL_STAMPED: Final = Topic("/cmd_vel", "geometry_msgs/msg/TwistStamped", _DEFAULT)
