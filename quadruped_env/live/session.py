@@ -46,7 +46,9 @@ def add_common_arguments(parser: argparse.ArgumentParser) -> None:
         help="communicate with other machines of the subnet; without it, with this machine only",
     )
     group.add_argument(
-        "--namespace", metavar="NS", help="namespace of the node and its topics, except /tf, /tf_static and /clock"
+        "--namespace",
+        metavar="NS",
+        help="namespace of the node and its topics, except /tf, /tf_static, /clock and /diagnostics",
     )
     group.add_argument(
         "--remap",

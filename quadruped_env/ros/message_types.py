@@ -11,6 +11,8 @@ from typing import Any, Final
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 
 MESSAGE_TYPES: Final = (
+    "sensor_msgs/msg/JointState",
+    "sensor_msgs/msg/Imu",
     "builtin_interfaces/msg/Time",
     "std_msgs/msg/Header",
     "std_msgs/msg/String",
@@ -30,10 +32,11 @@ MESSAGE_TYPES: Final = (
     "geometry_msgs/msg/TwistWithCovariance",
     "geometry_msgs/msg/TwistStamped",
     "tf2_msgs/msg/TFMessage",
-    "sensor_msgs/msg/JointState",
-    "sensor_msgs/msg/Imu",
     "nav_msgs/msg/Odometry",
     "rosgraph_msgs/msg/Clock",
+    "diagnostic_msgs/msg/KeyValue",
+    "diagnostic_msgs/msg/DiagnosticStatus",
+    "diagnostic_msgs/msg/DiagnosticArray",
     "rmw_dds_common/msg/Gid",
     "rmw_dds_common/msg/NodeEntitiesInfo",
     "rmw_dds_common/msg/ParticipantEntitiesInfo",

@@ -17,7 +17,17 @@ from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live.control_time import SystemTime
 from quadruped_env.live.live_robot import LiveRobot, LiveViewController
-from quadruped_env.live.middleware.topics import CLOCK, ESTOP, IMU, JOINT_COMMANDS, JOINT_STATES, PAUSE, RESET, STEP
+from quadruped_env.live.middleware.topics import (
+    CLOCK,
+    DIAGNOSTICS,
+    ESTOP,
+    IMU,
+    JOINT_COMMANDS,
+    JOINT_STATES,
+    PAUSE,
+    RESET,
+    STEP,
+)
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 
@@ -81,6 +91,14 @@ def test_emergency_stop_makes_the_robot_limp_until_it_is_released():
     assert bench.mode is Mode.WALKING
 
 
+def status_of_controller(diagnostics):
+    """Level, message and values of the newest status, after those that were sent before."""
+    diagnostics.take()
+    (status,) = diagnostics.decode(received_from(diagnostics, 2)[-1]).status
+    assert (status.name, status.hardware_id) == ("/controller: robot", MINI_QUADRUPED.name)
+    return status.level, status.message, {one.key: one.value for one in status.values}
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("factor", ["0.3", "0.98", "2"])
 def test_robot_walks_in_a_simulator_that_is_slower_or_faster_than_real_time(start, domain_id, factor):
@@ -95,14 +113,15 @@ def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
     watcher = Watcher()
     user = nodes("user")
     ends = {topic.name: user.publish(topic) for topic in (PAUSE, STEP, RESET, ESTOP)}
-    states = user.subscribe(JOINT_STATES, Qos(1000))
+    states, diagnostics = user.subscribe(JOINT_STATES, Qos(1000)), user.subscribe(DIAGNOSTICS)
 
     def send(topic, **fields):
         ends[topic.name].send(cdr.message(topic.type_name, **fields))
 
     sim, controller = start("sim"), start("controller")
-    wait_until(lambda: all(end.readers == 2 for end in ends.values() if end.topic != STEP))
+    wait_until(lambda: all(end.readers == 2 for end in ends.values()))
     watcher.until_it_walks()
+    assert status_of_controller(diagnostics)[:2] == (0, "following the command")
     send(PAUSE, data=True)
     wait_until(lambda: "paused" in sim.said and "paused" in controller.said)
     # Longer than the controller waits for states.
@@ -124,6 +143,10 @@ def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
     watcher.until_it_lies()
     waiting = r"waiting for the release of the emergency stop \(\d+ s\)"
     wait_until(lambda: re.search(waiting, controller.said), lambda: controller.said)
+    level, message, values = status_of_controller(diagnostics)
+    assert (level, message) == (2, "limp; waits for the release of the emergency stop")
+    assert values["policy"] == "flat"
+    assert float(values["/joint_states, Hz"]) > 10.0
     send(ESTOP, data=False)
     watcher.until_it_walks()
     assert watcher.watch(0.5)[1][-1] == pytest.approx(STANCE_HEIGHT, abs=0.03)

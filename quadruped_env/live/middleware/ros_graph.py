@@ -1,16 +1,32 @@
 """The ROS graph of a domain: all publishers and subscriptions, and why some of them do not match."""
 
 import itertools
+import math
 import uuid
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 from quadruped_env.live.middleware.topics import ros_name
 from quadruped_env.ros import Qos
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _TAKEN: Final = 256
+_LIVELINESS: Final = ("Automatic", "ManualByParticipant", "ManualByTopic")
+"""Kinds of liveliness; a request for one is met by that one and the later ones."""
 _NAMELESS: Final = "a process that gives no name"
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Deadline and liveliness of an endpoint; the defaults ask for nothing."""
+
+    deadline: float = math.inf
+    """Maximum time between messages, s."""
+    liveliness: int = 0
+    """Index in `_LIVELINESS`."""
+    lease: float = math.inf
+    """Time after which a publisher that does not assert its liveliness counts as gone, s."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +47,7 @@ class Endpoint:
     """Key of the participant that owns it."""
     key: str = ""
     """Key of the endpoint, under which its process announces the node that it belongs to."""
+    timing: Timing = Timing()
     structure: str = ""
     """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
@@ -119,7 +136,7 @@ class Graph:
                 f"{writer.structure} and {reader.structure}), and Fast DDS 3 (ROS 2 Kilted) and Cyclone DDS cannot "
                 f"compare them; set the property fastdds.type_propagation=disabled for the participant of Fast DDS"
             )
-        reason = _incompatible(writer.qos, reader.qos)
+        reason = _incompatible(writer, reader)
         if reason:
             yield f"{where}: no message will arrive; {reason}"
 
@@ -158,6 +175,7 @@ class Graph:
                         one.sample_info.instance_handle,
                         str(one.participant_key),
                         key,
+                        _read_timing(one.qos),
                         _structure(one.type_id),
                     )
 
@@ -189,14 +207,43 @@ def _read_type_hash(qos: Any) -> str:
     return ""
 
 
-def _incompatible(offered: Qos, requested: Qos) -> str:
-    """The reason why a reader receives nothing from a writer; empty if the profiles are compatible."""
-    reasons = []
+def _read_timing(qos: Any) -> Timing:
+    from cyclonedds.util import duration
+
+    def seconds(nanoseconds: int) -> float:
+        return math.inf if nanoseconds >= duration(infinite=True) else nanoseconds / NS_PER_SECOND
+
+    found = Timing()
+    for policy in qos:
+        if policy.__scope__ == "Deadline":
+            found = replace(found, deadline=seconds(policy.deadline))
+        elif policy.__scope__ == "Liveliness":
+            kind = type(policy).__name__.rpartition(".")[2]
+            found = replace(found, liveliness=_LIVELINESS.index(kind), lease=seconds(policy.lease_duration))
+    return found
+
+
+def _incompatible(writer: Endpoint, reader: Endpoint) -> str:
+    """The reason why a reader receives nothing from a writer; empty if their QoS is compatible."""
+    offered, requested, reasons = writer.qos, reader.qos, []
     if requested.reliable and not offered.reliable:
         reasons.append("the reader requests reliable delivery, the writer offers best effort")
     if requested.transient_local and not offered.transient_local:
         reasons.append("the reader requests transient local (latched), the writer offers volatile")
+    for name, offer, request in (
+        ("a deadline", writer.timing.deadline, reader.timing.deadline),
+        ("a liveliness lease", writer.timing.lease, reader.timing.lease),
+    ):
+        if request < offer:
+            reasons.append(f"the reader requests {name} of {request:g} s, the writer offers {_seconds(offer)}")
+    if reader.timing.liveliness > writer.timing.liveliness:
+        kinds = (_LIVELINESS[one.timing.liveliness] for one in (reader, writer))
+        reasons.append("the reader requests liveliness {}, the writer offers {}".format(*kinds))
     return " and ".join(reasons)
+
+
+def _seconds(time: float) -> str:
+    return "none" if math.isinf(time) else f"{time:g} s"
 
 
 def _taken(reader: Any) -> Iterator[Any]:

@@ -45,6 +45,7 @@ ODOMETRY: Final = Topic("/odom", "nav_msgs/msg/Odometry", _DEFAULT)
 TF: Final = Topic("/tf", "tf2_msgs/msg/TFMessage", TF_QOS, is_global=True)
 TF_STATIC: Final = Topic("/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS, is_global=True)
 CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=False), is_global=True)
+DIAGNOSTICS: Final = Topic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", _DEFAULT, is_global=True)
 ROBOT_DESCRIPTION: Final = Topic("/robot_description", "std_msgs/msg/String", LATCHED_QOS)
 CMD_VEL: Final = Topic("/cmd_vel", "geometry_msgs/msg/Twist", _DEFAULT)
 CMD_VEL_STAMPED: Final = Topic("/cmd_vel", "geometry_msgs/msg/TwistStamped", _DEFAULT)
@@ -77,6 +78,7 @@ TOPICS: Final = {
         TF,
         TF_STATIC,
         CLOCK,
+        DIAGNOSTICS,
         ROBOT_DESCRIPTION,
         CMD_VEL,
         JOINT_COMMANDS,
