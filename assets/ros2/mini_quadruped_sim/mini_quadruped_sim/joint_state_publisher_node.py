@@ -11,7 +11,7 @@ velocities at exactly its timestamp. On a machine that is too busy, messages are
 import math
 import sys
 from dataclasses import replace
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import rclpy
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
@@ -72,10 +72,12 @@ class JointStatePublisher(Node):
 
     def _set_parameters(self, parameters: list[Parameter]) -> SetParametersResult:
         """Change the gait from now on, unless a value is invalid."""
-        changes = {one.name: tuple(one.value) if one.name == "phases" else one.value for one in parameters}
+        values: dict[str, Any] = {one.name: one.value for one in parameters}
+        if "phases" in values:
+            values["phases"] = tuple(values["phases"])
         try:
             # use_sim_time is a parameter of every node.
-            gait = replace(self._gait, **{name: changes[name] for name in changes if hasattr(self._gait, name)})
+            gait = replace(self._gait, **{name: value for name, value in values.items() if hasattr(self._gait, name)})
         except ValueError as error:
             return SetParametersResult(successful=False, reason=str(error))
         if gait.angular_frequency:
