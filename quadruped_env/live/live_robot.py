@@ -75,7 +75,7 @@ class LiveRobot:
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = VelocityPublisher(node), node.publish(PUSH)
         self._gaits = node.publish(GAIT)
-        self._resets, self._pauses, self._steps_sent = node.publish(RESET), node.publish(PAUSE), node.publish(STEP)
+        self._resets, self._pauses, self._single_steps = node.publish(RESET), node.publish(PAUSE), node.publish(STEP)
         self._pauses_received = node.subscribe(PAUSE, ignore_own=True)
         self.paused = False
         """True if a message of this node or another one has paused the simulation."""
@@ -129,7 +129,7 @@ class LiveRobot:
 
     def single_step(self) -> None:
         """Let the paused simulation perform one control step."""
-        self._steps_sent.send(cdr.message(STEP.type_name))
+        self._single_steps.send(cdr.message(STEP.type_name))
 
     def set_command(self, command: tuple[float, float]) -> None:
         """Set the velocity command: forward velocity in m/s and yaw rate in rad/s. Sent with the next message."""
@@ -199,12 +199,12 @@ class LiveRobot:
         return limit_violations(self.robot, positions.min(axis=0), positions.max(axis=0), speed, _OVERTRAVEL)
 
     def offered(self) -> Offered:
-        """The available controls, those with a subscriber, and readings."""
+        """The available controls, those with a subscriber, and readings. Only a simulator subscribes to `/step`."""
         return Offered(
             command=bool(self._velocities.readers),
             push=bool(self._pushes.readers),
             force=False,
-            clock=bool(self._resets.readers),
+            clock=bool(self._single_steps.readers),
             sources=False,
             motion=time.monotonic() - self._odometry_at <= _ODOMETRY_TIMEOUT,
         )

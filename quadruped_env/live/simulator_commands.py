@@ -12,12 +12,13 @@ class SimulatorCommands:
 
     Args:
         session: the session of this process.
+        steps: True for a simulator, which performs single steps.
     """
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, steps: bool = False) -> None:
         self._session = session
         self.subscriptions: Final[dict[str, Subscription[Any]]] = {
-            topic.name: session.node.subscribe(topic) for topic in (RESET, PAUSE, STEP, ESTOP)
+            topic.name: session.node.subscribe(topic) for topic in (RESET, PAUSE, ESTOP, *[STEP] * steps)
         }
         self.paused = False
         self.stopped = False
@@ -33,7 +34,7 @@ class SimulatorCommands:
             name: [message for _, message in subscription.messages(self._session.refuse)]
             for name, subscription in self.subscriptions.items()
         }
-        self.reset, self.steps = bool(messages[RESET.name]), len(messages[STEP.name])
+        self.reset, self.steps = bool(messages[RESET.name]), len(messages.get(STEP.name, ()))
         if self.reset:
             self._session.say(f"{RESET.name}: starts again")
         paused, stopped = self.paused, self.stopped

@@ -12,7 +12,7 @@ from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH, RESET
+from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH, STEP
 from quadruped_env.live.nodes.gait import AdjustableGait
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
@@ -108,7 +108,7 @@ def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     robot.subscribe(CMD_VEL)
     wait_until(lambda: live.offered() == replace(nothing, command=True))
     robot.subscribe(PUSH)
-    robot.subscribe(RESET)
+    robot.subscribe(STEP)
     wait_until(lambda: live.offered() == replace(nothing, command=True, push=True, clock=True))
     odometry = robot.publish(ODOMETRY)
 

@@ -119,7 +119,7 @@ def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
         ends[topic.name].send(cdr.message(topic.type_name, **fields))
 
     sim, controller = start("sim"), start("controller")
-    wait_until(lambda: all(end.readers == 2 for end in ends.values()))
+    wait_until(lambda: all(end.readers == (1 if end.topic == STEP else 2) for end in ends.values()))
     watcher.until_it_walks()
     assert status_of_controller(diagnostics)[:2] == (0, "following the command")
     send(PAUSE, data=True)

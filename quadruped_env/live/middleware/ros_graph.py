@@ -146,15 +146,17 @@ class Graph:
     def _update(self) -> None:
         from cyclonedds.core import InstanceState
 
-        for participant in _taken(self._participants):
-            key = str(participant.key)
-            if participant.sample_info.instance_state == InstanceState.Alive:
-                self._names[key] = _name(participant.qos)
+        for process in _taken(self._participants):
+            key = str(process.key)
+            if process.sample_info.instance_state == InstanceState.Alive:
+                self._names[key] = _name(process.qos)
             else:
                 self._names.pop(key, None)
                 self._nodes.pop(key, None)
         for _, info in self._announced():
-            self._nodes[_key(info.gid)] = {
+            if (participant := _key(info.gid)) not in self._names:
+                continue
+            self._nodes[participant] = {
                 f"{one.node_namespace.rstrip('/')}/{one.node_name}": [
                     _key(gid) for gid in (*one.reader_gid_seq, *one.writer_gid_seq)
                 ]

@@ -85,7 +85,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     gc.freeze()
     steps, push_log = _Steps(TIMESTEP / factor), Pace(_PUSH_LOG_PERIOD)
     fell, fell_at = False, 0.0
-    simulator = SimulatorCommands(session)
+    simulator = SimulatorCommands(session, steps=True)
     while session.running:
         session.wait(POLL_PERIOD if simulator.paused else steps.pace.remaining)
         simulator.take()
