@@ -1,5 +1,6 @@
 """Input of real robots: joints in several messages or unknown ones, no velocities, an IMU that is mounted turned."""
 
+import dataclasses
 import math
 import re
 import time
@@ -9,12 +10,11 @@ import pytest
 from built_in import STANCE
 from live_bench import Bench
 from live_nodes import STAMP, joint_state, received_from
-from policies import make_policy
 from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.control.controllers import PolicyController
-from quadruped_env.control.live_controller import LiveController, Mode
+from quadruped_env.control.live_controller import LiveController, Measurement, Mode
 from quadruped_env.live.live_robot import LiveRobot
 from quadruped_env.live.messages.imu_messages import Imu, ImuMount
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, Joints, Period
@@ -190,9 +190,23 @@ def test_waiting_controller_says_why():
 
 
 def test_only_a_policy_that_observes_velocities_needs_them():
-    assert LiveController(PolicyController(load_policy("flat"))).needs_velocities
+    policy = load_policy("flat")
+    assert LiveController(PolicyController(policy)).needs_velocities
     assert not Bench().live_controller.needs_velocities
-    assert LiveController(PolicyController(make_policy())).needs_velocities
+    fields = tuple(field for field in policy.fields if field.name != "joint_velocity")
+    width = sum(field.width(policy.robot) for field in fields) * policy.control.observation_history
+    weights = 0.1 * np.random.default_rng(0).standard_normal((width, 8)).astype(np.float32)
+    blind = dataclasses.replace(policy, fields=fields, weights=(weights,), biases=(np.zeros(8, np.float32),))
+    live = LiveController(PolicyController(blind))
+    assert not live.needs_velocities
+    now, unknown = 50.0, np.full(8, np.nan)
+    targets = []
+    for i in range(400):
+        at = STAMP + i * 10 * MS
+        answer = live.measured(Measurement(at, STANCE, unknown, np.array([1.0, 0, 0, 0]), np.zeros(3)), now + i * 0.01)
+        targets += [] if answer is None else [answer.target]
+    assert live.mode is Mode.WALKING
+    assert np.isfinite(targets).all()
 
 
 def test_controller_moves_a_robot_that_sends_legs_apart_without_velocities_and_a_turned_imu(run_node, nodes):
