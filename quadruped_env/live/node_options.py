@@ -9,7 +9,7 @@ from quadruped_env.robot.robot import Robot
 if TYPE_CHECKING:
     from quadruped_env.simulation import Terrain
 
-COMMON: Final = ("domain_id", "subnet", "seconds", "quiet")
+COMMON: Final = ("domain_id", "subnet", "namespace", "remap", "seconds", "quiet")
 """Options of `add_common_arguments`."""
 GROUND: Final = ("seed", "terrain", "level")
 """Options of `add_terrain_arguments`."""
@@ -69,6 +69,7 @@ def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:
     found = []
     for name in names:
         value = getattr(arguments, name)
-        if value is not None and value is not False:
-            found += [f"--{name.replace('_', '-')}", *([] if value is True else [str(value)])]
+        for one in value if isinstance(value, list) else [value]:
+            if one is not None and one is not False:
+                found += [f"--{name.replace('_', '-')}", *([] if one is True else [str(one)])]
     return found

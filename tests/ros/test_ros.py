@@ -68,7 +68,9 @@ def assert_read(raw, state):
 class TestMessageTypes:
     def test_definitions_and_hashes_are_those_of_the_distributions(self, distribution):
         for kind in map(message_type, MESSAGE_TYPES):
-            assert distribution.hash_rihs01(kind.name) == kind.type_hash
+            # Of these, rosbags has the definition of Humble; the test below compares them.
+            if kind.name.partition("/")[0] != "rmw_dds_common":
+                assert distribution.hash_rihs01(kind.name) == kind.type_hash
 
     @pytest.mark.parametrize("name", ros2_peers.DISTRIBUTIONS)
     def test_definitions_and_hashes_are_those_that_ros_2_installs(self, name):
@@ -83,8 +85,9 @@ class TestMessageTypes:
                 assert hashes[kind.name] == kind.type_hash
                 assert [one["name"] for one in fields] == [one.name for one in kind.fields]
                 checked.add(package)
-        # tf2_msgs has no wheel and may not have been built.
-        assert checked >= {kind.name.partition("/")[0] for kind in map(message_type, MESSAGE_TYPES)} - {"tf2_msgs"}
+        # These have no wheels, and tf2_msgs may not have been built.
+        packages = {kind.name.partition("/")[0] for kind in map(message_type, MESSAGE_TYPES)}
+        assert checked >= packages - {"tf2_msgs", "diagnostic_msgs"}
 
     def test_hash_of_the_joint_state_is_the_documented_one(self):
         kind = message_type(JOINT_STATE)

@@ -16,8 +16,9 @@ from typing import Any, Final, Generic, NamedTuple, TypeVar, overload
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.middleware.dds import Network, open_participant
+from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.ros_graph import Graph
-from quadruped_env.live.middleware.topics import Topic
+from quadruped_env.live.middleware.topics import DISCOVERY_INFO, Topic
 from quadruped_env.live.middleware.type_information import withhold_type_information
 from quadruped_env.live.middleware.wire import wire_type
 from quadruped_env.ros import MessageType, Qos, cdr
@@ -27,6 +28,7 @@ _TAKEN: Final = 256
 _BLOCKING: Final = 100_000_000
 """Maximum time that a reliable writer blocks on a slow reader, the DDS default, ns."""
 _LATENCIES: Final = 1000
+_ALL_NODES: Final = Qos(depth=0, transient_local=True)
 
 T = TypeVar("T")
 """Type that the messages of a subscription are decoded to."""
@@ -85,6 +87,15 @@ class Publisher:
             ) from error
         self.count += 1
 
+    def delete(self) -> None:
+        """Leave the topic; see `Node.remove`."""
+        self._writer._delete(self._writer._ref)
+
+    @property
+    def guid(self) -> bytes:
+        """Key of the writer on DDS (16 bytes)."""
+        return bytes(self._writer.guid.bytes)
+
     @property
     def readers(self) -> int:
         """Number of matched subscriptions."""
@@ -107,6 +118,8 @@ class Subscription(Generic[T]):
         from cyclonedds.sub import DataReader
 
         self.topic = topic
+        self.constant_name = topic.name
+        """The topic's name without namespace and remapping, with which a `read` may begin its errors."""
         self.count = 0
         """Number of messages received."""
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
@@ -171,8 +184,16 @@ class Subscription(Generic[T]):
         # The bytes are untrusted, and a reader may fail on them with any exception.
         except Exception as error:
             reason = f"{len(received.data)} bytes cannot be read: {type(error).__name__}: {error}"
-        prefix = f"{self.topic.name}: "
-        raise QuadrupedError(reason if reason.startswith(prefix) else f"{prefix}{reason}")
+        raise QuadrupedError(f"{self.topic.name}: {reason.removeprefix(f'{self.constant_name}: ')}")
+
+    def delete(self) -> None:
+        """Leave the topic; see `Node.remove`."""
+        self._reader._delete(self._reader._ref)
+
+    @property
+    def guid(self) -> bytes:
+        """Key of the reader on DDS (16 bytes)."""
+        return bytes(self._reader.guid.bytes)
 
     @property
     def writers(self) -> int:
@@ -191,39 +212,55 @@ class Node:
     Args:
         name: the node's name, visible to other processes.
         network: the domain and network; by default ROS_DOMAIN_ID on this machine only.
+        names: names of the node and its topics, in place of `name`.
 
     Raises:
         MissingExtraError: if cyclonedds is not installed.
         QuadrupedError: if the domain cannot be joined.
     """
 
-    def __init__(self, name: str, network: Network | None = None) -> None:
-        self.name = name
+    def __init__(self, name: str, network: Network | None = None, names: Names | None = None) -> None:
+        self.names = names or Names(name)
+        self.name = name = self.names.node
         self.network = network or Network.from_environment()
         self._participant = open_participant(self.network, name)
         from cyclonedds.core import WaitSet
 
-        self.graph = Graph(self._participant)
+        info = Subscription(
+            self._participant, DISCOVERY_INFO, _ALL_NODES, message_reader(DISCOVERY_INFO, lambda it: it)
+        )
+        self.graph = Graph(self._participant, lambda: info.messages(lambda reason: None))
+        self._info = Publisher(self._participant, DISCOVERY_INFO, DISCOVERY_INFO.qos)
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription[Any]] = []
         self._waitset = WaitSet(self._participant)
+        self._announce()
 
     def publish(self, topic: Topic, qos: Qos | None = None) -> Publisher:
         """Create a publisher of a topic; `qos` replaces the topic's quality of service."""
-        publisher = Publisher(self._participant, topic, qos or topic.qos)
+        publisher = Publisher(self._participant, self.names.resolved(topic), qos or topic.qos)
         self.publishers.append(publisher)
+        self._announce()
         return publisher
 
     @overload
-    def subscribe(self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False) -> Subscription[Any]: ...
+    def subscribe(
+        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, exact: bool = False
+    ) -> Subscription[Any]: ...
 
     @overload
     def subscribe(
-        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, read: Read[T]
+        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, read: Read[T], exact: bool = False
     ) -> Subscription[T]: ...
 
     def subscribe(
-        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, read: Read[Any] | None = None
+        self,
+        topic: Topic,
+        qos: Qos | None = None,
+        ignore_own: bool = False,
+        *,
+        read: Read[Any] | None = None,
+        exact: bool = False,
     ) -> Subscription[Any]:
         """Create a subscription to a topic.
 
@@ -232,13 +269,38 @@ class Node:
             qos: requested quality of service; by default the topic's.
             ignore_own: ignore messages that this node itself publishes.
             read: decodes the CDR bytes; by default to messages of `quadruped_env.ros.cdr`; `bytes` keeps them.
+            exact: True if namespace and remapping do not apply to the topic's name.
         """
         if read is None:
             read = message_reader(topic, lambda message: message)
-        subscription = Subscription(self._participant, topic, qos or topic.qos, read, ignore_own)
+        used = topic if exact else self.names.resolved(topic)
+        subscription = Subscription(self._participant, used, qos or topic.qos, read, ignore_own)
+        subscription.constant_name = topic.name
         self.subscriptions.append(subscription)
         self._waitset.attach(subscription.condition)
+        self._announce()
         return subscription
+
+    def remove(self, end: Publisher | Subscription[Any]) -> None:
+        """Delete a publisher or subscription of this node."""
+        if isinstance(end, Publisher):
+            self.publishers.remove(end)
+        else:
+            self._waitset.detach(end.condition)
+            self.subscriptions.remove(end)
+        end.delete()
+        self._announce()
+
+    def _announce(self) -> None:
+        """Send the node's name and its publishers and subscriptions, as ROS 2's middleware does."""
+        info = {
+            "node_namespace": self.names.namespace,
+            "node_name": self.name,
+            "reader_gid_seq": [{"data": [*one.guid]} for one in self.subscriptions],
+            "writer_gid_seq": [{"data": [*one.guid]} for one in self.publishers],
+        }
+        gid = {"data": [*self._participant.guid.bytes]}
+        self._info.send(cdr.message(DISCOVERY_INFO.type_name, gid=gid, node_entities_info_seq=[info]))
 
     def wait(self, seconds: float) -> bool:
         """Wait for a message, with a timeout in s. Returns True if a message is available."""
@@ -269,7 +331,7 @@ def _dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
     return DdsQos(
         Policy.Reliability.Reliable(_BLOCKING) if qos.reliable else Policy.Reliability.BestEffort,
         Policy.Durability.TransientLocal if qos.transient_local else Policy.Durability.Volatile,
-        Policy.History.KeepLast(qos.depth),
+        Policy.History.KeepLast(qos.depth) if qos.depth else Policy.History.KeepAll,
         Policy.IgnoreLocal.Participant if ignore_own else Policy.IgnoreLocal.Nothing,
         Policy.Userdata(f"typehash={kind.type_hash};".encode()),
     )

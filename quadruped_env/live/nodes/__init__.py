@@ -16,6 +16,7 @@ SUMMARIES: Final = {
     "controller": "a policy drives the robot: states and /cmd_vel in, joint commands out",
     "view": "the live robot in the browser, with keys to steer it",
     "teleop": "drive the robot with the keyboard: /cmd_vel",
+    "gamepad": "drive the robot with a gamepad or joystick: /cmd_vel, /estop",
     "echo": "print the messages of a topic",
     "list": "list topics, types, publishers and subscriptions",
     "hz": "measure the rate of messages",

@@ -26,7 +26,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
-from quadruped_env.live.messages.joint_messages import JointReader, command_message
+from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, command_message
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.live.node_options import add_robot_argument, robot_of
@@ -151,15 +151,15 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
 
 def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
     commands = session.node.publish(JOINT_COMMANDS)
-    reader = JointReader(JOINT_STATES.name, gait.robot, ["positions"])
+    reader, merger = JointReader(JOINT_STATES.name, gait.robot, states=True), JointMerger(gait.robot, velocities=False)
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
     first: NDArray[np.float64] | None = None
     while session.running and first is None:
-        session.wait_for(JOINT_STATES.name)
+        session.wait_for(merger.missing if states.count else JOINT_STATES.name)
         session.wait()
-        newest = states.newest(session.refuse)
-        if newest is not None:
-            first = newest[1].positions
+        for _, joints in states.messages(session.refuse):
+            if whole := merger.add(joints):
+                first = whole.positions
         gait.take(0.0)
         session.report()
     if first is None:
