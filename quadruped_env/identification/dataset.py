@@ -202,7 +202,8 @@ def check_feedback(measured: JointTrajectory, commands: JointTrajectory, without
         f"{measured.source.name}: {fact}; a servo without feedback reports no position of its own. Nothing here shows "
         f"how the motors move these joints, so "
         f"{', '.join((*QUANTITIES, *SERVO_ERRORS))} cannot be identified. Record them with encoders or a camera, or "
-        f"leave them out (--without); or take their motors from a data sheet (docs/identification.md)"
+        f"leave them out (--without); or take their motors from a data sheet "
+        f"(docs/identification.md#servos-without-feedback)"
     )
 
 
