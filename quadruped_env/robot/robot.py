@@ -404,7 +404,7 @@ class Robot:
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""
         return {
-            entry.name: dataclasses.asdict(value) if isinstance(value, MotorConfig) else plain(value)
+            entry.name: value.to_dict() if isinstance(value, MotorConfig) else plain(value)
             for entry, value in self._content()
             if value is not None or entry.name not in _OPTIONAL
         }

@@ -14,7 +14,7 @@ from quadruped_env.cli.identify import add_arguments
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.identification import BASES, FITTED, QUANTITIES, identify
-from quadruped_env.identification.dataset import align, held
+from quadruped_env.identification.dataset import align, check_feedback, held
 from quadruped_env.identification.fit import MotorFit, joint_spec
 from quadruped_env.identification.fitted_parameters import (
     coordinate_derivatives,
@@ -151,6 +151,34 @@ class TestRecorded:
         ):
             with pytest.raises(QuadrupedError, match=message):
                 identify(commands, commands, **arguments)
+
+    def test_servos_without_feedback_are_named_with_what_they_do_not_tell(self):
+        """A driver that repeats the target, at once or later and rounded to 0.01 degrees, or that reports nothing."""
+        commands = commanded(4.0)
+        stamps = np.arange(60_000_000, 4_000_000_000, 12_345_678)
+
+        def targets_at(when):
+            return commands.positions[np.searchsorted(commands.stamps, when, side="right") - 1]
+
+        rounded = np.radians(np.degrees(targets_at(stamps - 40_000_000)).round(2))
+        late = JointTrajectory(stamps, JOINT_NAMES, rounded)
+        constant = JointTrajectory(stamps, JOINT_NAMES, np.tile(STANCE, (len(stamps), 1)))
+        real = measured(commands, TRUTH)
+        mixed = real.positions.copy()
+        mixed[:, 1::2] = targets_at(real.stamps)[:, 1::2]
+        mixed = JointTrajectory(real.stamps, JOINT_NAMES, mixed)
+        unknown = r"so stall_torque, .*, delay, target_step, backlash, dead_band cannot be identified.*--without"
+        check_feedback(real, commands)
+        for recording, message in (
+            (commands, rf"positions of {', '.join(JOINT_NAMES)} are their targets, 0 ms later; .*{unknown}"),
+            (late, rf"are their targets, (3|4)\d ms later.*{unknown}"),
+            (constant, rf"no position changes, though the targets do.*{unknown}"),
+        ):
+            with pytest.raises(QuadrupedError, match=message):
+                identify(recording, commands)
+        with pytest.raises(QuadrupedError, match=rf"positions of {', '.join(JOINT_NAMES[1::2])} are their targets"):
+            check_feedback(mixed, commands)
+        check_feedback(mixed, commands, JOINT_NAMES[1::2])
 
 
 class TestCoordinates:
