@@ -36,6 +36,15 @@ MESSAGE_TYPES: Final = (
 """Names, `package/msg/Type`."""
 
 
+_CONTROL_TYPES: Final = {
+    "control_msgs/msg/InterfaceValue": "string[] interface_names\nfloat64[] values\n",
+    "control_msgs/msg/DynamicJointState": (
+        "std_msgs/Header header\nstring[] joint_names\ncontrol_msgs/InterfaceValue[] interface_values\n"
+    ),
+}
+"""Types of recordings that `rosbags` lacks; bags of sqlite3 do not define theirs."""
+
+
 @dataclass(frozen=True)
 class Field:
     """One field of a message."""
@@ -76,10 +85,13 @@ def typestore() -> Any:
         MissingExtraError: if rosbags is not installed.
     """
     try:
-        from rosbags.typesys import Stores, get_typestore
+        from rosbags.typesys import Stores, get_types_from_msg, get_typestore
     except ImportError as error:
         raise MissingExtraError("reading and writing ROS messages", "ros") from error
-    return get_typestore(Stores.ROS2_HUMBLE)
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    for name, definition in _CONTROL_TYPES.items():
+        store.register(get_types_from_msg(definition, name))
+    return store
 
 
 @cache

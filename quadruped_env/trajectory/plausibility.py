@@ -1,0 +1,575 @@
+"""Plausibility of recordings: positions, velocities, efforts and timestamps against each other.
+
+A finding says what cannot be, where, how much, and which option repairs it. Nothing is changed here. The bounds are far
+from what legs do, so that a motion is never called impossible: real logs reach 25 rad/s.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.rows import Rows, joined
+
+TURN: Final = 2.0 * np.pi
+
+_MIN_ROWS: Final = 20
+"""Fewer rows show nothing."""
+_BLOCK: Final = 4096
+_MARGIN: Final = 16
+"""Rows of context on both sides of a row."""
+_PERIODS: Final = (5e-5, 1.0)
+"""Shortest and longest time between rows of a robot's log, s."""
+_MAX_SPEED: Final = 20.0
+"""rad/s, from rest to rest within one step."""
+_MAX_ACCELERATION: Final = 5000.0
+"""rad/s^2. 20 N m accelerate a bare shank and its rotor by less."""
+_MIN_STEP: Final = 0.1
+"""rad; smaller steps may be noise."""
+_PROMINENCE: Final = 8.0
+"""Factor over the median of the steps around it from which on a step stands out."""
+_MIN_MOTION: Final = 0.02
+"""Root mean square motion within 0.1 s from which on a joint counts as moving, rad."""
+_COARSE: Final = 0.005
+"""Resolution from which on it is reported, rad."""
+_MAX_TORQUE: Final = 500.0
+"""N m; no leg that fits this package has more."""
+_FACTORS: Final = (
+    (180.0 / np.pi, "velocities in degrees/s, or positions in turns of another unit than rad"),
+    (np.pi / 180.0, "positions in degrees and velocities in rad/s"),
+    (30.0 / np.pi, "velocities in rpm"),
+    (1.0 / 6.0, "velocities in rpm, positions in degrees"),
+    (1.0 / TURN, "velocities in turns/s"),
+    (TURN, "positions in turns"),
+    (1e3, "timestamps in another unit, by 1000"),
+    (1e-3, "timestamps in another unit, by 1000, or velocities in 1/ms"),
+    (1e6, "timestamps in another unit, by 1e6"),
+    (1e-6, "timestamps in another unit, by 1e6"),
+)
+"""Velocity over rate of change of the position, and its usual cause."""
+_IGNORE_VELOCITY: Final = (
+    "leave them out (--ignore velocity), and differentiate the positions (convert --differentiate)"
+)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something in a recording that cannot be."""
+
+    text: str
+    """What, where, how much, and the repair"""
+    joints: tuple[str, ...]
+    """Joints concerned; all of them if the timestamps are"""
+    spoils: bool
+    """True if a fit to the recording would be wrong"""
+
+
+@dataclass
+class _Events:
+    """Places at which one kind of thing happens."""
+
+    counts: Counter[int] = field(default_factory=Counter)
+    """Column -> number of places"""
+    first: tuple[int, float, int] | None = None
+    """Number of the row in the file, time in s, column"""
+    largest: tuple[float, float] = (0.0, 0.0)
+    """Magnitude of the largest one, and the time over which it happens, s"""
+    smallest: float = np.inf
+
+    def add(self, rows: Any, columns: Any, sizes: Any, steps: Any, numbers: Any, times: Any) -> None:
+        """Add places: their rows and columns, magnitudes and durations."""
+        for i, column, size, step in zip(rows, columns, sizes, steps, strict=True):
+            self.counts[int(column)] += 1
+            place = int(numbers[i]), float(times[i]), int(column)
+            if self.first is None or place[1] < self.first[1]:
+                self.first = place
+            self.largest = max(self.largest, (float(size), float(step)))
+            self.smallest = min(self.smallest, float(size))
+
+    @property
+    def total(self) -> int:
+        """Number of places."""
+        return sum(self.counts.values())
+
+
+def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN,)) -> tuple[Finding, ...]:
+    """The findings in rows that are all in memory."""
+    check = Plausibility(periods)
+    for _ in check.watch([rows]):
+        pass
+    return check.findings(row_name)
+
+
+def spikes(rows: Rows, periods: Sequence[float] = (TURN,)) -> NDArray[np.bool_]:
+    """Mask (n, J) of positions that are elsewhere for a single row, of two rows or more."""
+    return _Steps(rows, periods).spikes
+
+
+class Plausibility:
+    """Collects what is implausible in the pieces of a recording; memory does not grow with its length.
+
+    Args:
+        periods: angles after which an encoder may begin again, rad.
+    """
+
+    def __init__(self, periods: Sequence[float] = (TURN,)) -> None:
+        self._row_name = "row"
+        self._periods = tuple(periods)
+        self._names: tuple[str, ...] = ()
+        self._kinds: tuple[str, ...] = ()
+        self._first_stamp = 0
+        self._period = 0.0
+        self._count = 0
+        self._places = {name: _Events() for name in ("wrap", "spike", "jump", "speed", "frozen", "clock")}
+        self._wrapped: Counter[float] = Counter()
+        self._bursts = 0
+        self._moving = self._repeated = 0
+        self._sums: dict[str, Any] = {}
+        self._values: list[NDArray[np.float64]] = []
+        """Different positions of each joint, up to a number"""
+        self._equal: dict[tuple[str, str], bool] = {}
+        """Pair of kinds or of joints -> whether their numbers are equal in all rows"""
+
+    def watch(self, pieces: Iterable[Rows]) -> Iterator[Rows]:
+        """The same pieces, each checked after it was used."""
+        buffer: Rows | None = None
+        begin = 0
+        for piece in pieces:
+            yield piece
+            for start in range(0, len(piece), _BLOCK):
+                part = piece.take(np.s_[start : start + _BLOCK])
+                buffer = part if buffer is None else joined([buffer, part])
+                if len(buffer) >= _BLOCK:
+                    end = len(buffer) - _MARGIN
+                    self._add(buffer, begin, end)
+                    buffer, begin = buffer.take(np.s_[end - _MARGIN :]), _MARGIN
+        if buffer is not None:
+            self._add(buffer, begin, len(buffer))
+
+    def _add(self, rows: Rows, begin: int, end: int) -> None:
+        """Check the rows from `begin` on and before `end`; the others are their context."""
+        if not self._names:
+            self._names, self._kinds = rows.names, tuple(rows.values)
+            self._first_stamp = int(rows.stamps[0])
+            self._period = float(np.median(np.diff(rows.stamps))) / NS_PER_SECOND if len(rows) > 1 else 0.0
+            self._values = [np.empty(0)] * len(rows.names)
+        self._count += end - begin
+        if len(rows) < _MIN_ROWS:
+            return
+        with np.errstate(all="ignore"):
+            steps = _Steps(rows, self._periods)
+            if _PERIODS[0] <= self._period <= _PERIODS[1]:
+                self._add_places(rows, steps, begin, end)
+            self._add_sums(rows, steps, begin, end)
+            self._add_values(rows, begin, end)
+
+    def _add_places(self, rows: Rows, steps: "_Steps", begin: int, end: int) -> None:
+        times = (rows.stamps - self._first_stamp) / NS_PER_SECOND
+
+        def add(name: str, mask: NDArray[np.bool_], sizes: NDArray[np.float64], after: int) -> None:
+            found, columns = np.nonzero(mask)
+            inside = (found + after >= begin) & (found + after < end)
+            found, columns = found[inside], columns[inside]
+            self._places[name].add(
+                found + after, columns, sizes[found, columns], steps.time[found], rows.numbers, times
+            )
+
+        size = np.abs(steps.change)
+        add("wrap", steps.wrapped != 0.0, np.abs(steps.wrapped), 1)
+        for period in np.unique(np.abs(steps.wrapped[steps.wrapped != 0.0])):
+            self._wrapped[float(period)] += 1
+        add("spike", steps.spikes[1:], size, 1)
+        add("jump", steps.jumps, size, 1)
+        add("frozen", *_frozen(rows, steps), 0)
+        if "velocity" in rows.values:
+            add("speed", *_false_speeds(rows.values["velocity"], steps), 0)
+        add("clock", *_clock_jumps(steps), 1)
+        inside = slice(max(begin - 1, 0), end - 1)
+        mean = float(np.mean(steps.duration[~steps.gap])) if (~steps.gap).any() else 0.0
+        if mean < 3.0 * steps.period:
+            self._bursts += int((steps.duration[inside] < 0.2 * mean).sum())
+        else:
+            self._bursts += int((steps.duration[inside] < 3.0 * steps.period).sum())
+        repeats = np.logical_and.reduce([(np.diff(array, axis=0) == 0.0).all(axis=1) for array in rows.values.values()])
+        moving = _reach(size.max(axis=1) > 0.01, 3)
+        self._moving += int(moving[inside].sum())
+        self._repeated += int((moving & repeats)[inside].sum())
+
+    def _add_sums(self, rows: Rows, steps: "_Steps", begin: int, end: int) -> None:
+        """Sums over windows of 0.1 s: motion, integrated velocity, and their products; work of the efforts."""
+        add = self._sums
+
+        def plus(name: str, value: Any) -> None:
+            add[name] = add.get(name, 0.0) + value
+
+        change = np.where(steps.bad, np.nan, steps.change - steps.wrapped)
+        inside = slice(begin, end - 1)
+        width = max(4, round(0.1 / self._period)) if self._period > 0.0 else 4
+        edges = np.arange(begin, end, min(width, max((end - begin) // 4, 1)))
+        if len(edges) < 2:
+            return
+        motion = np.add.reduceat(change[: edges[-1]], edges[:-1], axis=0)
+        whole = np.isfinite(motion)
+        plus("windows", whole.sum(axis=0))
+        motion = np.where(whole, motion, 0.0)
+        plus("motion", (motion**2).sum(axis=0))
+        plus("path", np.abs(motion).sum(axis=0))
+        plus("net", motion.sum(axis=0))
+        known = np.nan_to_num(change)
+        plus("steps", (known[inside] ** 2).sum(axis=0))
+        plus("smooth", (known[inside][1:] * known[inside][:-1]).sum(axis=0))
+        if "velocity" in rows.values:
+            velocity = rows.values["velocity"]
+            integral = (velocity[1:] + velocity[:-1]) / 2.0 * steps.duration[:, None]
+            speed = np.where(whole, np.add.reduceat(integral[: edges[-1]], edges[:-1], axis=0), 0.0)
+            plus("speed", (speed**2).sum(axis=0))
+            plus("product", motion.T @ speed)
+        if "effort" in rows.values:
+            effort = rows.values["effort"][:-1][inside]
+            work = np.nan_to_num(effort * known[inside])
+            plus("work", work.sum())
+            plus("effort work", np.abs(work).sum())
+            add["torque"] = np.fmax(add.get("torque", 0.0), np.nanmax(np.abs(np.nan_to_num(effort)), axis=0))
+            add["measured"] = add.get("measured", False) | np.isfinite(effort).any(axis=0)
+
+    def _add_values(self, rows: Rows, begin: int, end: int) -> None:
+        """Different values of each joint, and whether kinds or joints have the same numbers."""
+        part = rows.take(np.s_[begin:end])
+        position = part.values["position"]
+        for i, values in enumerate(self._values):
+            if len(values) < _BLOCK:
+                self._values[i] = np.union1d(values, position[:, i])
+        pairs = {(a, b): (part.values[a], part.values[b]) for a in part.values for b in part.values if a < b}
+        if "effort" in part.values:
+            columns = dict(zip(self._names, position.T, strict=True))
+            pairs |= {(a, b): (columns[a], columns[b]) for a in columns for b in columns if a < b}
+        for pair, (one, other) in pairs.items():
+            if self._equal.get(pair, True):
+                self._equal[pair] = bool(np.array_equal(one, other))
+
+    def findings(self, row_name: str) -> tuple[Finding, ...]:
+        """The findings in everything that was watched, those that spoil a fit first; `row_name` is a row in words."""
+        self._row_name = row_name
+        if self._count < _MIN_ROWS:
+            return ()
+        with np.errstate(all="ignore"):
+            found = [*self._of_timestamps(), *self._of_places(), *self._of_velocities(), *self._of_efforts()]
+            found += [*self._of_copies(), *self._of_resolution()]
+        return tuple(sorted(found, key=lambda one: not one.spoils))
+
+    def _of_timestamps(self) -> Iterator[Finding]:
+        if not _PERIODS[0] <= self._period <= _PERIODS[1]:
+            yield Finding(
+                f"timestamps: the usual time between {self._row_name}s is {_time(self._period)}, which no robot's log "
+                f"has: they are probably in another unit; name it (stamp_unit in a map), or give the time from row to "
+                f"row in s (--stamps 0.01)",
+                self._names,
+                True,
+            )
+        clock = self._places["clock"]
+        if clock.first is not None:
+            yield Finding(
+                f"timestamps jump by {_time(clock.largest[1])} {self._at(clock)} while the joints move on as from one "
+                f"row to the next: the clock was set, or rows are from two recordings; give the time from row to row "
+                f"in s (--stamps {self._period:.4g}), or cut (convert --start, --stop)",
+                self._names,
+                True,
+            )
+        if self._bursts >= 10 and self._bursts > 0.02 * self._count:
+            yield Finding(
+                f"timestamps come in bursts: {self._bursts} of {self._count} {self._row_name}s follow the one before "
+                f"within a fifth of the mean time, as if they were taken when messages arrived in batches; use the "
+                f"header's, or give the time from row to row in s (--stamps)",
+                self._names,
+                True,
+            )
+        if self._repeated >= 10 and self._repeated > 0.1 * self._moving:
+            rate = (1.0 - self._repeated / self._moving) / self._period
+            yield Finding(
+                f"{self._repeated} of the {self._moving} {self._row_name}s in motion repeat the one before in every "
+                f"number: the joints have new values at about {rate:.3g} Hz only; differentiate over a longer time "
+                f"(convert --differentiate 0.1)",
+                self._names,
+                False,
+            )
+
+    def _of_places(self) -> Iterator[Finding]:
+        places = self._places
+        if places["wrap"].first is not None:
+            period = max(self._wrapped, key=lambda one: self._wrapped[one])
+            option = "--unwrap" if np.isclose(period, TURN) else f"--unwrap {period:.6g}"
+            yield self._finding(
+                places["wrap"],
+                f"positions wrap: {{joints}} by {period:.4g} rad between two {self._row_name}s {{at}}{{times}}; unwrap "
+                f"them ({option})",
+            )
+        if places["spike"].first is not None:
+            yield self._finding(
+                places["spike"],
+                "positions have spikes of a single row, which no joint can make: {joints} jumps by {size:.3g} rad in "
+                "{step} and back {at}{times}; leave such rows out (--despike)",
+            )
+        jump = places["jump"]
+        if jump.first is not None:
+            constant = jump.total > 2 and jump.largest[0] < 1.2 * jump.smallest and jump.largest[0] > 1.0
+            period = (
+                f"; if an encoder begins again there, unwrap it (--unwrap {jump.largest[0]:.3g})" if constant else ""
+            )
+            yield self._finding(
+                jump,
+                "positions jump faster than a joint can turn (joint targets may): {joints} by {size:.3g} rad in {step}, "
+                f"{{speed:.0f}} rad/s, {{at}}{{times}}{period}; cut there (convert --start, --stop), leave the joint "
+                "out, or mark the value as missing in a map (missing, with --drop)",
+            )
+        if places["frozen"].first is not None:
+            yield self._finding(
+                places["frozen"],
+                "positions stand still and catch up: {joints} is frozen for up to {step} {at}{times}, although the "
+                "joint moves before and after, or its velocity says that it moves; cut there (convert --start, --stop)",
+            )
+        if places["speed"].first is not None:
+            yield self._finding(
+                places["speed"],
+                "velocities that the positions do not have: {joints} by {size:.3g} rad/s {at}{times}; "
+                + _IGNORE_VELOCITY,
+            )
+
+    def _of_velocities(self) -> Iterator[Finding]:
+        sums = self._sums
+        if "speed" not in sums:
+            return
+        motion, speed = (np.sqrt(sums[name] / np.maximum(sums["windows"], 1)) for name in ("motion", "speed"))
+        correlation = sums["product"] / np.sqrt(np.outer(sums["motion"], sums["speed"]))
+        own = np.diag(correlation)
+        groups: dict[str, list[int]] = {}
+        for i in np.flatnonzero((motion > _MIN_MOTION) & (sums["windows"] >= 8)):
+            factor = speed[i] / motion[i]
+            others = np.where(np.arange(len(own)) == i, -1.0, np.nan_to_num(correlation[i], nan=-1.0))
+            best = int(others.argmax())
+            if speed[i] == 0.0:
+                problem = "are 0 while the positions change, so they were not measured"
+            elif own[i] > 0.8 and not 0.6 < factor < 1.7:
+                known, cause = min(_FACTORS, key=lambda one: abs(np.log(factor / one[0])))
+                why = f" ({cause}?)" if abs(np.log(factor / known)) < 0.2 else ""
+                problem = f"are {factor:.3g} times the rate at which the positions change{why}"
+            elif own[i] < -0.8:
+                problem = "have the opposite sign of the rate at which the positions change"
+            elif own[i] < 0.5 and others[best] > 0.95:
+                problem = f"do not fit their positions; those of {self._names[best]} do: columns are swapped"
+            elif own[i] < 0.3 and sums["smooth"][i] > 0.3 * sums["steps"][i]:
+                problem = f"have nothing to do with the rate at which the positions change (correlation {own[i]:.2f})"
+            else:
+                continue
+            groups.setdefault(problem, []).append(i)
+        merged: dict[str, list[int]] = {}
+        for problem, joints in groups.items():
+            # The factors of several joints differ in their last digits.
+            alike = next(
+                (one for one in merged if one.split("(")[1:] == problem.split("(")[1:] and "times" in one), None
+            )
+            merged.setdefault(alike if alike and "times" in problem else problem, []).extend(joints)
+        for problem, joints in merged.items():
+            fix = "fix the unit (velocity_unit or stamp_unit in a map, --stamps), or " if "times" in problem else ""
+            yield Finding(
+                f"velocities of {self._some(joints)} {problem}; {fix}{_IGNORE_VELOCITY}",
+                tuple(self._names[i] for i in joints),
+                True,
+            )
+
+    def _of_efforts(self) -> Iterator[Finding]:
+        sums = self._sums
+        if "work" not in sums:
+            return
+        motion = np.sqrt(sums["motion"] / np.maximum(sums["windows"], 1)) > _MIN_MOTION
+        zero = np.flatnonzero(motion & (sums["torque"] == 0.0) & sums["measured"])
+        ignore = "leave them out (--ignore effort)"
+        if len(zero):
+            yield Finding(
+                f"efforts of {self._some(zero)} are 0 in every {self._row_name} while the joints move, so they were "
+                f"not measured; {ignore}",
+                tuple(self._names[i] for i in zero),
+                True,
+            )
+        large = np.flatnonzero(sums["torque"] > _MAX_TORQUE)
+        if len(large):
+            yield Finding(
+                f"efforts of {self._some(large)} reach {sums['torque'].max():.4g}, which are no N m of a leg; give "
+                f"their factor (effort_scale in a map), or {ignore}",
+                tuple(self._names[i] for i in large),
+                True,
+            )
+        back_and_forth = sums["path"].sum() > 6.0 * np.abs(sums["net"]).sum()
+        if sums["work"] < -0.5 * sums["effort work"] and back_and_forth and motion.any():
+            yield Finding(
+                f"efforts have the opposite sign of the positions: over the recording the motors would take up "
+                f"{-sums['work']:.3g} J; turn it round (effort_scale = -1 in a map), or {ignore}",
+                self._names,
+                True,
+            )
+
+    def _of_copies(self) -> Iterator[Finding]:
+        moving = {name for name, values in zip(self._names, self._values, strict=True) if len(values) >= _MIN_ROWS}
+        for (one, other), equal in self._equal.items():
+            if not equal or not moving:
+                continue
+            if one in self._kinds and other in self._kinds:
+                kind = min((one, other), key=lambda kind: kind == "position")
+                text = f"{one} and {other} are the same numbers in every {self._row_name}: a column was copied; leave"
+                yield Finding(f"{text} one out (--ignore {kind})", self._names, True)
+            elif {one, other} <= moving:
+                yield Finding(
+                    f"{one} and {other} have the same positions in every {self._row_name}: of two measured joints one "
+                    f"is a copy; leave it out, or map its own column",
+                    (one, other),
+                    True,
+                )
+
+    def _of_resolution(self) -> Iterator[Finding]:
+        coarse: dict[str, list[int]] = {}
+        for i, values in enumerate(self._values):
+            if not 8 <= len(values) < _BLOCK:
+                continue
+            multiples = np.diff(values) / (unit := float(np.diff(values).min()))
+            if unit > _COARSE and (np.abs(multiples - np.rint(multiples)) < 1e-3).all():
+                coarse.setdefault(f"{unit:.3g} rad ({np.degrees(unit):.3g} degrees)", []).append(i)
+        for unit, joints in coarse.items():
+            yield Finding(
+                f"positions of {self._some(joints)} have steps of {unit}: velocities differentiated from them are "
+                f"coarse, and friction and delay of motors do not show",
+                tuple(self._names[i] for i in joints),
+                False,
+            )
+
+    def _finding(self, events: _Events, text: str) -> Finding:
+        """The finding of events, whose text names their first place and largest size."""
+        size, step = events.largest
+        place = {"size": size, "step": _time(step), "speed": size / max(step, 1e-9)}
+        times = f", {events.total} times" if events.total > 1 else ""
+        first = list(dict.fromkeys([events.first[2], *events.counts])) if events.first else []
+        filled = text.format(joints=self._some(first), at=self._at(events), times=times, **place)
+        return Finding(filled, tuple(self._names[i] for i in events.counts), True)
+
+    def _at(self, events: _Events) -> str:
+        assert events.first is not None
+        first = "first " if events.total > 1 else ""
+        return f"{first}at {events.first[1]:.3f} s ({self._row_name} {events.first[0]})"
+
+    def _some(self, columns: Iterable[int]) -> str:
+        """Names of a few joints, and how many more there are."""
+        names = [self._names[int(i)] for i in columns]
+        return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+
+
+class _Steps:
+    """The steps between rows: n rows have n - 1.
+
+    Args:
+        rows: two or more.
+        periods: angles after which an encoder may begin again, rad.
+    """
+
+    def __init__(self, rows: Rows, periods: Sequence[float]) -> None:
+        position = rows.values["position"]
+        self.change = np.diff(position, axis=0)
+        """rad (n - 1, J)"""
+        self.duration = np.diff(rows.stamps) / NS_PER_SECOND
+        """s (n - 1,)"""
+        self.period = float(np.median(self.duration))
+        self.gap = self.duration > 3.0 * self.period
+        # Timestamps of a burst are too close to each other; positions are not.
+        self.time = np.maximum(self.duration, self.period)
+        size = np.abs(self.change)
+        time = self.time[:, None]
+        bound = np.maximum(_MIN_STEP, np.maximum(_MAX_SPEED * time, _MAX_ACCELERATION / 4.0 * time**2))
+        self.wrapped = np.zeros_like(self.change)
+        """Whole periods in the steps, rad (n - 1, J)"""
+        self.jumps = np.zeros(self.change.shape, dtype=np.bool_)
+        self.spikes = np.zeros(position.shape, dtype=np.bool_)
+        """Rows (n, J)"""
+        for i, j in np.argwhere((size > 0.5 * bound) & ~self.gap[:, None]):
+            near = np.delete(size[max(i - 5, 0) : i + 6, j], min(i, 5))
+            usual, most = float(np.median(near)), float(np.sort(near)[max(len(near) * 3 // 4 - 1, 0)])
+            step = self.change[i, j]
+            for period in periods:
+                whole = round(step / period) * period
+                if whole and abs(step - whole) <= min(4.0 * most + 0.02, 0.15 * period) and size[i, j] > 4.0 * most:
+                    self.wrapped[i, j] = whole
+            if self.wrapped[i, j] or size[i, j] <= _PROMINENCE * usual:
+                continue
+            back = -self.change[i + 1, j] / step if i + 1 < len(size) and not self.gap[i + 1] else 0.0
+            if 0.5 < back < 2.0:
+                self.spikes[i + 1, j] = True
+            elif size[i, j] > bound[i, 0] and not self.spikes[i, j]:
+                self.jumps[i, j] = True
+        self.bad = self.jumps | self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
+        """Steps that say nothing about the motion (n - 1, J)"""
+
+
+def _frozen(rows: Rows, steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Mask (n - 1, J) of the first steps of runs of equal positions while the joint moves, and the steps' sizes."""
+    found = np.zeros(steps.change.shape, dtype=np.bool_)
+    least = max(5, round(0.03 / steps.period)) if steps.period > 0.0 else 5
+    velocity = rows.values.get("velocity")
+    size = np.abs(steps.change)
+    for j in range(size.shape[1]):
+        still = np.concatenate([[False], (size[:, j] == 0.0) & ~steps.gap, [False]])
+        edges = np.flatnonzero(np.diff(still.astype(np.int8)))
+        for start, end in zip(edges[::2], edges[1::2], strict=True):
+            if end - start < least or start < 3 or end + 4 > len(size):
+                continue
+            before, after = size[start - 3 : start, j], size[end + 1 : end + 4, j]
+            speed = max(before.mean(), after.mean())
+            catches_up = size[end, j] > max(0.05, 5.0 * speed) and before.min() > 0.0 and after.min() > 0.0
+            says_moving = (
+                velocity is not None
+                and abs(float((velocity[start:end, j] * steps.duration[start:end]).sum())) > max(0.1, 5.0 * speed)
+                and speed > 0.0
+            )
+            found[start, j] = catches_up or says_moving
+    return found, np.broadcast_to(steps.duration[:, None], found.shape)
+
+
+def _false_speeds(velocity: NDArray[np.float64], steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Mask (n - 1, J) of single velocities far beyond those of the positions around them, and the velocities."""
+    size = np.abs(velocity)[:-1]
+    moved = np.abs(np.where(steps.bad, np.inf, steps.change - steps.wrapped)) / steps.time[:, None]
+    # The wraps that a driver differentiated are in the positions, too: those are known.
+    padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
+    around = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
+    candidates = size - around > _MAX_SPEED
+    for i, j in np.argwhere(candidates):
+        candidates[i, j] = size[i, j] > _PROMINENCE * np.median(size[max(i - 5, 0) : i + 6, j])
+    return candidates, size
+
+
+def _clock_jumps(steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Mask (n - 1, 1) of steps of time that are too long for what the joints do in them."""
+    found = np.zeros((len(steps.gap), 1), dtype=np.bool_)
+    for i in np.flatnonzero((steps.duration > 10.0 * steps.period) & (steps.duration > 0.2)):
+        near = np.abs(np.concatenate([steps.change[max(i - 3, 0) : i], steps.change[i + 1 : i + 4]]))
+        if len(near) < 6:
+            continue
+        ahead = (steps.change[i - 1] + steps.change[i + 1]) / 2.0
+        moving = near.min(axis=0) > 0.005
+        off = np.abs(steps.change[i] - ahead)
+        found[i] = moving.sum() >= 2 and bool((off[moving] < 0.5 * near.mean(axis=0)[moving]).all())
+    return found, np.broadcast_to(steps.duration[:, None], found.shape)
+
+
+def _reach(mask: NDArray[np.bool_], rows: int) -> NDArray[np.bool_]:
+    """True where the mask is true within some rows before and within some rows after."""
+    before = np.convolve(mask, np.ones(rows + 1))[: len(mask)] > 0.0
+    after = np.convolve(mask[::-1], np.ones(rows + 1))[: len(mask)][::-1] > 0.0
+    return before & after
+
+
+def _time(seconds: float) -> str:
+    """A time with the unit in which it is read most easily."""
+    for unit, length in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= length:
+            return f"{seconds / length:.3g} {unit}"
+    return f"{seconds * 1e9:.3g} ns"
