@@ -165,6 +165,7 @@ def _raw(message: Any, size: int) -> RawJointState:
 def _checked_stamp(time: Any, type_name: str, size: int) -> int:
     if time.nanosec >= NS_PER_SECOND:
         raise QuadrupedError(
-            f"{size} bytes do not hold a {type_name}: {time.nanosec} ns in a second are too many; the message is damaged"
+            f"{size} bytes do not hold a {type_name}: {time.nanosec} ns in a second are too many; the message is "
+            f"damaged"
         )
     return read_stamp(time)

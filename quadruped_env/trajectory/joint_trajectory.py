@@ -135,7 +135,7 @@ class JointTrajectory:
 
         Args:
             path: of the file, or of a bag's directory.
-            topic: topic of the joint states, for a bag that has several; with `merge` several, with commas between them.
+            topic: topic of the joint states, for a bag that has several; with `merge`, several with commas between.
             columns: map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`).
             joint_map: map of another robot's joints to this one's, or the path of its TOML file (in the same module).
             names: names of the joints in their order, for messages and motion clips without names; of a CSV without a

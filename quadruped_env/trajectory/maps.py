@@ -19,8 +19,8 @@ number, 1 for the first:
     stamp = 1
     positions = { flarm = 2, flfoot = 5 }
 
-Without a column of timestamps, `period = 0.02` is the time from row to row in s; it takes the place of `stamp`. A motion
-clip in JSON has its own period, and its columns are given by number.
+Without a column of timestamps, `period = 0.02` is the time from row to row in s; it takes the place of `stamp`. A
+motion clip in JSON has its own period, and its columns are given by number.
 
 If all columns are given by number, the file is expected to have no header line; `header = true` says that it has one,
 `header = false` that it does not.
@@ -47,9 +47,9 @@ A joint that several motors move, as in five-bar legs, has their factors in plac
     [joints.LF_hip_joint]
     sources = { m0 = 0.5, m1 = -0.5 }     # position = sign * scale * (0.5 * m0 - 0.5 * m1) + offset
 
-Velocities are combined in the same way, and efforts so that the power stays the same: that of a joint with one source is
-the source's divided by `sign * scale`. The map is for files (`retarget`) and for single messages (`JointMap.to_joints`),
-and back: `JointMap.to_sources` gives the sources that bring joints to their targets.
+Velocities are combined in the same way, and efforts so that the power stays the same: that of a joint with one source
+is the source's divided by `sign * scale`. The map is for files (`retarget`) and for single messages
+(`JointMap.to_joints`), and back: `JointMap.to_sources` gives the sources that bring joints to their targets.
 """
 
 import json
@@ -325,7 +325,7 @@ class JointMap:
 
     @property
     def _offsets(self) -> NDArray[np.float64]:
-        """Rad (joints,)"""
+        """Offsets of the joints, rad (joints,)."""
         return np.array([rule.offset * UNITS[rule.unit] for rule in self.rules.values()])
 
     def to_joints(
@@ -393,7 +393,7 @@ class JointMap:
 
 
 def _combined(matrix: NDArray[np.float64], values: NDArray[np.float64], missing: float) -> NDArray[np.float64]:
-    """Values (..., n) times a matrix (m, n); `missing` for rows of zeros. What has no factor does not count, even NaN."""
+    """A matrix (m, n) times values (..., n); `missing` for rows of zeros. A factor of 0 hides NaN."""
     columns = []
     for row in matrix:
         used = np.flatnonzero(row)

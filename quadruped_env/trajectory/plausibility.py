@@ -34,6 +34,10 @@ _PROMINENCE: Final = 8.0
 """Factor over the median of the steps around it from which on a step stands out."""
 _MIN_MOTION: Final = 0.02
 """Root mean square motion within 0.1 s from which on a joint counts as moving, rad."""
+_MIN_FROZEN: Final = 5
+"""Equal rows from which on a position is frozen."""
+_MAX_DELAY: Final = 0.1
+"""Largest delay of velocities that is looked for, s."""
 _COARSE: Final = 0.005
 """Resolution from which on it is reported, rad."""
 _MAX_TORQUE: Final = 500.0
@@ -44,6 +48,8 @@ _FACTORS: Final = (
     (30.0 / np.pi, "velocities in rpm"),
     (1.0 / 6.0, "velocities in rpm, positions in degrees"),
     (1.0 / TURN, "velocities in turns/s"),
+    (10.0, "timestamps in another unit, by 10"),
+    (0.1, "timestamps in another unit, by 10"),
     (TURN, "positions in turns"),
     (1e3, "timestamps in another unit, by 1000"),
     (1e-3, "timestamps in another unit, by 1000, or velocities in 1/ms"),
@@ -51,9 +57,7 @@ _FACTORS: Final = (
     (1e-6, "timestamps in another unit, by 1e6"),
 )
 """Velocity over rate of change of the position, and its usual cause."""
-_IGNORE_VELOCITY: Final = (
-    "leave them out (--ignore velocity), and differentiate the positions (convert --differentiate)"
-)
+_IGNORE_VELOCITY: Final = "leave them out (--ignore velocity), or compute them (convert --differentiate)"
 
 
 @dataclass(frozen=True)
@@ -126,7 +130,8 @@ class Plausibility:
         self._count = 0
         self._places = {name: _Events() for name in ("wrap", "spike", "jump", "speed", "frozen", "clock")}
         self._wrapped: Counter[float] = Counter()
-        self._bursts = 0
+        self._short, self._long = np.zeros(3), np.zeros(3)
+        """Number, durations and motions of the steps that are far shorter than the mean, and of the others"""
         self._moving = self._repeated = 0
         self._sums: dict[str, Any] = {}
         self._values: list[NDArray[np.float64]] = []
@@ -186,16 +191,15 @@ class Plausibility:
         add("jump", steps.jumps, size, 1)
         add("frozen", *_frozen(rows, steps), 0)
         if "velocity" in rows.values:
-            add("speed", *_false_speeds(rows.values["velocity"], steps), 0)
-        add("clock", *_clock_jumps(steps), 1)
+            add("speed", steps.false_speeds, np.abs(rows.values["velocity"])[:-1], 0)
+        add("clock", *_clock_jumps(steps), 0)
         inside = slice(max(begin - 1, 0), end - 1)
-        mean = float(np.mean(steps.duration[~steps.gap])) if (~steps.gap).any() else 0.0
-        if mean < 3.0 * steps.period:
-            self._bursts += int((steps.duration[inside] < 0.2 * mean).sum())
-        else:
-            self._bursts += int((steps.duration[inside] < 3.0 * steps.period).sum())
+        duration, motion = steps.duration[inside], size[inside].max(axis=1, initial=0.0)
+        short = duration < 0.2 * np.sort(duration)[: len(duration) * 99 // 100].mean()
+        for total, mask in ((self._short, short), (self._long, ~short)):
+            total += [mask.sum(), duration[mask].sum(), motion[mask].sum()]
         repeats = np.logical_and.reduce([(np.diff(array, axis=0) == 0.0).all(axis=1) for array in rows.values.values()])
-        moving = _reach(size.max(axis=1) > 0.01, 3)
+        moving = _reach(size.max(axis=1) > 0.01, 10)
         self._moving += int(moving[inside].sum())
         self._repeated += int((moving & repeats)[inside].sum())
 
@@ -206,7 +210,8 @@ class Plausibility:
         def plus(name: str, value: Any) -> None:
             add[name] = add.get(name, 0.0) + value
 
-        change = np.where(steps.bad, np.nan, steps.change - steps.wrapped)
+        change = np.where(steps.bad | steps.false_speeds, np.nan, steps.change - steps.wrapped)
+        change[1:][steps.false_speeds[:-1]] = np.nan
         inside = slice(begin, end - 1)
         width = max(4, round(0.1 / self._period)) if self._period > 0.0 else 4
         edges = np.arange(begin, end, min(width, max((end - begin) // 4, 1)))
@@ -217,8 +222,6 @@ class Plausibility:
         plus("windows", whole.sum(axis=0))
         motion = np.where(whole, motion, 0.0)
         plus("motion", (motion**2).sum(axis=0))
-        plus("path", np.abs(motion).sum(axis=0))
-        plus("net", motion.sum(axis=0))
         known = np.nan_to_num(change)
         plus("steps", (known[inside] ** 2).sum(axis=0))
         plus("smooth", (known[inside][1:] * known[inside][:-1]).sum(axis=0))
@@ -228,11 +231,11 @@ class Plausibility:
             speed = np.where(whole, np.add.reduceat(integral[: edges[-1]], edges[:-1], axis=0), 0.0)
             plus("speed", (speed**2).sum(axis=0))
             plus("product", motion.T @ speed)
+            for shift in range(1, min(_MARGIN, int(_MAX_DELAY / max(self._period, 1e-3))) + 1):
+                late = np.add.reduceat(np.roll(integral, -shift, axis=0)[: edges[-1]], edges[:-1], axis=0)
+                plus(f"late {shift}", np.where(whole, motion * late, 0.0).sum(axis=0))
         if "effort" in rows.values:
             effort = rows.values["effort"][:-1][inside]
-            work = np.nan_to_num(effort * known[inside])
-            plus("work", work.sum())
-            plus("effort work", np.abs(work).sum())
             add["torque"] = np.fmax(add.get("torque", 0.0), np.nanmax(np.abs(np.nan_to_num(effort)), axis=0))
             add["measured"] = add.get("measured", False) | np.isfinite(effort).any(axis=0)
 
@@ -257,7 +260,10 @@ class Plausibility:
         if self._count < _MIN_ROWS:
             return ()
         with np.errstate(all="ignore"):
-            found = [*self._of_timestamps(), *self._of_places(), *self._of_velocities(), *self._of_efforts()]
+            velocities = list(self._of_velocities())
+            for name in (name for finding in velocities for name in finding.joints):
+                self._places["speed"].counts.pop(self._names.index(name), None)
+            found = [*self._of_timestamps(), *self._of_places(), *velocities, *self._of_efforts()]
             found += [*self._of_copies(), *self._of_resolution()]
         return tuple(sorted(found, key=lambda one: not one.spoils))
 
@@ -279,9 +285,11 @@ class Plausibility:
                 self._names,
                 True,
             )
-        if self._bursts >= 10 and self._bursts > 0.02 * self._count:
+        (short, _, near), (long, _, far) = self._short, self._long
+        # After a gap, the joints have moved farther than within a burst.
+        if short >= 10 and short > 0.02 * self._count and near > 0.0 and far / long < 3.0 * near / short:
             yield Finding(
-                f"timestamps come in bursts: {self._bursts} of {self._count} {self._row_name}s follow the one before "
+                f"timestamps come in bursts: {short:.0f} of {self._count} {self._row_name}s follow the one before "
                 f"within a fifth of the mean time, as if they were taken when messages arrived in batches; use the "
                 f"header's, or give the time from row to row in s (--stamps)",
                 self._names,
@@ -315,23 +323,21 @@ class Plausibility:
             )
         jump = places["jump"]
         if jump.first is not None:
-            constant = jump.total > 2 and jump.largest[0] < 1.2 * jump.smallest and jump.largest[0] > 1.0
-            period = (
-                f"; if an encoder begins again there, unwrap it (--unwrap {jump.largest[0]:.3g})" if constant else ""
-            )
+            again = jump.total > 2 and jump.largest[0] < 1.2 * jump.smallest and jump.largest[0] > 1.0
+            wrap = f"; if an encoder begins again there, unwrap it (--unwrap {jump.largest[0]:.3g})" if again else ""
             yield self._finding(
                 jump,
-                "positions jump faster than a joint can turn (joint targets may): {joints} by {size:.3g} rad in {step}, "
-                f"{{speed:.0f}} rad/s, {{at}}{{times}}{period}; cut there (convert --start, --stop), leave the joint "
-                "out, or mark the value as missing in a map (missing, with --drop)",
+                "positions jump faster than a joint can turn (joint targets may): {joints} by {size:.3g} rad in "
+                f"{{step}}, {{speed:.0f}} rad/s, {{at}}{{times}}{wrap}; cut there (convert --start, --stop), leave "
+                "the joint out, or mark the value as missing in a map (missing, with --drop)",
             )
         if places["frozen"].first is not None:
             yield self._finding(
                 places["frozen"],
-                "positions stand still and catch up: {joints} is frozen for up to {step} {at}{times}, although the "
-                "joint moves before and after, or its velocity says that it moves; cut there (convert --start, --stop)",
+                "positions freeze in the middle of the motion (joint targets may): {joints} for up to {size:.3g} s "
+                "{at}{times}; cut there (convert --start, --stop)",
             )
-        if places["speed"].first is not None:
+        if places["speed"].total:
             yield self._finding(
                 places["speed"],
                 "velocities that the positions do not have: {joints} by {size:.3g} rad/s {at}{times}; "
@@ -345,34 +351,40 @@ class Plausibility:
         motion, speed = (np.sqrt(sums[name] / np.maximum(sums["windows"], 1)) for name in ("motion", "speed"))
         correlation = sums["product"] / np.sqrt(np.outer(sums["motion"], sums["speed"]))
         own = np.diag(correlation)
+        shifted = [sums[name] for name in sums if name.startswith("late")]
+        late = np.array([own, *(total / np.sqrt(sums["motion"] * sums["speed"]) for total in shifted)])
         groups: dict[str, list[int]] = {}
-        for i in np.flatnonzero((motion > _MIN_MOTION) & (sums["windows"] >= 8)):
+        for i in np.flatnonzero(sums["windows"] >= 8):
             factor = speed[i] / motion[i]
+            if motion[i] < _MIN_MOTION:
+                if motion[i] < 0.1 * _MIN_MOTION < _MIN_MOTION < speed[i]:
+                    groups.setdefault("say that they move, and the positions do not change", []).append(int(i))
+                continue
+            sampled = sums["smooth"][i] > 0.5 * sums["steps"][i]
+            delay = int(np.nan_to_num(late[:, i]).argmax())
             others = np.where(np.arange(len(own)) == i, -1.0, np.nan_to_num(correlation[i], nan=-1.0))
             best = int(others.argmax())
             if speed[i] == 0.0:
                 problem = "are 0 while the positions change, so they were not measured"
-            elif own[i] > 0.8 and not 0.6 < factor < 1.7:
-                known, cause = min(_FACTORS, key=lambda one: abs(np.log(factor / one[0])))
-                why = f" ({cause}?)" if abs(np.log(factor / known)) < 0.2 else ""
-                problem = f"are {factor:.3g} times the rate at which the positions change{why}"
+            elif own[i] > 0.8 and not (0.6 if sampled else 0.3) < factor < (1.7 if sampled else 3.0):
+                known = [(abs(np.log(factor / one)), one, cause) for one, cause in _FACTORS]
+                near = sorted(one for one in known if one[0] < 0.12)
+                # The known factor in place of each joint's own, which differ.
+                about = f"about {near[0][1]:.4g}" if near else f"{factor:.2g}"
+                problem = f"are {about} times the rate at which the positions change"
+                problem += f" ({', or '.join(cause for _, _, cause in near)}?)" if near else ""
             elif own[i] < -0.8:
                 problem = "have the opposite sign of the rate at which the positions change"
+            elif own[i] < 0.5 and late[delay, i] > max(0.9, others[best]):
+                problem = f"come {_time(delay * self._period)} after the positions, as if filtered"
             elif own[i] < 0.5 and others[best] > 0.95:
-                problem = f"do not fit their positions; those of {self._names[best]} do: columns are swapped"
-            elif own[i] < 0.3 and sums["smooth"][i] > 0.3 * sums["steps"][i]:
-                problem = f"have nothing to do with the rate at which the positions change (correlation {own[i]:.2f})"
+                problem = f"do not fit their positions; those of {self._names[best]} do: columns are swapped or copied"
+            elif own[i] < 0.3 and sampled:
+                problem = "have nothing to do with the rate at which the positions change"
             else:
                 continue
-            groups.setdefault(problem, []).append(i)
-        merged: dict[str, list[int]] = {}
+            groups.setdefault(problem, []).append(int(i))
         for problem, joints in groups.items():
-            # The factors of several joints differ in their last digits.
-            alike = next(
-                (one for one in merged if one.split("(")[1:] == problem.split("(")[1:] and "times" in one), None
-            )
-            merged.setdefault(alike if alike and "times" in problem else problem, []).extend(joints)
-        for problem, joints in merged.items():
             fix = "fix the unit (velocity_unit or stamp_unit in a map, --stamps), or " if "times" in problem else ""
             yield Finding(
                 f"velocities of {self._some(joints)} {problem}; {fix}{_IGNORE_VELOCITY}",
@@ -382,7 +394,7 @@ class Plausibility:
 
     def _of_efforts(self) -> Iterator[Finding]:
         sums = self._sums
-        if "work" not in sums:
+        if "torque" not in sums:
             return
         motion = np.sqrt(sums["motion"] / np.maximum(sums["windows"], 1)) > _MIN_MOTION
         zero = np.flatnonzero(motion & (sums["torque"] == 0.0) & sums["measured"])
@@ -400,14 +412,6 @@ class Plausibility:
                 f"efforts of {self._some(large)} reach {sums['torque'].max():.4g}, which are no N m of a leg; give "
                 f"their factor (effort_scale in a map), or {ignore}",
                 tuple(self._names[i] for i in large),
-                True,
-            )
-        back_and_forth = sums["path"].sum() > 6.0 * np.abs(sums["net"]).sum()
-        if sums["work"] < -0.5 * sums["effort work"] and back_and_forth and motion.any():
-            yield Finding(
-                f"efforts have the opposite sign of the positions: over the recording the motors would take up "
-                f"{-sums['work']:.3g} J; turn it round (effort_scale = -1 in a map), or {ignore}",
-                self._names,
                 True,
             )
 
@@ -449,7 +453,7 @@ class Plausibility:
         size, step = events.largest
         place = {"size": size, "step": _time(step), "speed": size / max(step, 1e-9)}
         times = f", {events.total} times" if events.total > 1 else ""
-        first = list(dict.fromkeys([events.first[2], *events.counts])) if events.first else []
+        first = sorted(events.counts, key=lambda column: column != (events.first or (0, 0, 0))[2])
         filled = text.format(joints=self._some(first), at=self._at(events), times=times, **place)
         return Finding(filled, tuple(self._names[i] for i in events.counts), True)
 
@@ -483,7 +487,7 @@ class _Steps:
         # Timestamps of a burst are too close to each other; positions are not.
         self.time = np.maximum(self.duration, self.period)
         size = np.abs(self.change)
-        time = self.time[:, None]
+        time = self.time[:, None] * _held(self.change)
         bound = np.maximum(_MIN_STEP, np.maximum(_MAX_SPEED * time, _MAX_ACCELERATION / 4.0 * time**2))
         self.wrapped = np.zeros_like(self.change)
         """Whole periods in the steps, rad (n - 1, J)"""
@@ -507,43 +511,54 @@ class _Steps:
                 self.jumps[i, j] = True
         self.bad = self.jumps | self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
         """Steps that say nothing about the motion (n - 1, J)"""
+        self.false_speeds = np.zeros_like(self.bad)
+        """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
+        if "velocity" in rows.values:
+            speed = np.abs(rows.values["velocity"])[:-1]
+            moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
+            padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
+            around = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
+            for i, j in np.argwhere(speed - around > _MAX_SPEED):
+                self.false_speeds[i, j] = speed[i, j] > _PROMINENCE * np.median(speed[max(i - 5, 0) : i + 6, j])
+
+
+def _held(change: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rows (J,) for which a value is held, as in a log that is faster than the measurements; 1 where it is not."""
+    changes = np.count_nonzero(change, axis=0)
+    return np.where(
+        (2 * changes < len(change)) & (40 * changes >= len(change)), len(change) / np.maximum(changes, 1), 1.0
+    )
 
 
 def _frozen(rows: Rows, steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """Mask (n - 1, J) of the first steps of runs of equal positions while the joint moves, and the steps' sizes."""
-    found = np.zeros(steps.change.shape, dtype=np.bool_)
-    least = max(5, round(0.03 / steps.period)) if steps.period > 0.0 else 5
+    """Mask (n - 1, J) of the first steps of runs of equal positions while the joint moves, and the runs' lengths, s.
+
+    It moves if it catches up at the end, if its velocity says so, or if all joints stop and go on at once.
+    """
+    found, length = np.zeros(steps.change.shape, dtype=np.bool_), np.zeros(steps.change.shape)
     velocity = rows.values.get("velocity")
     size = np.abs(steps.change)
     for j in range(size.shape[1]):
         still = np.concatenate([[False], (size[:, j] == 0.0) & ~steps.gap, [False]])
         edges = np.flatnonzero(np.diff(still.astype(np.int8)))
         for start, end in zip(edges[::2], edges[1::2], strict=True):
-            if end - start < least or start < 3 or end + 4 > len(size):
+            if end - start < _MIN_FROZEN or start < 3 or end + 4 > len(size):
                 continue
-            before, after = size[start - 3 : start, j], size[end + 1 : end + 4, j]
-            speed = max(before.mean(), after.mean())
-            catches_up = size[end, j] > max(0.05, 5.0 * speed) and before.min() > 0.0 and after.min() > 0.0
-            says_moving = (
-                velocity is not None
-                and abs(float((velocity[start:end, j] * steps.duration[start:end]).sum())) > max(0.1, 5.0 * speed)
-                and speed > 0.0
-            )
-            found[start, j] = catches_up or says_moving
-    return found, np.broadcast_to(steps.duration[:, None], found.shape)
-
-
-def _false_speeds(velocity: NDArray[np.float64], steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """Mask (n - 1, J) of single velocities far beyond those of the positions around them, and the velocities."""
-    size = np.abs(velocity)[:-1]
-    moved = np.abs(np.where(steps.bad, np.inf, steps.change - steps.wrapped)) / steps.time[:, None]
-    # The wraps that a driver differentiated are in the positions, too: those are known.
-    padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
-    around = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
-    candidates = size - around > _MAX_SPEED
-    for i, j in np.argwhere(candidates):
-        candidates[i, j] = size[i, j] > _PROMINENCE * np.median(size[max(i - 5, 0) : i + 6, j])
-    return candidates, size
+            before, after = size[start - 3 : start], size[end + 1 : end + 4]
+            if before[:, j].min() == 0.0 or after[:, j].min() == 0.0:
+                continue
+            speed = max(before[:, j].mean(), after[:, j].mean())
+            catches_up = size[end, j] > max(0.05, 5.0 * speed)
+            fast = np.minimum(before.min(axis=0), after.min(axis=0)) > 0.01
+            all_stop = fast[j] and fast.sum() > 1 and not size[start:end].any()
+            says_moving = False
+            if velocity is not None:
+                told = np.abs(velocity[start:end, j])
+                path = float((told * steps.duration[start:end]).sum())
+                says_moving = path > 0.1 and float(told.mean()) > 0.5 * float(np.median(np.abs(velocity[:, j])))
+            found[start, j] = catches_up or all_stop or says_moving
+            length[start, j] = steps.duration[start:end].sum()
+    return found, length
 
 
 def _clock_jumps(steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
@@ -571,5 +586,5 @@ def _time(seconds: float) -> str:
     """A time with the unit in which it is read most easily."""
     for unit, length in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
         if seconds >= length:
-            return f"{seconds / length:.3g} {unit}"
+            return f"{seconds / length:.4g} {unit}"
     return f"{seconds * 1e9:.3g} ns"

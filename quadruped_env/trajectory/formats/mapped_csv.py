@@ -32,11 +32,13 @@ _KIND_WORDS: Final = {
     "pos": "position",
     "velocity": "velocity",
     "vel": "velocity",
-} | dict.fromkeys(("effort", "torque", "tau"), "effort")
+    "effort": "effort",
+    "torque": "effort",
+}
 _OTHER_WORDS: Final = frozenset(("cmd", "command", "target", "desired", "des", "ref", "reference", "error", "raw"))
 """Words of columns that were not measured."""
 _TIME_TITLE: Final = re.compile(
-    r"_*(?P<word>t|time|stamp|time_?stamp|elapsed|seconds|sec|secs|s|ms|us|ns)(?:[ _\[(]+(?P<unit>s|sec|ms|us|ns)[\])]?)?$",
+    r"_*(?P<word>t|time|stamp|time_?stamp|elapsed|seconds|secs?|s|ms|us|ns)([ _\[(]+(?P<unit>s|sec|ms|us|ns)[\])]?)?$",
     re.IGNORECASE,
 )
 
@@ -67,7 +69,8 @@ def by_titles(line: str, reading: Reading) -> ColumnMap | None:
     """The column map of a CSV whose columns bear the names of joints, from its first line; None if they do not.
 
     The joints are those of the options, or the built-in robot's. A title is a joint's name, or holds it with a word for
-    the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or s.
+    the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or
+    is s.
     """
     names = reading.options.names or JOINT_NAMES
     patterns = {name: re.compile(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])") for name in names}

@@ -88,11 +88,11 @@ def _merged(messages: Iterator[tuple[int, RawJointState]], reading: Reading) -> 
     for number, state in chain(head, messages):
         order = [columns.get(name, -1) for name in state.names]
         arrays = state[2:]
-        if not order or min(order) < 0 or any(len(array) not in {0, len(order)} for array in arrays):
+        if not order or min(order) < 0 or any(len(given) not in {0, len(order)} for given in arrays):
             yield number, state
             continue
-        for row, array in zip(values, arrays, strict=True):
-            row[order] = array if len(array) else np.nan
+        for row, given in zip(values, arrays, strict=True):
+            row[order] = given if len(given) else np.nan
         times[order] = state.stamp
         if (times < 0).any():
             continue

@@ -1,4 +1,4 @@
-"""Motion clips in JSON: frames of numbers at an even time, as in motion imitation (DeepMimic, AMP, Laikago and A1 clips).
+"""Motion clips in JSON: frames of numbers at an even time, as in motion imitation (DeepMimic, AMP, Laikago and A1).
 
     {"LoopMode": "Wrap", "FrameDuration": 0.01667, "Frames": [[x, y, z, qx, qy, qz, qw, joint, ...], ...]}
 

@@ -20,8 +20,8 @@ _FIX: Final = "name a file of joint states, or the directory of a bag"
 _HEAD: Final = 65536
 """Bytes by which a format is recognised."""
 _KNOWN: Final = (
-    "known are the project's CSV, CSVs whose columns bear the joints' names, any CSV with a column map, ros2 topic echo "
-    "(YAML and --csv), rosbag2 (MCAP and sqlite3) and ROS 1 bags, motion clips (JSON with FrameDuration)"
+    "known are the project's CSV, CSVs whose columns bear the joints' names, any CSV with a column map, ros2 topic "
+    "echo (YAML and --csv), rosbag2 (MCAP and sqlite3) and ROS 1 bags, motion clips (JSON with FrameDuration)"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
     b"\x89MCAP0": bag_reader.read_mcap,
