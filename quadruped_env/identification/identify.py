@@ -13,6 +13,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES, names_of, quantity, value_of
+from quadruped_env.identification.recording_checks import check
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
@@ -230,7 +231,8 @@ def identify(
         robot: robot that was recorded.
 
     Raises:
-        QuadrupedError: if the recordings do not overlap, the commands are constant, or an argument is out of range.
+        QuadrupedError: if the recordings do not overlap, the commands are constant, something in them would spoil the
+            fit (the message says what repairs it), or an argument is out of range.
         MissingExtraError: if MuJoCo's toolbox is not installed.
     """
     if importlib.util.find_spec("tabulate") is None or importlib.util.find_spec("scipy") is None:
@@ -245,6 +247,7 @@ def identify(
     before = start or robot.motors
     measured, commands = measured.in_joint_order(robot), commands.in_joint_order(robot)
     recorded = align(robot, measured, commands, train_share, timestep, without)
+    check(recorded, measured, commands, without)
     mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     fit = MotorFit(recorded, base, before, fitted, progress)
     after = fit.run()

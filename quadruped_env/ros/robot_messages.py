@@ -80,16 +80,16 @@ def read_recorded(
 
 
 def dynamic_state(
-    stamp: int, names: Sequence[str], interfaces: Sequence[tuple[Sequence[str], Sequence[float]]]
+    stamp: int, names: Sequence[str], interfaces: Sequence[tuple[Sequence[str], ArrayLike]]
 ) -> RawJointState:
     """The joint state in a `DynamicJointState`: of each joint the names of its interfaces, and their values.
 
     Raises:
         QuadrupedError: if the lengths differ.
     """
-    if len(interfaces) != len(names) or any(len(keys) != len(values) for keys, values in interfaces):
+    if len(interfaces) != len(names) or any(len(keys) != np.size(values) for keys, values in interfaces):
         raise QuadrupedError(f"{len(names)} joints and {len(interfaces)} lists of interfaces, or of unequal lengths")
-    tables = [dict(zip(keys, values, strict=True)) for keys, values in interfaces]
+    tables = [dict(zip(keys, np.ravel(values), strict=True)) for keys, values in interfaces]
     arrays = []
     for kind in ("position", "velocity", "effort"):
         known = any(kind in table for table in tables)

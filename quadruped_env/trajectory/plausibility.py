@@ -64,12 +64,17 @@ _IGNORE_VELOCITY: Final = "leave them out (--ignore velocity), or compute them (
 class Finding:
     """Something in a recording that cannot be."""
 
+    kind: str
+    """`timestamps`, `wrap`, `spike`, `jump`, `frozen`, `speed`, `velocity`, `effort`, `copy`, `repeats`, `resolution`"""
     text: str
     """What, where, how much, and the repair"""
     joints: tuple[str, ...]
     """Joints concerned; all of them if the timestamps are"""
-    spoils: bool
-    """True if a fit to the recording would be wrong"""
+
+    @property
+    def spoils(self) -> bool:
+        """True if a fit to the recording would be wrong."""
+        return self.kind not in {"repeats", "resolution"}
 
 
 @dataclass
@@ -270,39 +275,39 @@ class Plausibility:
     def _of_timestamps(self) -> Iterator[Finding]:
         if not _PERIODS[0] <= self._period <= _PERIODS[1]:
             yield Finding(
+                "timestamps",
                 f"timestamps: the usual time between {self._row_name}s is {_time(self._period)}, which no robot's log "
                 f"has: they are probably in another unit; name it (stamp_unit in a map), or give the time from row to "
                 f"row in s (--stamps 0.01)",
                 self._names,
-                True,
             )
         clock = self._places["clock"]
         if clock.first is not None:
             yield Finding(
+                "timestamps",
                 f"timestamps jump by {_time(clock.largest[1])} {self._at(clock)} while the joints move on as from one "
                 f"row to the next: the clock was set, or rows are from two recordings; give the time from row to row "
                 f"in s (--stamps {self._period:.4g}), or cut (convert --start, --stop)",
                 self._names,
-                True,
             )
         (short, _, near), (long, _, far) = self._short, self._long
         # After a gap, the joints have moved farther than within a burst.
         if short >= 10 and short > 0.02 * self._count and near > 0.0 and far / long < 3.0 * near / short:
             yield Finding(
+                "timestamps",
                 f"timestamps come in bursts: {short:.0f} of {self._count} {self._row_name}s follow the one before "
                 f"within a fifth of the mean time, as if they were taken when messages arrived in batches; use the "
                 f"header's, or give the time from row to row in s (--stamps)",
                 self._names,
-                True,
             )
         if self._repeated >= 10 and self._repeated > 0.1 * self._moving:
             rate = (1.0 - self._repeated / self._moving) / self._period
             yield Finding(
+                "repeats",
                 f"{self._repeated} of the {self._moving} {self._row_name}s in motion repeat the one before in every "
                 f"number: the joints have new values at about {rate:.3g} Hz only; differentiate over a longer time "
                 f"(convert --differentiate 0.1)",
                 self._names,
-                False,
             )
 
     def _of_places(self) -> Iterator[Finding]:
@@ -311,13 +316,13 @@ class Plausibility:
             period = max(self._wrapped, key=lambda one: self._wrapped[one])
             option = "--unwrap" if np.isclose(period, TURN) else f"--unwrap {period:.6g}"
             yield self._finding(
-                places["wrap"],
+                "wrap",
                 f"positions wrap: {{joints}} by {period:.4g} rad between two {self._row_name}s {{at}}{{times}}; unwrap "
                 f"them ({option})",
             )
         if places["spike"].first is not None:
             yield self._finding(
-                places["spike"],
+                "spike",
                 "positions have spikes of a single row, which no joint can make: {joints} jumps by {size:.3g} rad in "
                 "{step} and back {at}{times}; leave such rows out (--despike)",
             )
@@ -326,20 +331,20 @@ class Plausibility:
             again = jump.total > 2 and jump.largest[0] < 1.2 * jump.smallest and jump.largest[0] > 1.0
             wrap = f"; if an encoder begins again there, unwrap it (--unwrap {jump.largest[0]:.3g})" if again else ""
             yield self._finding(
-                jump,
+                "jump",
                 "positions jump faster than a joint can turn (joint targets may): {joints} by {size:.3g} rad in "
                 f"{{step}}, {{speed:.0f}} rad/s, {{at}}{{times}}{wrap}; cut there (convert --start, --stop), leave "
                 "the joint out, or mark the value as missing in a map (missing, with --drop)",
             )
         if places["frozen"].first is not None:
             yield self._finding(
-                places["frozen"],
+                "frozen",
                 "positions freeze in the middle of the motion (joint targets may): {joints} for up to {size:.3g} s "
                 "{at}{times}; cut there (convert --start, --stop)",
             )
         if places["speed"].total:
             yield self._finding(
-                places["speed"],
+                "speed",
                 "velocities that the positions do not have: {joints} by {size:.3g} rad/s {at}{times}; "
                 + _IGNORE_VELOCITY,
             )
@@ -387,9 +392,9 @@ class Plausibility:
         for problem, joints in groups.items():
             fix = "fix the unit (velocity_unit or stamp_unit in a map, --stamps), or " if "times" in problem else ""
             yield Finding(
+                "velocity",
                 f"velocities of {self._some(joints)} {problem}; {fix}{_IGNORE_VELOCITY}",
                 tuple(self._names[i] for i in joints),
-                True,
             )
 
     def _of_efforts(self) -> Iterator[Finding]:
@@ -401,18 +406,18 @@ class Plausibility:
         ignore = "leave them out (--ignore effort)"
         if len(zero):
             yield Finding(
+                "effort",
                 f"efforts of {self._some(zero)} are 0 in every {self._row_name} while the joints move, so they were "
                 f"not measured; {ignore}",
                 tuple(self._names[i] for i in zero),
-                True,
             )
         large = np.flatnonzero(sums["torque"] > _MAX_TORQUE)
         if len(large):
             yield Finding(
+                "effort",
                 f"efforts of {self._some(large)} reach {sums['torque'].max():.4g}, which are no N m of a leg; give "
                 f"their factor (effort_scale in a map), or {ignore}",
                 tuple(self._names[i] for i in large),
-                True,
             )
 
     def _of_copies(self) -> Iterator[Finding]:
@@ -423,13 +428,13 @@ class Plausibility:
             if one in self._kinds and other in self._kinds:
                 kind = min((one, other), key=lambda kind: kind == "position")
                 text = f"{one} and {other} are the same numbers in every {self._row_name}: a column was copied; leave"
-                yield Finding(f"{text} one out (--ignore {kind})", self._names, True)
+                yield Finding("copy", f"{text} one out (--ignore {kind})", self._names)
             elif {one, other} <= moving:
                 yield Finding(
+                    "copy",
                     f"{one} and {other} have the same positions in every {self._row_name}: of two measured joints one "
                     f"is a copy; leave it out, or map its own column",
                     (one, other),
-                    True,
                 )
 
     def _of_resolution(self) -> Iterator[Finding]:
@@ -440,22 +445,23 @@ class Plausibility:
             multiples = np.diff(values) / (unit := float(np.diff(values).min()))
             if unit > _COARSE and (np.abs(multiples - np.rint(multiples)) < 1e-3).all():
                 coarse.setdefault(f"{unit:.3g} rad ({np.degrees(unit):.3g} degrees)", []).append(i)
-        for unit, joints in coarse.items():
+        for size, joints in coarse.items():
             yield Finding(
-                f"positions of {self._some(joints)} have steps of {unit}: velocities differentiated from them are "
+                "resolution",
+                f"positions of {self._some(joints)} have steps of {size}: velocities differentiated from them are "
                 f"coarse, and friction and delay of motors do not show",
                 tuple(self._names[i] for i in joints),
-                False,
             )
 
-    def _finding(self, events: _Events, text: str) -> Finding:
-        """The finding of events, whose text names their first place and largest size."""
+    def _finding(self, kind: str, text: str) -> Finding:
+        """The finding of a kind of events, whose text names their first place and largest size."""
+        events = self._places[kind]
         size, step = events.largest
         place = {"size": size, "step": _time(step), "speed": size / max(step, 1e-9)}
         times = f", {events.total} times" if events.total > 1 else ""
         first = sorted(events.counts, key=lambda column: column != (events.first or (0, 0, 0))[2])
         filled = text.format(joints=self._some(first), at=self._at(events), times=times, **place)
-        return Finding(filled, tuple(self._names[i] for i in events.counts), True)
+        return Finding(kind, filled, tuple(self._names[i] for i in events.counts))
 
     def _at(self, events: _Events) -> str:
         assert events.first is not None
