@@ -74,7 +74,7 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
         return []
     problems = []
     moved = [i for i in kept if np.ptp(position[:, i]) > _MIN_SHARE * np.ptp(command[:, i])]
-    for i in set(kept) - set(moved):
+    for i in (i for i in kept if i not in moved):
         problems.append(
             f"{names[i]} does not move (by {np.ptp(position[:, i]):.3g} rad where {np.ptp(command[:, i]):.3g} rad are "
             f"commanded); leave it out (--without {names[i]})"
@@ -97,15 +97,18 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
         others = own[: len(early), i].max(axis=0)
         others[[j for j in range(len(names)) if j == i or j not in kept]] = -1.0
         follows = int(others.argmax())
-        opposite = worst < -0.7 and best_own < 0.5
-        swapped = best_own < 0.5 and others[follows] > 0.9
-        if opposite or swapped:
-            first = [f"moves against its command (correlation {worst:.2f}): its sign is wrong (sign = -1 in a map)"]
-            second = [
-                f"follows the command of {names[follows]} (correlation {others[follows]:.2f}): joints are swapped"
-            ]
-            problems.append(f"{names[i]} " + ", or it ".join(first * opposite + second * swapped))
-            continue
+        contradictions = []
+        if best_own < 0.5 and worst < -0.7:
+            contradictions.append(
+                f"moves against its command (correlation {worst:.2f}): its sign is wrong (sign = -1 in a map)"
+            )
+        if best_own < 0.5 and others[follows] > 0.9:
+            contradictions.append(
+                f"follows the command of {names[follows]} (correlation {others[follows]:.2f}): joints are swapped "
+                f"(source or columns in a map)"
+            )
+        if contradictions:
+            problems.append(f"{names[i]} {', or it '.join(contradictions)}")
         if best_own < 0.8:
             continue
         delay = list(delays)[int(own[:, i, i].argmax())]
@@ -119,8 +122,8 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
             )
         elif abs(offset) > _MAX_OFFSET:
             problems.append(
-                f"{names[i]} is {offset:+.3g} rad from its command on average: the two have different zeros (offset in "
-                f"a map)"
+                f"{names[i]} is {offset:+.3g} rad from its command on average: the two have different zeros or signs "
+                f"(offset and sign in a map)"
             )
     return problems + _effort_sign(recorded, command, position, moved)
 
@@ -162,12 +165,13 @@ def _clock_offset(
     """Time in s by which all positions together follow their commands best, its correlation, and that of servos."""
     target, reached = command - command.mean(axis=0), position - position.mean(axis=0)
     target, reached = target / target.std(axis=0), reached / reached.std(axis=0)
-    most = min(round(_SEARCH / step), len(target) // 3)
-    shifts = np.arange(-most, most + 1, max(round(0.01 / step), 1))
     count = len(target)
-    found = np.array(
-        [np.mean(target[max(-k, 0) : count - max(k, 0)] * reached[max(k, 0) : count - max(-k, 0)]) for k in shifts]
-    )
+    most = min(round(_SEARCH / step), count // 3)
+    shifts = np.arange(-most, most + 1, max(round(0.01 / step), 1))
+    found = np.empty(len(shifts))
+    for i, k in enumerate(shifts.tolist()):
+        early, late = max(-k, 0), max(k, 0)
+        found[i] = np.mean(target[early : count - late] * reached[late : count - early])
     servo = (shifts * step >= -0.01) & (shifts * step <= _MAX_DELAY)
     best = int(found.argmax())
     return float(shifts[best] * step), float(found[best]), float(found[servo].max())

@@ -65,7 +65,8 @@ class Finding:
     """Something in a recording that cannot be."""
 
     kind: str
-    """`timestamps`, `wrap`, `spike`, `jump`, `frozen`, `speed`, `velocity`, `effort`, `copy`, `repeats`, `resolution`"""
+    """`timestamps`, `wrap`, `spike`, `jump`, `frozen`, `speed`, `velocity`, `effort`, `copy`, `repeats` or
+    `resolution`"""
     text: str
     """What, where, how much, and the repair"""
     joints: tuple[str, ...]
