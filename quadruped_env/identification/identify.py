@@ -247,9 +247,9 @@ def identify(
     before = start or robot.motors
     measured, commands = measured.in_joint_order(robot), commands.in_joint_order(robot)
     recorded = align(robot, measured, commands, train_share, timestep, without)
+    fit = MotorFit(recorded, base, before, fitted, progress)
     check(recorded, measured, commands, without)
     mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
-    fit = MotorFit(recorded, base, before, fitted, progress)
     after = fit.run()
     found = Identification(
         measured.source.name,

@@ -113,7 +113,8 @@ class TestYaml:
     def test_damage_at_the_end_is_salvaged(self, tmp_path):
         loaded = load(tmp_path / "a", BLOCK + FLOW[:40], salvage=True)
         assert len(loaded) == 1
-        damage, unchecked = loaded.source.notes
+        end, damage, unchecked = loaded.source.notes
+        assert "the last line does not end" in end
         assert damage.startswith("damaged, and read up to the damage: ")
         assert unchecked.endswith("damage in their numbers would not show: 1 of 1 messages (message 0)")
 

@@ -96,10 +96,11 @@ def _merged(messages: Iterator[tuple[int, RawJointState]], reading: Reading) -> 
         times[order] = state.stamp
         if (times < 0).any():
             continue
-        if state.stamp - times.min() <= limit:
+        if times.max() - times.min() <= limit:
             kinds = [row.copy() if np.isfinite(row).any() else np.empty(0) for row in values]
-            yield number, RawJointState(state.stamp, names, *kinds)
+            yield number, RawJointState(int(times.max()), names, *kinds)
         else:
+            reading.rows += 1
             reading.leave_out("the joints' messages are over 1.5 periods apart")
         times[:] = -1
 
