@@ -21,9 +21,10 @@ _MIN_RANGE: Final = 0.05
 _MIN_SHARE: Final = 0.02
 """Share of the commanded range below which a joint did not move."""
 _MAX_OFFSET: Final = 0.5
-"""rad; no servo that works stands so far from its command on average."""
+"""Mean distance of a working servo from its command, which none exceeds, rad."""
+_MIN_GAIN: Final = 0.5
 _MAX_GAIN: Final = 3.0
-"""Motion over commanded motion that no servo reaches."""
+"""Motion over commanded motion: below the one a servo may hang far from its command, and none reaches the other."""
 
 
 def check(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory, without: Sequence[str]) -> None:
@@ -120,7 +121,7 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
                 f"{names[i]} moves {gain:.3g} times as far as it is commanded: the two have different units or scales "
                 f"(--degrees, or unit and scale in a map)"
             )
-        elif abs(offset) > _MAX_OFFSET:
+        elif gain > _MIN_GAIN and abs(offset) > _MAX_OFFSET:
             problems.append(
                 f"{names[i]} is {offset:+.3g} rad from its command on average: the two have different zeros or signs "
                 f"(offset and sign in a map)"

@@ -195,7 +195,8 @@ def _converted(rows: Rows, reading: Reading) -> Rows:
             mark = f"; if it marks a missing value, add it to the map (missing = {value:g})" if options.columns else ""
             raise QuadrupedError(
                 f"{source.row(row)}, position.{rows.names[column]}: "
-                f"{value:g} rad is more than two turns: these may be degrees. Say so "
-                f'(--degrees, or unit = "deg" in a map) to have them converted, or that they are rad (--radians){mark}'
+                f"{value:g} rad is more than two turns: these may be degrees. Say so (--degrees, or unit = "
+                f'"deg" in a map) to have them converted, or that they are rad (--radians); counts of an encoder need '
+                f"a scale in a map{mark}"
             )
     return rows

@@ -25,11 +25,11 @@ _MARGIN: Final = 16
 _PERIODS: Final = (5e-5, 1.0)
 """Shortest and longest time between rows of a robot's log, s."""
 _MAX_SPEED: Final = 20.0
-"""rad/s, from rest to rest within one step."""
+"""Maximum speed from rest to rest within one step, rad/s."""
 _MAX_ACCELERATION: Final = 5000.0
-"""rad/s^2. 20 N m accelerate a bare shank and its rotor by less."""
+"""Maximum acceleration, rad/s^2: 20 N m accelerate a bare shank and its rotor by less."""
 _MIN_STEP: Final = 0.1
-"""rad; smaller steps may be noise."""
+"""Smallest step that is no noise, rad."""
 _PROMINENCE: Final = 8.0
 """Factor over the median of the steps around it from which on a step stands out."""
 _MIN_MOTION: Final = 0.02
@@ -68,7 +68,7 @@ class Finding:
     """`timestamps`, `wrap`, `spike`, `jump`, `frozen`, `speed`, `velocity`, `effort`, `copy`, `repeats` or
     `resolution`"""
     text: str
-    """What, where, how much, and the repair"""
+    """Description with place, magnitude and repair"""
     joints: tuple[str, ...]
     """Joints concerned; all of them if the timestamps are"""
 
@@ -318,14 +318,14 @@ class Plausibility:
             option = "--unwrap" if np.isclose(period, TURN) else f"--unwrap {period:.6g}"
             yield self._finding(
                 "wrap",
-                f"positions wrap: {{joints}} by {period:.4g} rad between two {self._row_name}s {{at}}{{times}}; unwrap "
-                f"them ({option})",
+                f"positions wrap by {period:.4g} rad between two {self._row_name}s in {{joints}}, {{at}}; unwrap them "
+                f"({option})",
             )
         if places["spike"].first is not None:
             yield self._finding(
                 "spike",
-                "positions have spikes of a single row, which no joint can make: {joints} jumps by {size:.3g} rad in "
-                "{step} and back {at}{times}; leave such rows out (--despike)",
+                f"positions jump away and back within a single {self._row_name}, which no joint can do: by "
+                "{size:.3g} rad in {step} in {joints}, {at}; leave such rows out (--despike)",
             )
         jump = places["jump"]
         if jump.first is not None:
@@ -333,21 +333,21 @@ class Plausibility:
             wrap = f"; if an encoder begins again there, unwrap it (--unwrap {jump.largest[0]:.3g})" if again else ""
             yield self._finding(
                 "jump",
-                "positions jump faster than a joint can turn (joint targets may): {joints} by {size:.3g} rad in "
-                f"{{step}}, {{speed:.0f}} rad/s, {{at}}{{times}}{wrap}; cut there (convert --start, --stop), leave "
-                "the joint out, or mark the value as missing in a map (missing, with --drop)",
+                "positions jump faster than a joint can turn (joint targets may): by {size:.3g} rad in {step}, "
+                f"{{speed:.0f}} rad/s, in {{joints}}, {{at}}{wrap}; cut there (convert --start, --stop), leave the "
+                "joint out, or mark the value as missing in a map (missing, with --drop)",
             )
         if places["frozen"].first is not None:
             yield self._finding(
                 "frozen",
-                "positions freeze in the middle of the motion (joint targets may): {joints} for up to {size:.3g} s "
-                "{at}{times}; cut there (convert --start, --stop)",
+                "positions freeze in the middle of the motion (joint targets may): for up to {size:.3g} s in {joints}, "
+                "{at}; cut there (convert --start, --stop)",
             )
         if places["speed"].total:
             yield self._finding(
                 "speed",
-                "velocities that the positions do not have: {joints} by {size:.3g} rad/s {at}{times}; "
-                + _IGNORE_VELOCITY,
+                f"velocities that the positions do not have: up to {{size:.3g}} rad/s in {{joints}}, {{at}}; "
+                f"{_IGNORE_VELOCITY}",
             )
 
     def _of_velocities(self) -> Iterator[Finding]:
@@ -360,6 +360,7 @@ class Plausibility:
         shifted = [sums[name] for name in sums if name.startswith("late")]
         late = np.array([own, *(total / np.sqrt(sums["motion"] * sums["speed"]) for total in shifted)])
         groups: dict[str, list[int]] = {}
+        swapped = ""
         for i in np.flatnonzero(sums["windows"] >= 8):
             factor = speed[i] / motion[i]
             if motion[i] < _MIN_MOTION:
@@ -381,10 +382,11 @@ class Plausibility:
                 problem += f" ({', or '.join(cause for _, _, cause in near)}?)" if near else ""
             elif own[i] < -0.8:
                 problem = "have the opposite sign of the rate at which the positions change"
-            elif own[i] < 0.5 and late[delay, i] > max(0.9, others[best]):
+            elif own[i] < 0.8 and late[delay, i] > max(0.95, others[best]):
                 problem = f"come {_time(delay * self._period)} after the positions, as if filtered"
-            elif own[i] < 0.5 and others[best] > 0.95:
-                problem = f"do not fit their positions; those of {self._names[best]} do: columns are swapped or copied"
+            elif own[i] < 0.8 and others[best] > 0.95:
+                swapped = swapped or f"{self._names[best]} for {self._names[i]}"
+                problem = f"do not fit their positions, and those of other joints do ({swapped}): swapped or copied"
             elif own[i] < 0.3 and sampled:
                 problem = "have nothing to do with the rate at which the positions change"
             else:
@@ -459,15 +461,14 @@ class Plausibility:
         events = self._places[kind]
         size, step = events.largest
         place = {"size": size, "step": _time(step), "speed": size / max(step, 1e-9)}
-        times = f", {events.total} times" if events.total > 1 else ""
         first = sorted(events.counts, key=lambda column: column != (events.first or (0, 0, 0))[2])
-        filled = text.format(joints=self._some(first), at=self._at(events), times=times, **place)
+        filled = text.format(joints=self._some(first), at=self._at(events), **place)
         return Finding(kind, filled, tuple(self._names[i] for i in events.counts))
 
     def _at(self, events: _Events) -> str:
         assert events.first is not None
-        first = "first " if events.total > 1 else ""
-        return f"{first}at {events.first[1]:.3f} s ({self._row_name} {events.first[0]})"
+        place = f"at {events.first[1]:.3f} s ({self._row_name} {events.first[0]})"
+        return place if events.total == 1 else f"first {place}, {events.total} times"
 
     def _some(self, columns: Iterable[int]) -> str:
         """Names of a few joints, and how many more there are."""
@@ -486,9 +487,9 @@ class _Steps:
     def __init__(self, rows: Rows, periods: Sequence[float]) -> None:
         position = rows.values["position"]
         self.change = np.diff(position, axis=0)
-        """rad (n - 1, J)"""
+        """Steps of the positions, rad (n - 1, J)"""
         self.duration = np.diff(rows.stamps) / NS_PER_SECOND
-        """s (n - 1,)"""
+        """Durations of the steps, s (n - 1,)"""
         self.period = float(np.median(self.duration))
         self.gap = self.duration > 3.0 * self.period
         # Timestamps of a burst are too close to each other; positions are not.

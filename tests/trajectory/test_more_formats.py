@@ -280,6 +280,17 @@ class TestTitles:
         with pytest.raises(QuadrupedError, match=r"two columns hold the position of q1"):
             JointTrajectory.load(tmp_path / "a.csv", names=["q1"])
 
+    def test_dates_and_times_are_read_to_the_nanosecond(self, tmp_path):
+        (tmp_path / "a.csv").write_text("time,q\n1970-01-02T00:00:01.000000005,0\n1970-01-02 01:00:02.5+01:00,0\n")
+        day = 86_400 * 10**9
+        assert JointTrajectory.load(tmp_path / "a.csv", names=["q"]).stamps.tolist() == [
+            day + 10**9 + 5,
+            day + 2_500_000_000,
+        ]
+        (tmp_path / "a.csv").write_text("time,q\n1970-13-02T00:00:01,0\n")
+        with pytest.raises(QuadrupedError, match=r"line 2, time: '1970-13-02T00:00:01' is not a time in s"):
+            JointTrajectory.load(tmp_path / "a.csv", names=["q"])
+
     def test_csv_without_a_time_needs_a_period(self, tmp_path):
         (tmp_path / "a.csv").write_text("LF_hip_joint,LF_knee_joint\n0.1,0.2\n0.3,0.4\n")
         with pytest.raises(QuadrupedError, match=r"no timestamps: .*\(period in the map, or --stamps 0\.02\)"):

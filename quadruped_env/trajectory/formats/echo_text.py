@@ -177,7 +177,7 @@ def _document(yaml: Any, text: str) -> Node | None:
 def _states(node: Node | None) -> list[RawJointState]:
     """The joint states in a YAML node: of a `JointState`, `DynamicJointState` or `JointTrajectory`.
 
-    Raises ValueError if the node is none of them.
+    Raises ValueError if the node holds another message.
     """
     keys = [key for key, _ in node] if isinstance(node, tuple) else []
     rest = next((one for one in (_DYNAMIC_KEYS, _TRAJECTORY_KEYS) if one[-1] in keys), ("name", *KINDS))

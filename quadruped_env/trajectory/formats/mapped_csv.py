@@ -4,6 +4,7 @@ import csv
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from datetime import datetime
 from decimal import Decimal, DecimalException
 from itertools import chain, zip_longest
 from typing import Final
@@ -12,6 +13,7 @@ import numpy as np
 
 from quadruped_env.errors import short
 from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import (
     Layout,
@@ -97,9 +99,9 @@ def by_titles(line: str, reading: Reading) -> ColumnMap | None:
         times = [match for title in titles if (match := _TIME_TITLE.match(title))]
         unit = (times[0]["unit"] or times[0]["word"] or "s").lower() if times else ""
         unit = unit if unit in STAMP_UNITS else "s"
-        stamp = f"time in {unit} from {short(times[0].string)}, " if times else ""
+        time = f"time in {unit} from {short(times[0].string)}, " if times else ""
         reading.note(
-            f"read by the names of its columns: {stamp}{', '.join(ARRAYS[kind] for kind in kinds_of_all)} of "
+            f"read by the names of its columns: {time}{', '.join(ARRAYS[kind] for kind in kinds_of_all)} of "
             f"{len(joints)} joints, in rad"
         )
         return ColumnMap(
@@ -188,6 +190,8 @@ def _stamp_parser(power: int) -> StampParser:
     def parse(text: str) -> int:
         if "_" in text or not text.isascii():
             raise ValueError(text)
+        if ":" in text:
+            return _date_and_time(text)
         try:
             time = Decimal(text).scaleb(power)
         except DecimalException as error:
@@ -198,6 +202,15 @@ def _stamp_parser(power: int) -> StampParser:
         return round(time)
 
     return parse
+
+
+def _date_and_time(text: str) -> int:
+    """Ns of a date and time of ISO 8601, UTC if it names no zone. Raises ValueError if it is not one."""
+    found = re.fullmatch(r"(?P<whole>[^.]+:\d\d)(\.(?P<part>\d{1,9}))?(?P<zone>Z|[+-]\d\d:?\d\d)?", text.strip())
+    if found is None:
+        raise ValueError(text)
+    time = datetime.fromisoformat(found["whole"] + (found["zone"] or "Z"))
+    return int(time.timestamp()) * NS_PER_SECOND + int((found["part"] or "").ljust(9, "0"))
 
 
 def _shown(title: str) -> str:

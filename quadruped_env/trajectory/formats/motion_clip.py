@@ -23,7 +23,7 @@ _POSE: Final = 7
 
 
 def read(reading: Reading) -> Iterator[Rows]:
-    """The frames of a clip, not validated. Raises a QuadrupedError if it is none, or its joints are not named."""
+    """The frames of a clip, not validated. Raises a QuadrupedError if it is damaged, or its joints are not named."""
     reading.row_name = "frame"
     document = read_json(reading.path, "name a motion clip or a file of joint states")
     duration, frames = (document.get(key) for key in (DURATION, "Frames")) if isinstance(document, dict) else (0, 0)
