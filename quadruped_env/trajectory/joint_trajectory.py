@@ -146,7 +146,7 @@ class JointTrajectory:
                 leave the header's at 0. A number is the time from row to row in s, and replaces all timestamps.
             ignore: `velocity`, `effort` or both: values that are not read.
             unwrap: angle in rad, such as 2 pi, after which encoders begin again: positions go on there.
-            despike: leave out rows in which a joint is elsewhere for that row alone.
+            despike: leave out rows in which a joint is elsewhere, if it is for five rows or fewer.
             merge: make one row of messages that hold some of the robot's joints each, once all have come again.
             sort: sort the rows by timestamp; otherwise decreasing timestamps are an error.
             drop: leave out rows that cannot be used; otherwise they are an error. These are timestamps that do not

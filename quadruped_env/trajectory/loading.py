@@ -115,7 +115,7 @@ def _repaired(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:
     rows = joined(chain([first], pieces))
     if options.despike and len(rows) > 2:
         bad = spikes(rows, (options.unwrap or TURN,)).any(axis=1)
-        reading.leave_out("a joint is elsewhere for that row alone", int(bad.sum()))
+        reading.leave_out("a joint is elsewhere for a few rows", int(bad.sum()))
         rows = rows.take(~bad)
     if options.unwrap:
         position = rows.values["position"]

@@ -34,6 +34,8 @@ _PROMINENCE: Final = 8.0
 """Factor over the median of the steps around it from which on a step stands out."""
 _MIN_MOTION: Final = 0.02
 """Root mean square motion within 0.1 s from which on a joint counts as moving, rad."""
+_MAX_AWAY: Final = 5
+"""Maximum rows of a spike."""
 _MIN_FROZEN: Final = 5
 """Equal rows from which on a position is frozen."""
 _MAX_DELAY: Final = 0.1
@@ -115,7 +117,7 @@ def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN
 
 
 def spikes(rows: Rows, periods: Sequence[float] = (TURN,)) -> NDArray[np.bool_]:
-    """Mask (n, J) of positions that are elsewhere for a single row, of two rows or more."""
+    """Mask (n, J) of positions that are elsewhere for a few rows, of two rows or more."""
     return _Steps(rows, periods).spikes
 
 
@@ -193,7 +195,7 @@ class Plausibility:
         add("wrap", steps.wrapped != 0.0, np.abs(steps.wrapped), 1)
         for period in np.unique(np.abs(steps.wrapped[steps.wrapped != 0.0])):
             self._wrapped[float(period)] += 1
-        add("spike", steps.spikes[1:], size, 1)
+        add("spike", steps.away, size, 1)
         add("jump", steps.jumps, size, 1)
         add("frozen", *_frozen(rows, steps), 0)
         if "velocity" in rows.values:
@@ -324,7 +326,7 @@ class Plausibility:
         if places["spike"].first is not None:
             yield self._finding(
                 "spike",
-                f"positions jump away and back within a single {self._row_name}, which no joint can do: by "
+                f"positions jump away and back within {_MAX_AWAY} {self._row_name}s, which no joint can do: by "
                 "{size:.3g} rad in {step} in {joints}, {at}; leave such rows out (--despike)",
             )
         jump = places["jump"]
@@ -499,24 +501,34 @@ class _Steps:
         bound = np.maximum(_MIN_STEP, np.maximum(_MAX_SPEED * time, _MAX_ACCELERATION / 4.0 * time**2))
         self.wrapped = np.zeros_like(self.change)
         """Whole periods in the steps, rad (n - 1, J)"""
-        self.jumps = np.zeros(self.change.shape, dtype=np.bool_)
+        usual, _ = _around(size)
+        large = (size > 0.5 * bound) & ~self.gap[:, None]
+        for period in periods:
+            whole = np.rint(self.change / period) * period
+            rest = np.abs(self.change - whole)
+            # The joint goes on after the wrap as before and after it.
+            most = _around(rest)[1]
+            smooth = (rest <= np.minimum(4.0 * most + 0.02, 0.15 * period)) & (size > 4.0 * most)
+            self.wrapped = np.where(large & smooth & (whole != 0.0), whole, self.wrapped)
+        stands_out = large & (self.wrapped == 0.0) & (size > _PROMINENCE * usual)
+        self.away = np.zeros_like(stands_out)
+        """Steps to where the joint stays for a few rows only (n - 1, J)"""
         self.spikes = np.zeros(position.shape, dtype=np.bool_)
-        """Rows (n, J)"""
-        for i, j in np.argwhere((size > 0.5 * bound) & ~self.gap[:, None]):
-            near = np.delete(size[max(i - 5, 0) : i + 6, j], min(i, 5))
-            usual, most = float(np.median(near)), float(np.sort(near)[max(len(near) * 3 // 4 - 1, 0)])
-            step = self.change[i, j]
-            for period in periods:
-                whole = round(step / period) * period
-                if whole and abs(step - whole) <= min(4.0 * most + 0.02, 0.15 * period) and size[i, j] > 4.0 * most:
-                    self.wrapped[i, j] = whole
-            if self.wrapped[i, j] or size[i, j] <= _PROMINENCE * usual:
-                continue
-            back = -self.change[i + 1, j] / step if i + 1 < len(size) and not self.gap[i + 1] else 0.0
-            if 0.5 < back < 2.0:
-                self.spikes[i + 1, j] = True
-            elif size[i, j] > bound[i, 0] and not self.spikes[i, j]:
-                self.jumps[i, j] = True
+        """Positions there (n, J)"""
+        back = np.zeros_like(stands_out)
+        for count in range(1, min(_MAX_AWAY, len(size) - 1) + 1):
+            first, last = slice(None, -count), slice(count, None)
+            moves = [self.change[k : k + len(size) - count] for k in range(count + 1)]
+            # The joint goes away, stays there, and comes back near to where it was.
+            stays = np.abs(moves[1:-1]).max(axis=0, initial=0.0) < 0.25 * size[first]
+            returns = np.abs(np.sum(moves, axis=0)) < 0.5 * size[first]
+            far = stands_out[first] & ((size > bound) & stands_out)[last] if count > 1 else stands_out[first]
+            found = far & stays & returns & ~back[first] & ~self.gap[last, None]
+            self.away[first] |= found
+            back[last] |= found
+            for k in range(1, count + 1):
+                self.spikes[k : k + len(found)] |= found
+        self.jumps = stands_out & (size > bound) & ~self.away & ~back
         self.bad = self.jumps | self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
         """Steps that say nothing about the motion (n - 1, J)"""
         self.false_speeds = np.zeros_like(self.bad)
@@ -525,9 +537,15 @@ class _Steps:
             speed = np.abs(rows.values["velocity"])[:-1]
             moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
             padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
-            around = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
-            for i, j in np.argwhere(speed - around > _MAX_SPEED):
-                self.false_speeds[i, j] = speed[i, j] > _PROMINENCE * np.median(speed[max(i - 5, 0) : i + 6, j])
+            fastest = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
+            self.false_speeds = (speed - fastest > _MAX_SPEED) & (speed > _PROMINENCE * _around(speed)[0])
+
+
+def _around(sizes: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Median and upper quartile (n, J) of the five magnitudes before and the five after each one."""
+    padded = np.pad(sizes, ((5, 5), (0, 0)), mode="edge")
+    near = np.sort([padded[k : k + len(sizes)] for k in range(11) if k != 5], axis=0)
+    return (near[4] + near[5]) / 2.0, near[6]
 
 
 def _held(change: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -548,10 +566,9 @@ def _frozen(rows: Rows, steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.fl
     size = np.abs(steps.change)
     for j in range(size.shape[1]):
         still = np.concatenate([[False], (size[:, j] == 0.0) & ~steps.gap, [False]])
-        edges = np.flatnonzero(np.diff(still.astype(np.int8)))
-        for start, end in zip(edges[::2], edges[1::2], strict=True):
-            if end - start < _MIN_FROZEN or start < 3 or end + 4 > len(size):
-                continue
+        starts, ends = np.flatnonzero(np.diff(still.astype(np.int8))).reshape(-1, 2).T
+        runs = (ends - starts >= _MIN_FROZEN) & (starts >= 3) & (ends + 4 <= len(size))
+        for start, end in zip(starts[runs], ends[runs], strict=True):
             before, after = size[start - 3 : start], size[end + 1 : end + 4]
             if before[:, j].min() == 0.0 or after[:, j].min() == 0.0:
                 continue

@@ -73,7 +73,10 @@ FLAGS: Final[Mapping[str, Mapping[str, Mapping[str, Any]]]] = {
         }
     },
     "despike": {
-        "--despike": {"action": "store_true", "help": "leave out rows in which a joint is elsewhere for that row alone"}
+        "--despike": {
+            "action": "store_true",
+            "help": "leave out rows in which a joint is elsewhere, if it is for a few rows",
+        }
     },
     "merge": {
         "--merge": {

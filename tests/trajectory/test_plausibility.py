@@ -266,7 +266,7 @@ class TestRepairs:
         loaded = self.load(tmp_path, planted(spikes), despike=True)
         kept = np.delete(np.arange(1000), [300, 500])
         np.testing.assert_array_equal(loaded.positions, recording().values["position"][kept])
-        assert loaded.source.notes == ("left out 2 of 1000: a joint is elsewhere for that row alone",)
+        assert loaded.source.notes == ("left out 2 of 1000: a joint is elsewhere for a few rows",)
 
     @pytest.mark.parametrize("lie", [milliseconds, clock, bursts])
     def test_load_stamps_of_a_period_replace_timestamps(self, tmp_path, lie):
