@@ -38,6 +38,8 @@ _MAX_AWAY: Final = 5
 """Maximum rows of a spike."""
 _MIN_FROZEN: Final = 5
 """Equal rows from which on a position is frozen."""
+_MIN_DEAD: Final = 0.3
+"""Time in which a position does not change and its velocity is not 0 from which on it is reported, s."""
 _MAX_DELAY: Final = 0.1
 """Largest delay of velocities that is looked for, s."""
 _COARSE: Final = 0.005
@@ -239,13 +241,17 @@ class Plausibility:
             speed = np.where(whole, np.add.reduceat(integral[: edges[-1]], edges[:-1], axis=0), 0.0)
             plus("speed", (speed**2).sum(axis=0))
             plus("product", motion.T @ speed)
+            path = np.add.reduceat(np.abs(integral[: edges[-1]]), edges[:-1], axis=0)
+            still = np.add.reduceat(np.abs(change[: edges[-1]]), edges[:-1], axis=0) == 0.0
+            lengths = np.add.reduceat(steps.duration[: edges[-1]], edges[:-1])[:, None]
+            plus("dead", np.where(still & (path > 0.05), lengths, 0.0).sum(axis=0))
             for shift in range(1, min(_MARGIN, int(_MAX_DELAY / max(self._period, 1e-3))) + 1):
                 late = np.add.reduceat(np.roll(integral, -shift, axis=0)[: edges[-1]], edges[:-1], axis=0)
                 plus(f"late {shift}", np.where(whole, motion * late, 0.0).sum(axis=0))
         if "effort" in rows.values:
             effort = rows.values["effort"][:-1][inside]
-            add["torque"] = np.fmax(add.get("torque", 0.0), np.nanmax(np.abs(np.nan_to_num(effort)), axis=0))
-            add["measured"] = add.get("measured", False) | np.isfinite(effort).any(axis=0)
+            add["least"] = np.fmin(add.get("least", np.inf), np.nan_to_num(effort, nan=np.inf).min(axis=0))
+            add["most"] = np.fmax(add.get("most", -np.inf), np.nan_to_num(effort, nan=-np.inf).max(axis=0))
 
     def _add_values(self, rows: Rows, begin: int, end: int) -> None:
         """Different values of each joint, and whether kinds or joints have the same numbers."""
@@ -272,7 +278,7 @@ class Plausibility:
             for name in (name for finding in velocities for name in finding.joints):
                 self._places["speed"].counts.pop(self._names.index(name), None)
             found = [*self._of_timestamps(), *self._of_places(), *velocities, *self._of_efforts()]
-            found += [*self._of_copies(), *self._of_resolution()]
+            found += [*self._of_dead_positions(), *self._of_copies(), *self._of_resolution()]
         return tuple(sorted(found, key=lambda one: not one.spoils))
 
     def _of_timestamps(self) -> Iterator[Finding]:
@@ -335,9 +341,9 @@ class Plausibility:
             wrap = f"; if an encoder begins again there, unwrap it (--unwrap {jump.largest[0]:.3g})" if again else ""
             yield self._finding(
                 "jump",
-                "positions jump faster than a joint can turn (joint targets may): by {size:.3g} rad in {step}, "
-                f"{{speed:.0f}} rad/s, in {{joints}}, {{at}}{wrap}; cut there (convert --start, --stop), leave the "
-                "joint out, or mark the value as missing in a map (missing, with --drop)",
+                "positions jump faster than a joint can turn, or than its velocity (joint targets may): by {size:.3g} "
+                f"rad in {{step}}, {{speed:.0f}} rad/s, in {{joints}}, {{at}}{wrap}; cut there (convert --start, "
+                "--stop), leave the joint out, or mark the value as missing in a map (missing, with --drop)",
             )
         if places["frozen"].first is not None:
             yield self._finding(
@@ -362,6 +368,7 @@ class Plausibility:
         shifted = [sums[name] for name in sums if name.startswith("late")]
         late = np.array([own, *(total / np.sqrt(sums["motion"] * sums["speed"]) for total in shifted)])
         groups: dict[str, list[int]] = {}
+        factors: dict[str, list[float]] = {}
         swapped = ""
         for i in np.flatnonzero(sums["windows"] >= 8):
             factor = speed[i] / motion[i]
@@ -376,12 +383,10 @@ class Plausibility:
             if speed[i] == 0.0:
                 problem = "are 0 while the positions change, so they were not measured"
             elif own[i] > 0.8 and not (0.6 if sampled else 0.3) < factor < (1.7 if sampled else 3.0):
-                known = [(abs(np.log(factor / one)), one, cause) for one, cause in _FACTORS]
-                near = sorted(one for one in known if one[0] < 0.12)
-                # The known factor in place of each joint's own, which differ.
-                about = f"about {near[0][1]:.4g}" if near else f"{factor:.2g}"
-                problem = f"are {about} times the rate at which the positions change"
-                problem += f" ({', or '.join(cause for _, _, cause in near)}?)" if near else ""
+                known = sorted((abs(np.log(factor / one)), cause) for one, cause in _FACTORS)
+                causes = ", or ".join(cause for distance, cause in known if distance < 0.12)
+                problem = "are {} times the rate at which the positions change" + f" ({causes}?)" * bool(causes)
+                factors.setdefault(problem, []).append(float(factor))
             elif own[i] < -0.8:
                 problem = "have the opposite sign of the rate at which the positions change"
             elif own[i] < 0.8 and late[delay, i] > max(0.95, others[best]):
@@ -395,33 +400,50 @@ class Plausibility:
                 continue
             groups.setdefault(problem, []).append(int(i))
         for problem, joints in groups.items():
-            fix = "fix the unit (velocity_unit or stamp_unit in a map, --stamps), or " if "times" in problem else ""
+            fix = "fix the unit (velocity_unit or stamp_unit in a map, --stamps), or " if problem in factors else ""
+            span = dict.fromkeys(f"{end(factors.get(problem, [0.0])):.3g}" for end in (min, max))
             yield Finding(
                 "velocity",
-                f"velocities of {self._some(joints)} {problem}; {fix}{_IGNORE_VELOCITY}",
+                f"velocities of {self._some(joints)} {problem.format(' to '.join(span))}; {fix}{_IGNORE_VELOCITY}",
                 tuple(self._names[i] for i in joints),
+            )
+
+    def _of_dead_positions(self) -> Iterator[Finding]:
+        sums = self._sums
+        if "dead" not in sums or self._places["frozen"].first is not None:
+            return
+        moving = np.sqrt(sums["motion"] / np.maximum(sums["windows"], 1)) >= _MIN_MOTION
+        dead = np.flatnonzero((sums["dead"] > _MIN_DEAD) & moving)
+        if len(dead):
+            yield Finding(
+                "frozen",
+                f"positions of {self._some(dead)} do not change for {sums['dead'].max():.3g} s in all, while their "
+                f"velocities say that they move; cut there (convert --start, --stop)",
+                tuple(self._names[int(i)] for i in dead),
             )
 
     def _of_efforts(self) -> Iterator[Finding]:
         sums = self._sums
-        if "torque" not in sums:
+        if "least" not in sums:
             return
         motion = np.sqrt(sums["motion"] / np.maximum(sums["windows"], 1)) > _MIN_MOTION
-        zero = np.flatnonzero(motion & (sums["torque"] == 0.0) & sums["measured"])
+        constant = np.flatnonzero(motion & (sums["least"] == sums["most"]))
         ignore = "leave them out (--ignore effort)"
-        if len(zero):
+        if len(constant):
+            value = sums["least"][constant[0]] + 0.0
             yield Finding(
                 "effort",
-                f"efforts of {self._some(zero)} are 0 in every {self._row_name} while the joints move, so they were "
-                f"not measured; {ignore}",
-                tuple(self._names[i] for i in zero),
+                f"efforts of {self._some(constant)} are {value:.4g} in every {self._row_name} while the joints "
+                f"move, so they were not measured; {ignore}",
+                tuple(self._names[i] for i in constant),
             )
-        large = np.flatnonzero(sums["torque"] > _MAX_TORQUE)
+        size = np.fmax(sums["most"], -sums["least"])
+        large = np.flatnonzero(size > _MAX_TORQUE)
         if len(large):
             yield Finding(
                 "effort",
-                f"efforts of {self._some(large)} reach {sums['torque'].max():.4g}, which are no N m of a leg; give "
-                f"their factor (effort_scale in a map), or {ignore}",
+                f"efforts of {self._some(large)} reach {size.max():.4g}, which are no N m of a leg; give their factor "
+                f"(effort_scale in a map), or {ignore}",
                 tuple(self._names[i] for i in large),
             )
 
@@ -529,16 +551,27 @@ class _Steps:
             for k in range(1, count + 1):
                 self.spikes[k : k + len(found)] |= found
         self.jumps = stands_out & (size > bound) & ~self.away & ~back
+        self.false_speeds = np.zeros_like(self.jumps)
+        """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
+        known = self.away | back | (self.wrapped != 0.0) | self.gap[:, None]
+        if "velocity" in rows.values:
+            self.jumps |= self._unexpected(rows.values["velocity"]) & ~known
         self.bad = self.jumps | self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
         """Steps that say nothing about the motion (n - 1, J)"""
-        self.false_speeds = np.zeros_like(self.bad)
-        """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
         if "velocity" in rows.values:
             speed = np.abs(rows.values["velocity"])[:-1]
             moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
             padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
             fastest = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
             self.false_speeds = (speed - fastest > _MAX_SPEED) & (speed > _PROMINENCE * _around(speed)[0])
+
+    def _unexpected(self, velocity: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Mask (n - 1, J) of steps that are large, and far larger than the velocity (n, J) says."""
+        size, expected = np.abs(self.change), (velocity[1:] + velocity[:-1]) / 2.0 * self.duration[:, None]
+        rest = np.abs(self.change - expected)
+        bound = np.maximum(_MIN_STEP, _MAX_SPEED / 2.0 * self.time[:, None])
+        stands_out = (rest > _PROMINENCE * _around(rest)[0]) & (size > 2.0 * np.abs(expected))
+        return np.logical_and(np.minimum(size, rest) > bound, stands_out, dtype=np.bool_)
 
 
 def _around(sizes: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -175,7 +175,7 @@ class TestRefusals:
                 lambda q: q.__setitem__((slice(None), 0), q[0, 0]),
                 r"LF_hip_joint.* the positions do not change",
             ),
-            ("velocities", lambda v: v.__imul__(180 / np.pi), r"velocities .* about 57\.3 times"),
+            ("velocities", lambda v: v.__imul__(180 / np.pi), r"velocities .* 5\d.* times"),
             ("efforts", lambda e: e.fill(0.0), r"efforts .* are 0 in every row"),
             (
                 "efforts",

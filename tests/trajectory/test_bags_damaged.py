@@ -262,7 +262,7 @@ os.kill(os.getpid(), signal.SIGKILL)
 
     @pytest.mark.parametrize(("kind", "checked"), [("bare.mcap", True), ("bare.db3", False), ("mcap zstd", True)])
     def test_convert_marks_messages_that_were_salvaged_without_a_checksum(self, tmp_path, kind, checked):
-        trajectory = random_trajectory(rows=60, velocities=None)
+        trajectory = random_trajectory(rows=60, positions=np.full((60, 8), -0.5), velocities=None)
         path = save(trajectory, tmp_path, kind)
         account = convert(path, tmp_path / "a.csv", ReadOptions(salvage=True), WriteOptions())
         remark = f"{UNCHECKED}: 60 of 60 messages (message 0 to 59)"
@@ -273,7 +273,7 @@ os.kill(os.getpid(), signal.SIGKILL)
         assert (account.unchecked_rows, account.remarks) == (0, ())
 
     def test_load_of_an_mcap_whose_chunks_lack_checksums_marks_their_messages(self, tmp_path):
-        trajectory = random_trajectory(rows=60, velocities=None)
+        trajectory = random_trajectory(rows=60, positions=np.full((60, 8), -0.5), velocities=None)
         path = save(trajectory, tmp_path, "bare.mcap")
         data = bytearray(path.read_bytes())
         at = 8

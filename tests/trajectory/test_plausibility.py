@@ -66,6 +66,18 @@ def dead(s, q, v, e):
     q[:, 4] = 0.25
 
 
+def slip(s, q, v, e):
+    q[400:, 1] += 0.15
+
+
+def freeze_to_the_end(s, q, v, e):
+    q[700:] = q[700]
+
+
+def constant_effort(s, q, v, e):
+    e[:] = 1.5
+
+
 def milliseconds(s, q, v, e):
     s //= 1_000_000
 
@@ -139,13 +151,16 @@ LIES = [
         r"by 6 rad in 10 ms in LF_hip_joint, RF_knee_joint, first at 3\.000 s \(line 300\), 2 times; .*--desp",
     ),
     (jump, "jump", r"by 0\.\d+ rad in 10 ms, \d+ rad/s, in RF_hip_joint, at 4\.000 s \(line 400\); cut there"),
+    (slip, "jump", r"or than its velocity .*: by 0\.1\d* rad in 10 ms, .* in LF_knee_joint, at 4\.000 s"),
+    (freeze_to_the_end, "frozen", r"and 5 more do not change for (2\.9|3)\d* s in all, while their velocities"),
+    (constant_effort, "effort", r"are 1\.5 in every line while the joints move"),
     (freeze, "frozen", r"for up to 0\.19 s in LF_hip_joint, .*, first at 3\.000 s \(line 300\), 7 times; cut"),
     (freeze_one, "frozen", r"for up to 0\.39 s in LH_knee_joint, at 3\.000 s"),
     (dead, "velocity", r"of LH_hip_joint say that they move, and the positions do not change; .*--ignore velocity"),
     (milliseconds, "timestamps", r"between lines is 10 ns, .* another unit; name it \(stamp_unit .*--stamps"),
     (clock, "timestamps", r"jump by 3600 s at 4\.990 s \(line 499\) while .*--stamps 0\.01"),
     (bursts, "timestamps", r"in bursts: 900 of 1000 lines follow"),
-    (degrees_per_second, "velocity", r"are about 57\.3 times .*degrees/s.*velocity_unit"),
+    (degrees_per_second, "velocity", r"are 57\.\d.* times .*degrees/s.*velocity_unit"),
     (flipped, "velocity", r"of RH_hip_joint have the opposite sign"),
     (
         swapped,
