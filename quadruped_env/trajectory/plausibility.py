@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.rows import Rows, joined
+from quadruped_env.trajectory.steps import MAX_AWAY, Steps, clock_jumps, frozen, within_reach
 
 TURN: Final = 2.0 * np.pi
 
@@ -24,20 +25,8 @@ _MARGIN: Final = 16
 """Rows of context on both sides of a row."""
 _PERIODS: Final = (5e-5, 1.0)
 """Shortest and longest time between rows of a robot's log, s."""
-_MAX_SPEED: Final = 20.0
-"""Maximum speed from rest to rest within one step, rad/s."""
-_MAX_ACCELERATION: Final = 5000.0
-"""Maximum acceleration, rad/s^2: 20 N m accelerate a bare shank and its rotor by less."""
-_MIN_STEP: Final = 0.1
-"""Smallest step that is no noise, rad."""
-_PROMINENCE: Final = 8.0
-"""Factor over the median of the steps around it from which on a step stands out."""
 _MIN_MOTION: Final = 0.02
 """Root mean square motion within 0.1 s from which on a joint counts as moving, rad."""
-_MAX_AWAY: Final = 5
-"""Maximum rows of a spike."""
-_MIN_FROZEN: Final = 5
-"""Equal rows from which on a position is frozen."""
 _MIN_DEAD: Final = 0.3
 """Time in which a position does not change and its velocity is not 0 from which on it is reported, s."""
 _MAX_DELAY: Final = 0.1
@@ -47,7 +36,7 @@ _COARSE: Final = 0.005
 _MAX_TORQUE: Final = 500.0
 """N m; no leg that fits this package has more."""
 _FACTORS: Final = (
-    (180.0 / np.pi, "velocities in degrees/s, or positions in turns of another unit than rad"),
+    (180.0 / np.pi, "velocities in degrees/s"),
     (np.pi / 180.0, "positions in degrees and velocities in rad/s"),
     (30.0 / np.pi, "velocities in rpm"),
     (1.0 / 6.0, "velocities in rpm, positions in degrees"),
@@ -120,7 +109,7 @@ def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN
 
 def spikes(rows: Rows, periods: Sequence[float] = (TURN,)) -> NDArray[np.bool_]:
     """Mask (n, J) of positions that are elsewhere for a few rows, of two rows or more."""
-    return _Steps(rows, periods).spikes
+    return Steps(rows, periods).spikes
 
 
 class Plausibility:
@@ -176,13 +165,13 @@ class Plausibility:
         if len(rows) < _MIN_ROWS:
             return
         with np.errstate(all="ignore"):
-            steps = _Steps(rows, self._periods)
+            steps = Steps(rows, self._periods)
             if _PERIODS[0] <= self._period <= _PERIODS[1]:
                 self._add_places(rows, steps, begin, end)
             self._add_sums(rows, steps, begin, end)
             self._add_values(rows, begin, end)
 
-    def _add_places(self, rows: Rows, steps: "_Steps", begin: int, end: int) -> None:
+    def _add_places(self, rows: Rows, steps: Steps, begin: int, end: int) -> None:
         times = (rows.stamps - self._first_stamp) / NS_PER_SECOND
 
         def add(name: str, mask: NDArray[np.bool_], sizes: NDArray[np.float64], after: int) -> None:
@@ -199,21 +188,21 @@ class Plausibility:
             self._wrapped[float(period)] += 1
         add("spike", steps.away, size, 1)
         add("jump", steps.jumps, size, 1)
-        add("frozen", *_frozen(rows, steps), 0)
+        add("frozen", *frozen(rows, steps), 0)
         if "velocity" in rows.values:
             add("speed", steps.false_speeds, np.abs(rows.values["velocity"])[:-1], 0)
-        add("clock", *_clock_jumps(steps), 0)
+        add("clock", *clock_jumps(steps), 0)
         inside = slice(max(begin - 1, 0), end - 1)
         duration, motion = steps.duration[inside], size[inside].max(axis=1, initial=0.0)
         short = duration < 0.2 * np.sort(duration)[: len(duration) * 99 // 100].mean()
         for total, mask in ((self._short, short), (self._long, ~short)):
             total += [mask.sum(), duration[mask].sum(), motion[mask].sum()]
         repeats = np.logical_and.reduce([(np.diff(array, axis=0) == 0.0).all(axis=1) for array in rows.values.values()])
-        moving = _reach(size.max(axis=1) > 0.01, 10)
+        moving = within_reach(size.max(axis=1) > 0.01, 10)
         self._moving += int(moving[inside].sum())
         self._repeated += int((moving & repeats)[inside].sum())
 
-    def _add_sums(self, rows: Rows, steps: "_Steps", begin: int, end: int) -> None:
+    def _add_sums(self, rows: Rows, steps: Steps, begin: int, end: int) -> None:
         """Sums over windows of 0.1 s: motion, integrated velocity, and their products; work of the efforts."""
         add = self._sums
 
@@ -332,7 +321,7 @@ class Plausibility:
         if places["spike"].first is not None:
             yield self._finding(
                 "spike",
-                f"positions jump away and back within {_MAX_AWAY} {self._row_name}s, which no joint can do: by "
+                f"positions jump away and back within {MAX_AWAY} {self._row_name}s, which no joint can do: by "
                 "{size:.3g} rad in {step} in {joints}, {at}; leave such rows out (--despike)",
             )
         jump = places["jump"]
@@ -498,146 +487,6 @@ class Plausibility:
         """Names of a few joints, and how many more there are."""
         names = [self._names[int(i)] for i in columns]
         return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
-
-
-class _Steps:
-    """The steps between rows: n rows have n - 1.
-
-    Args:
-        rows: two or more.
-        periods: angles after which an encoder may begin again, rad.
-    """
-
-    def __init__(self, rows: Rows, periods: Sequence[float]) -> None:
-        position = rows.values["position"]
-        self.change = np.diff(position, axis=0)
-        """Steps of the positions, rad (n - 1, J)"""
-        self.duration = np.diff(rows.stamps) / NS_PER_SECOND
-        """Durations of the steps, s (n - 1,)"""
-        self.period = float(np.median(self.duration))
-        self.gap = self.duration > 3.0 * self.period
-        # Timestamps of a burst are too close to each other; positions are not.
-        self.time = np.maximum(self.duration, self.period)
-        size = np.abs(self.change)
-        time = self.time[:, None] * _held(self.change)
-        bound = np.maximum(_MIN_STEP, np.maximum(_MAX_SPEED * time, _MAX_ACCELERATION / 4.0 * time**2))
-        self.wrapped = np.zeros_like(self.change)
-        """Whole periods in the steps, rad (n - 1, J)"""
-        usual, _ = _around(size)
-        large = (size > 0.5 * bound) & ~self.gap[:, None]
-        for period in periods:
-            whole = np.rint(self.change / period) * period
-            rest = np.abs(self.change - whole)
-            # The joint goes on after the wrap as before and after it.
-            most = _around(rest)[1]
-            smooth = (rest <= np.minimum(4.0 * most + 0.02, 0.15 * period)) & (size > 4.0 * most)
-            self.wrapped = np.where(large & smooth & (whole != 0.0), whole, self.wrapped)
-        stands_out = large & (self.wrapped == 0.0) & (size > _PROMINENCE * usual)
-        self.away = np.zeros_like(stands_out)
-        """Steps to where the joint stays for a few rows only (n - 1, J)"""
-        self.spikes = np.zeros(position.shape, dtype=np.bool_)
-        """Positions there (n, J)"""
-        back = np.zeros_like(stands_out)
-        for count in range(1, min(_MAX_AWAY, len(size) - 1) + 1):
-            first, last = slice(None, -count), slice(count, None)
-            moves = [self.change[k : k + len(size) - count] for k in range(count + 1)]
-            # The joint goes away, stays there, and comes back near to where it was.
-            stays = np.abs(moves[1:-1]).max(axis=0, initial=0.0) < 0.25 * size[first]
-            returns = np.abs(np.sum(moves, axis=0)) < 0.5 * size[first]
-            far = stands_out[first] & ((size > bound) & stands_out)[last] if count > 1 else stands_out[first]
-            found = far & stays & returns & ~back[first] & ~self.gap[last, None]
-            self.away[first] |= found
-            back[last] |= found
-            for k in range(1, count + 1):
-                self.spikes[k : k + len(found)] |= found
-        self.jumps = stands_out & (size > bound) & ~self.away & ~back
-        self.false_speeds = np.zeros_like(self.jumps)
-        """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
-        known = self.away | back | (self.wrapped != 0.0) | self.gap[:, None]
-        if "velocity" in rows.values:
-            self.jumps |= self._unexpected(rows.values["velocity"]) & ~known
-        self.bad = self.jumps | self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
-        """Steps that say nothing about the motion (n - 1, J)"""
-        if "velocity" in rows.values:
-            speed = np.abs(rows.values["velocity"])[:-1]
-            moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
-            padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
-            fastest = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
-            self.false_speeds = (speed - fastest > _MAX_SPEED) & (speed > _PROMINENCE * _around(speed)[0])
-
-    def _unexpected(self, velocity: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Mask (n - 1, J) of steps that are large, and far larger than the velocity (n, J) says."""
-        size, expected = np.abs(self.change), (velocity[1:] + velocity[:-1]) / 2.0 * self.duration[:, None]
-        rest = np.abs(self.change - expected)
-        bound = np.maximum(_MIN_STEP, _MAX_SPEED / 2.0 * self.time[:, None])
-        stands_out = (rest > _PROMINENCE * _around(rest)[0]) & (size > 2.0 * np.abs(expected))
-        return np.logical_and(np.minimum(size, rest) > bound, stands_out, dtype=np.bool_)
-
-
-def _around(sizes: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Median and upper quartile (n, J) of the five magnitudes before and the five after each one."""
-    padded = np.pad(sizes, ((5, 5), (0, 0)), mode="edge")
-    near = np.sort([padded[k : k + len(sizes)] for k in range(11) if k != 5], axis=0)
-    return (near[4] + near[5]) / 2.0, near[6]
-
-
-def _held(change: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows (J,) for which a value is held, as in a log that is faster than the measurements; 1 where it is not."""
-    changes = np.count_nonzero(change, axis=0)
-    return np.where(
-        (2 * changes < len(change)) & (40 * changes >= len(change)), len(change) / np.maximum(changes, 1), 1.0
-    )
-
-
-def _frozen(rows: Rows, steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """Mask (n - 1, J) of the first steps of runs of equal positions while the joint moves, and the runs' lengths, s.
-
-    It moves if it catches up at the end, if its velocity says so, or if all joints stop and go on at once.
-    """
-    found, length = np.zeros(steps.change.shape, dtype=np.bool_), np.zeros(steps.change.shape)
-    velocity = rows.values.get("velocity")
-    size = np.abs(steps.change)
-    for j in range(size.shape[1]):
-        still = np.concatenate([[False], (size[:, j] == 0.0) & ~steps.gap, [False]])
-        starts, ends = np.flatnonzero(np.diff(still.astype(np.int8))).reshape(-1, 2).T
-        runs = (ends - starts >= _MIN_FROZEN) & (starts >= 3) & (ends + 4 <= len(size))
-        for start, end in zip(starts[runs], ends[runs], strict=True):
-            before, after = size[start - 3 : start], size[end + 1 : end + 4]
-            if before[:, j].min() == 0.0 or after[:, j].min() == 0.0:
-                continue
-            speed = max(before[:, j].mean(), after[:, j].mean())
-            catches_up = size[end, j] > max(0.05, 5.0 * speed)
-            fast = np.minimum(before.min(axis=0), after.min(axis=0)) > 0.01
-            all_stop = fast[j] and fast.sum() > 1 and not size[start:end].any()
-            says_moving = False
-            if velocity is not None:
-                told = np.abs(velocity[start:end, j])
-                path = float((told * steps.duration[start:end]).sum())
-                says_moving = path > 0.1 and float(told.mean()) > 0.5 * float(np.median(np.abs(velocity[:, j])))
-            found[start, j] = catches_up or all_stop or says_moving
-            length[start, j] = steps.duration[start:end].sum()
-    return found, length
-
-
-def _clock_jumps(steps: _Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """Mask (n - 1, 1) of steps of time that are too long for what the joints do in them."""
-    found = np.zeros((len(steps.gap), 1), dtype=np.bool_)
-    for i in np.flatnonzero((steps.duration > 10.0 * steps.period) & (steps.duration > 0.2)):
-        near = np.abs(np.concatenate([steps.change[max(i - 3, 0) : i], steps.change[i + 1 : i + 4]]))
-        if len(near) < 6:
-            continue
-        ahead = (steps.change[i - 1] + steps.change[i + 1]) / 2.0
-        moving = near.min(axis=0) > 0.005
-        off = np.abs(steps.change[i] - ahead)
-        found[i] = moving.sum() >= 2 and bool((off[moving] < 0.5 * near.mean(axis=0)[moving]).all())
-    return found, np.broadcast_to(steps.duration[:, None], found.shape)
-
-
-def _reach(mask: NDArray[np.bool_], rows: int) -> NDArray[np.bool_]:
-    """True where the mask is true within some rows before and within some rows after."""
-    before = np.convolve(mask, np.ones(rows + 1))[: len(mask)] > 0.0
-    after = np.convolve(mask[::-1], np.ones(rows + 1))[: len(mask)][::-1] > 0.0
-    return before & after
 
 
 def _time(seconds: float) -> str:
