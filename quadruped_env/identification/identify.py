@@ -13,6 +13,7 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.identification.dataset import UNITS, Recorded, align, check_feedback, remarks
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES, names_of, quantity, value_of
+from quadruped_env.identification.recording_checks import check
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.task import TaskConfig
@@ -232,7 +233,8 @@ def identify(
 
     Raises:
         QuadrupedError: if the recordings do not overlap, the commands are constant, the measured positions are the
-            targets, or an argument is out of range.
+            targets, something in them would spoil the fit (the message says what repairs it), or an argument is out of
+            range.
         MissingExtraError: if MuJoCo's toolbox is not installed.
     """
     if importlib.util.find_spec("tabulate") is None or importlib.util.find_spec("scipy") is None:
@@ -249,6 +251,7 @@ def identify(
     recorded = align(robot, measured, commands, train_share, timestep, without)
     fit = MotorFit(recorded, base, before, fitted, progress)
     check_feedback(measured, commands, without)
+    check(recorded, measured, commands, without)
     mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     after = fit.run()
     notes = remarks(recorded, measured, commands)

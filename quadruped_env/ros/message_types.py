@@ -45,6 +45,15 @@ MESSAGE_TYPES: Final = (
 _GID: Final = "rmw_dds_common/msg/Gid"
 
 
+_CONTROL_TYPES: Final = {
+    "control_msgs/msg/InterfaceValue": "string[] interface_names\nfloat64[] values\n",
+    "control_msgs/msg/DynamicJointState": (
+        "std_msgs/Header header\nstring[] joint_names\ncontrol_msgs/InterfaceValue[] interface_values\n"
+    ),
+}
+"""Types of recordings that `rosbags` lacks; bags of sqlite3 do not define theirs."""
+
+
 @dataclass(frozen=True)
 class Field:
     """One field of a message."""
@@ -92,6 +101,8 @@ def typestore() -> Any:
     # rosbags has the type of Humble, and registers no second one of that name.
     del store.fielddefs[_GID], store.types[_GID]
     store.register(get_types_from_msg("uint8[16] data", _GID))
+    for name, definition in _CONTROL_TYPES.items():
+        store.register(get_types_from_msg(definition, name))
     return store
 
 

@@ -3,6 +3,7 @@
 import argparse
 import dataclasses
 import inspect
+import math
 
 import pytest
 
@@ -20,6 +21,9 @@ GIVEN = {
     "degrees": True,
     "stamps": "log",
     "ignore": ["effort"],
+    "unwrap": 3.0,
+    "despike": True,
+    "merge": True,
     "sort": True,
     "drop": True,
     "salvage": True,
@@ -64,6 +68,11 @@ def test_load_passes_every_option_on(monkeypatch):
         (["--radians"], {"degrees": False}),
         (["--stamps", "log"], {"stamps": "log"}),
         (["--ignore", "velocity", "--ignore", "effort"], {"ignore": ("velocity", "effort")}),
+        (["--stamps", "0.02"], {"stamps": "0.02"}),
+        (["--unwrap"], {"unwrap": 2 * math.pi}),
+        (["--unwrap", "3"], {"unwrap": 3.0}),
+        (["--despike"], {"despike": True}),
+        (["--merge"], {"merge": True}),
         (["--sort"], {"sort": True}),
         (["--drop"], {"drop": True}),
         (["--salvage"], {"salvage": True}),

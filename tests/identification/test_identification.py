@@ -25,6 +25,7 @@ from quadruped_env.identification.fitted_parameters import (
     with_values,
 )
 from quadruped_env.identification.identification_report import save
+from quadruped_env.identification.recording_checks import check
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, asset_path
@@ -181,6 +182,73 @@ class TestRecorded:
         check_feedback(mixed, commands, JOINT_NAMES[1::2])
 
 
+class TestRefusals:
+    """A recording that would spoil the fit is refused, with the reason and the repair."""
+
+    @staticmethod
+    def changed(recording, **arrays):
+        given = {name: getattr(recording, name) for name in ("stamps", "positions", "velocities", "efforts")}
+        return JointTrajectory(names=recording.names, **(given | arrays))
+
+    @pytest.mark.parametrize(
+        ("name", "lie", "message"),
+        [
+            (
+                "positions",
+                lambda q: q.__setitem__((100, 2), q[100, 2] - 2),
+                r"jump away and back .* RF_hip_joint, .*\(row 100\).*--despike",
+            ),
+            (
+                "positions",
+                lambda q: q.__setitem__((slice(None), 0), q[0, 0]),
+                r"LF_hip_joint.* the positions do not change",
+            ),
+            ("velocities", lambda v: v.__imul__(180 / np.pi), r"velocities .* 5\d.* times"),
+            ("efforts", lambda e: e.fill(0.0), r"efforts .* are 0 in every row"),
+            (
+                "efforts",
+                lambda e: e.__imul__(-1),
+                r"the effort of LF_hip_joint pulls away .*effort_scale",
+            ),
+            ("stamps", lambda s: s.__iadd__(500_000_000), r"come 0\.5\d s after the commands, so .* different clocks"),
+        ],
+    )
+    def test_lie_of_one_signal(self, short, name, lie, message):
+        commands, recording = short
+        array = getattr(recording, name).copy()
+        lie(array)
+        with pytest.raises(QuadrupedError, match=rf"would spoil the fit.*: .*{message}"):
+            identify(self.changed(recording, **{name: array}), commands)
+
+    @pytest.mark.parametrize(
+        ("columns", "sign", "offset", "message"),
+        [
+            ([0, 1, 2, 3], [1, 1, -1, 1], 0.0, r"RF_hip_joint moves against its command .*sign = -1"),
+            ([1, 0, 2, 3], 1, 0.0, r"LF_hip_joint follows the command of LF_knee_joint .*swapped"),
+            ([0, 1, 2, 3], 1, [0, 0, 0, 0.9], r"RF_knee_joint is \+0\.\d+ rad from its command on average.*offset"),
+            ([0, 1, 2, 3], [1, 1, 6, 1], 0.0, r"RF_hip_joint moves \d\.\d+ times as far as it is commanded.*unit"),
+            ([0, 1, 2, 3], [1, 1, 1, 0], 0.3, r"RF_knee_joint does not move .*--without RF_knee_joint"),
+        ],
+    )
+    def test_measured_joints_that_contradict_their_commands(self, short, columns, sign, offset, message):
+        commands, recording = short
+        positions = recording.positions.copy()
+        positions[:, :4] = positions[:, columns] * sign + offset
+        lying = JointTrajectory(recording.stamps, JOINT_NAMES, positions)
+        with pytest.raises(QuadrupedError, match=rf"would spoil the fit.*: {message}"):
+            identify(lying, commands)
+
+    def test_joints_that_are_left_out_and_time_without_commands_do_not_matter(self, short):
+        commands, recording = short
+        positions = recording.positions.copy()
+        positions[50, 2] -= 2.0
+        lying = self.changed(recording, positions=positions)
+        recorded = align(MINI_QUADRUPED, lying, commands, 0.7, 0.005)
+        check(recorded, lying, commands, ["RF_hip_joint"])
+        later = commands.slice(0.7)
+        check(align(MINI_QUADRUPED, lying, later, 0.5, 0.005), lying, later, [])
+
+
 class TestCoordinates:
     def test_conversion_there_and_back_gives_the_same_values(self):
         values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
@@ -272,14 +340,15 @@ class TestIdentify:
         assert json.loads((tmp_path / "identification.json").read_text())["assumed"] == list(found.assumed)
         assert words in html.unescape((tmp_path / "report.html").read_text())
 
-    def test_joint_that_does_not_follow_its_commands_is_named_and_can_be_left_out(self, short):
+    def test_joint_that_hardly_follows_its_commands_is_named_and_can_be_left_out(self, short):
         commands, recording = short
-        positions = recording.positions.copy()
-        positions[:, 2] = positions[0, 2]
-        broken = JointTrajectory(recording.stamps, JOINT_NAMES, positions, recording.velocities, recording.efforts)
+        positions, velocities = recording.positions.copy(), recording.velocities.copy()
+        positions[:, 2] = positions[0, 2] + 0.1 * (positions[:, 2] - positions[0, 2])
+        velocities[:, 2] *= 0.1
+        broken = JointTrajectory(recording.stamps, JOINT_NAMES, positions, velocities, recording.efforts)
         start = with_values(TRUTH, {"hip.kp": 40.0})
         whole = identify(broken, commands, start=start, fitted=["kp"])
-        assert "RF_hip_joint moved 0.000 rad where" in whole.table()
+        assert "RF_hip_joint moved 0." in whole.table()
         assert "--without RF_hip_joint" in whole.table()
         part = identify(broken, commands, start=start, fitted=["kp"], without=["RF_hip_joint"])
         assert part.after.hip.kp == pytest.approx(32.0, rel=0.02)

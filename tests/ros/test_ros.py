@@ -10,7 +10,7 @@ import ros2_peers
 from quadruped_env import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import MESSAGE_TYPES, cdr, message_type
-from quadruped_env.ros.robot_messages import joint_state, read_joint_state, read_ros1_joint_state, transform_messages
+from quadruped_env.ros.robot_messages import joint_state, read_joint_state, read_recorded, transform_messages
 
 typesys = pytest.importorskip("rosbags.typesys")
 
@@ -145,7 +145,8 @@ class TestJointState:
                 7, store.types["builtin_interfaces/msg/Time"](*divmod(state["stamp"], 10**9)), state["frame_id"]
             )
             message = store.types[JOINT_STATE](header, state["names"], *state["numbers"])
-            assert_read(read_ros1_joint_state(bytes(store.serialize_ros1(message, JOINT_STATE))), state)
+            (read,) = read_recorded(bytes(store.serialize_ros1(message, JOINT_STATE)), JOINT_STATE, 0, ros1=True)
+            assert_read(read, state)
 
     def test_padding_behind_a_message_is_not_damage(self):
         state = random_joint_state(np.random.default_rng(3))
@@ -155,7 +156,7 @@ class TestJointState:
         with pytest.raises(QuadrupedError, match=r"stamp 2147483648000000000 ns: a ROS message holds"):
             joint_state(2**31 * 10**9, ["a"], [0.0])
 
-    @pytest.mark.parametrize("read", [read_joint_state, read_ros1_joint_state])
+    @pytest.mark.parametrize("read", [read_joint_state, lambda data: read_recorded(data, JOINT_STATE, 0, ros1=True)])
     def test_damaged_bytes_are_refused_or_read(self, read):
         rng = np.random.default_rng(4)
         good = cdr.serialize(as_message(random_joint_state(np.random.default_rng(3))))

@@ -36,7 +36,9 @@ def small(rows=12):
 
 def parse_csv(path):
     """This project's CSV."""
-    lines = [line.rstrip("\r").split(",") for line in path.read_bytes().decode("utf-8-sig").split("\n")[:-1]]
+    lines = [
+        line.rstrip("\r").split(",") for line in path.read_bytes().decode("utf-8-sig").removesuffix("\n").split("\n")
+    ]
     header, rows = lines[0], lines[1:]
     names = [title.removeprefix("position.") for title in header if title.startswith("position.")]
     columns = {
@@ -96,7 +98,7 @@ def parse_echo(path):
     """Echoed CSV whose joints are two."""
     rows = [
         line.split(",")
-        for line in path.read_text(encoding="utf-8-sig").split("\n")[:-1]
+        for line in path.read_text(encoding="utf-8-sig").removesuffix("\n").split("\n")
         if not line.startswith(("A message was lost!!!", "\t"))
     ]
     names = rows[0][3:5]
