@@ -1,5 +1,6 @@
 """Input of the controller: measurements of joints and IMU, and velocity commands."""
 
+import functools
 import time
 from typing import Final
 
@@ -10,6 +11,7 @@ from quadruped_env.control.live_controller import LiveController, Measurement
 from quadruped_env.control.steering import Velocity
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.control_time import ControlTime
+from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.imu_messages import Imu, ImuMount, read_imu
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, Joints, Period
 from quadruped_env.live.messages.velocity_messages import VelocitySubscription
@@ -36,24 +38,35 @@ class Measurements:
     Args:
         session: the session of this process.
         robot: the robot.
+        driver: conversion of the driver's joints.
         velocities: True if measurements need joint velocities.
         mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: look it up.
     """
 
-    def __init__(self, session: Session, robot: Robot, velocities: bool, mount: NDArray[np.float64] | None) -> None:
+    def __init__(
+        self,
+        session: Session,
+        robot: Robot,
+        driver: DriverJoints,
+        velocities: bool,
+        mount: NDArray[np.float64] | None,
+    ) -> None:
         node = session.node
         self._session = session
         # Drivers of real robots may offer only best-effort delivery.
-        reader = JointReader(JOINT_STATES.name, robot, states=True)
+        reader = JointReader(JOINT_STATES.name, driver, states=True)
         self._states = node.subscribe(JOINT_STATES, _STATES_QOS, read=reader)
         self._attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
         self._frames = node.subscribe(TF_STATIC, _FRAMES_QOS)
-        self._merger = JointMerger(robot, velocities, session.say)
+        self._driver = driver
+        self._merger = JointMerger(driver, velocities, session.say, driver.rates)
         self._mount = ImuMount(robot.base_name, mount)
         self._imu: Imu | None = None
         self._imu_period = Period()
         self._heard = dict.fromkeys((JOINT_STATES.name, IMU.name), time.monotonic())
         """Time at which the last message that can be read was taken, s, by topic."""
+        self._unread: dict[str, str] = {}
+        """Why the last message could not be read, by topic."""
         self._refusal = ""
         """Why the last messages gave no measurement; empty if they gave one."""
 
@@ -65,14 +78,16 @@ class Measurements:
         """
         # Joint states first: an orientation sent before a joint state has then arrived as well.
         states = []
-        for received, joints in self._states.messages(self._session.refuse):
+        for received, joints in self._states.messages(functools.partial(self._refuse, JOINT_STATES.name)):
             self._heard[JOINT_STATES.name] = received.taken
+            self._unread.pop(JOINT_STATES.name, None)
             if state := self._merger.add(joints):
-                states.append((received, state))
+                states.append((received, self._driver.to_robot(state)))
         for _, transforms in self._frames.messages(self._session.refuse):
             self._mount.add(transforms)
-        for received, imu in self._attitudes.messages(self._session.refuse):
+        for received, imu in self._attitudes.messages(functools.partial(self._refuse, IMU.name)):
             self._heard[IMU.name] = received.taken
+            self._unread.pop(IMU.name, None)
             self._imu_period.add(imu.stamp)
             self._imu = imu
         if not states or self._imu is None:
@@ -99,6 +114,10 @@ class Measurements:
         assert joints.velocities is not None
         return Measurement(joints.stamp, joints.positions, joints.velocities, imu.orientation, imu.angular_velocity)
 
+    def _refuse(self, name: str, reason: str) -> None:
+        self._unread[name] = f": {reason.partition(': ')[2]}"
+        self._session.refuse(reason)
+
     def missing(self) -> str:
         """Why there are no measurements; empty if they come."""
         silent = [one.topic.name for one in (self._states, self._attitudes) if not one.writers]
@@ -107,7 +126,7 @@ class Measurements:
         now = time.monotonic()
         for name, heard in self._heard.items():
             if now - heard > _SILENCE:
-                return f"{name}: no message that can be read for {now - heard:.1f} s"
+                return f"{name}: no message that can be read for {now - heard:.1f} s{self._unread.get(name, '')}"
         return self._merger.missing or self._refusal
 
 

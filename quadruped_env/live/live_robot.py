@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.gait.gaits import limit_violations
+from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader, Joints
 from quadruped_env.live.messages.velocity_messages import VelocityPublisher
@@ -57,6 +58,7 @@ class LiveRobot:
         robot: the robot.
         refused: called with the reason for each message that cannot be drawn.
         terrain: the ground to draw, which no message describes.
+        driver: conversion of the driver's joints; None: they are the robot's.
     """
 
     name = NAME
@@ -67,10 +69,16 @@ class LiveRobot:
     term_names: tuple[str, ...] = ()
 
     def __init__(
-        self, node: Node, robot: Robot, refused: Refused = lambda reason: None, terrain: Terrain = flat
+        self,
+        node: Node,
+        robot: Robot,
+        refused: Refused = lambda reason: None,
+        terrain: Terrain = flat,
+        driver: DriverJoints | None = None,
     ) -> None:
         self.robot = robot
-        joints = JointReader(JOINT_STATES.name, robot, states=True)
+        self._driver = driver or DriverJoints(robot)
+        joints = JointReader(JOINT_STATES.name, self._driver, states=True)
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = VelocityPublisher(node), node.publish(PUSH)
@@ -211,7 +219,7 @@ class LiveRobot:
 
     def _listen(self, now: float) -> None:
         for _, joints in self._states.messages(self._refused):
-            self._take(joints)
+            self._take(self._driver.to_robot(joints))
         newest = self._odometry.newest(self._refused)
         if newest is not None:
             self._odometry_at = now

@@ -1,6 +1,7 @@
 """Options of nodes that need to know the robot or the ground, and options that a launch passes on to its nodes."""
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from quadruped_env.control.task_file import load_robot
@@ -16,12 +17,24 @@ GROUND: Final = ("seed", "terrain", "level")
 
 
 def add_robot_argument(parser: argparse.ArgumentParser) -> None:
-    """Add `--task`: the file that defines another robot than the built-in one."""
+    """Add `--task`, the file that defines another robot than the built-in one, and `--map`."""
     parser.add_argument(
         "--task",
         metavar="FILE",
         help="Python file that defines your robot or terrain (docs/make-it-yours.md); it is executed (default: the "
         "built-in ones)",
+    )
+    add_map_argument(parser)
+
+
+def add_map_argument(parser: argparse.ArgumentParser) -> None:
+    """Add `--map`: the joints that the robot's driver names."""
+    parser.add_argument(
+        "--map",
+        type=Path,
+        metavar="MAP.toml",
+        help="joints, signs, zeros and units of the robot's driver on /joint_states and /joint_commands, as "
+        "'calibrate' writes them (docs/live.md; default: those of the robot, in rad)",
     )
 
 

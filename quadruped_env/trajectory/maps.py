@@ -243,6 +243,11 @@ class JointRule:
     """The other robot's joints -> their factors, in place of `source`"""
 
     @property
+    def units(self) -> tuple[str, str]:
+        """Units of the source's position and velocity."""
+        return self.unit, self.velocity_unit or f"{self.unit}/s"
+
+    @property
     def gears(self) -> dict[str, float]:
         """Source -> angle of the joint per angle of the source."""
         weights = self.sources or ({} if self.source is None else {self.source: 1.0})
@@ -265,6 +270,15 @@ class JointMap:
             _check_rule(f"{self.name}: [joints.{joint}]", rule)
         if not self.sources:
             raise QuadrupedError(f"{self.name}: no joint has a source; name the other robot's joints")
+        units: dict[str, tuple[str, tuple[str, str]]] = {}
+        for joint, rule in self.rules.items():
+            for name in rule.gears:
+                before, found = units.setdefault(name, (joint, rule.units))
+                if rule.units != found:
+                    raise QuadrupedError(
+                        f"{self.name}: {name} is in {' and '.join(found)} for [joints.{before}], and in "
+                        f"{' and '.join(rule.units)} for [joints.{joint}]; give both the same unit and velocity_unit"
+                    )
 
     @classmethod
     def of(cls, given: "JointMap | str | Path") -> "JointMap":
@@ -292,6 +306,12 @@ class JointMap:
         return tuple(dict.fromkeys(name for rule in self.rules.values() for name in rule.gears))
 
     @property
+    def rates(self) -> NDArray[np.float64]:
+        """Velocity of each source, in its unit, where its position changes by one unit per second (sources,)."""
+        units = {name: rule.units for rule in self.rules.values() for name in rule.gears}
+        return np.array([UNITS[units[name][0]] / VELOCITY_UNITS[units[name][1]] for name in self.sources])
+
+    @property
     def periods(self) -> tuple[float, ...]:
         """Angles of the joints after which encoders of the sources begin again, rad; a turn is one of them."""
         angles = {round(abs(gear), 9) for rule in self.rules.values() for gear in rule.gears.values()} | {1.0}
@@ -307,7 +327,7 @@ class JointMap:
 
         return {
             "position": gears * factors(lambda rule: UNITS[rule.unit]),
-            "velocity": gears * factors(lambda rule: VELOCITY_UNITS[rule.velocity_unit or f"{rule.unit}/s"]),
+            "velocity": gears * factors(lambda rule: VELOCITY_UNITS[rule.units[1]]),
             "effort": _inverse(gears).T * factors(lambda rule: rule.effort_scale),
         }
 

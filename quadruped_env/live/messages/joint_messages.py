@@ -1,10 +1,10 @@
-"""Joint states and joint commands, validated and in the robot's joint order."""
+"""Joint states and joint commands, validated and in the joint order of the robot or its driver."""
 
 import itertools
 import statistics
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,6 @@ from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.control.timestamp_filter import MAX_AGE
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
-from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
 from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
@@ -31,6 +30,15 @@ _STAMPS: Final = 10
 _PERIODS: Final = 1.5
 _MIN_TOLERANCE: Final = 0.02
 """A control step: faster streams are paired within it, since their transport may take longer than their period, s."""
+
+
+class Jointed(Protocol):
+    """A robot, or its driver, whose messages may name other joints (`DriverJoints`)."""
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Names of the joints (J,)."""
+        ...
 
 
 class Joints(NamedTuple):
@@ -58,7 +66,7 @@ class JointReader:
             may be NaN, and positions and a timestamp are needed. False for commands, which name each joint once.
     """
 
-    def __init__(self, topic: str, robot: Robot, states: bool = False) -> None:
+    def __init__(self, topic: str, robot: Jointed, states: bool = False) -> None:
         self._topic = topic
         self._joints = robot.joint_names
         self._states = states
@@ -92,7 +100,7 @@ class JointReader:
             columns.others,
         )
         if self._states and joints.positions is None:
-            raise QuadrupedError("holds no positions; send one per joint")
+            raise QuadrupedError("holds no positions; send one per joint (servos that report none: their last targets)")
         if self._states and raw.stamp == 0:
             raise QuadrupedError("the timestamp is empty; have the publisher fill header.stamp")
         return joints
@@ -123,21 +131,29 @@ class JointMerger:
     joints; the oldest may be older by the tolerance of `Period`.
 
     Args:
-        robot: the robot.
+        robot: the robot, or its driver.
         velocities: True if states need velocities: missing ones are then the differences of positions, filtered.
         say: called with one line when velocities are computed for the first time.
+        rates: velocity of each joint, in its unit, per unit of position and second (J,).
     """
 
-    def __init__(self, robot: Robot, velocities: bool, say: Callable[[str], None] = lambda text: None) -> None:
+    def __init__(
+        self,
+        robot: Jointed,
+        velocities: bool,
+        say: Callable[[str], None] = lambda text: None,
+        rates: NDArray[np.float64] | float = 1.0,
+    ) -> None:
         self.period = Period()
         """Period of complete states."""
         self._names = robot.joint_names
         self._needed = velocities
         self._say = say
-        self._stamps = np.zeros(robot.num_joints, dtype=np.int64)
+        self._rates = rates
+        self._stamps = np.zeros(len(self._names), dtype=np.int64)
         """Timestamp of each joint's last position, ns; 0 before the first."""
-        self._positions, self._velocities = np.full((2, robot.num_joints), np.nan)
-        self._fresh = np.zeros(robot.num_joints, dtype=bool)
+        self._positions, self._velocities = np.full((2, len(self._names)), np.nan)
+        self._fresh = np.zeros(len(self._names), dtype=bool)
         self._others: tuple[str, ...] = ()
         self._computed = False
 
@@ -185,7 +201,7 @@ class JointMerger:
             )
         elapsed = np.where(self._stamps > 0, (joints.stamp - self._stamps) / NS_PER_SECOND, 0.0)
         later = elapsed > 0.0
-        slope = (joints.positions - self._positions) / np.where(later, elapsed, np.nan)
+        slope = self._rates * (joints.positions - self._positions) / np.where(later, elapsed, np.nan)
         gain = -np.expm1(-elapsed / _VELOCITY_FILTER)
         filtered = self._velocities + gain * (slope - self._velocities)
         return np.where(later, np.where(np.isnan(self._velocities), slope, filtered), self._velocities)
@@ -216,16 +232,16 @@ class Period:
         return min(max(_PERIODS * period, _MIN_TOLERANCE), MAX_AGE)
 
 
-def command_message(robot: Robot, stamp: int, target: Target) -> bytes:
+def command_message(robot: Jointed, stamp: int, target: Target) -> bytes:
     """The CDR bytes of a `/joint_commands` message.
 
     Args:
-        robot: robot that is commanded.
+        robot: the robot that is commanded, or its driver.
         stamp: timestamp of the state that the target was computed from, ns.
         target: joint targets in rad (J,), or `LIMP`.
     """
     if target is LIMP:
-        return joint_state(stamp, robot.joint_names, effort=np.zeros(robot.num_joints))
+        return joint_state(stamp, robot.joint_names, effort=np.zeros(len(robot.joint_names)))
     return joint_state(stamp, robot.joint_names, target)
 
 
@@ -253,15 +269,15 @@ def positions_message(target: NDArray[np.float64]) -> Any:
     return cdr.message(JOINT_POSITIONS.type_name, data=target)
 
 
-def read_positions(message: Any, robot: Robot) -> NDArray[np.float64]:
+def read_positions(message: Any, robot: Jointed) -> NDArray[np.float64]:
     """The joint targets of a `/forward_position_controller/commands` message, rad (J,).
 
     Raises:
         QuadrupedError: if it does not hold a finite number for each joint.
     """
     positions = np.array(message.data, dtype=np.float64)
-    if positions.shape != (robot.num_joints,) or not np.isfinite(positions).all():
-        found = positions.tolist() if positions.size <= robot.num_joints else f"{positions.size} numbers"
+    if positions.shape != (len(robot.joint_names),) or not np.isfinite(positions).all():
+        found = positions.tolist() if positions.size <= len(robot.joint_names) else f"{positions.size} numbers"
         raise QuadrupedError(
             f"{JOINT_POSITIONS.name}: holds {found}; send a finite number of rad for each of "
             f"{', '.join(robot.joint_names)}"

@@ -4,6 +4,7 @@
     mini-quadruped live controller runs/latest  the policy of a training run
     mini-quadruped live controller tuned        the scripted gait that follows /cmd_vel
     mini-quadruped live controller --arrays     for a robot with ros2_control
+    mini-quadruped live controller --map my_robot.toml    for motors with other names, signs, zeros or units
 
 Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
 a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
@@ -22,21 +23,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.by_name import find_controller
-from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import JointCommand, LiveController, Mode
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED, Terms, load_terms, policy_directory, read_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
+from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
 from quadruped_env.live.controller_inputs import Measurements, VelocityCommands
 from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
-from quadruped_env.live.messages.joint_messages import command_message, positions_message
-from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_COMMANDS, JOINT_POSITIONS, TF_STATIC
+from quadruped_env.live.messages.driver_joints import DriverJoints
+from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_POSITIONS, TF_STATIC
+from quadruped_env.live.node_options import add_map_argument
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
 _POLL_PERIOD: Final = 0.01
@@ -57,10 +58,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--arrays",
         action="store_true",
         help=f"send the targets in the format of ros2_control on {JOINT_POSITIONS.name}: one number per joint, in the "
-        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or in that of the robot of --task. This format has no limp "
-        "command: "
-        "the node stops sending, and the driver has to disable the motors",
+        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or in that of the robot of --task, or with --map in that "
+        "of the log. This format has no limp command: the node stops sending, and the driver has to disable the "
+        "motors",
     )
+    add_map_argument(parser)
     parser.add_argument(
         "--task",
         metavar="FILE",
@@ -96,11 +98,19 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
     )
     node = session.node
-    outbox = _Outbox(session, arguments.arrays, robot)
+    driver = DriverJoints.load(arguments.map, robot)
+    if arguments.map is not None:
+        session.say(f"--map: drives {', '.join(driver.joint_names)}")
+    publisher = CommandPublisher(node, driver, arguments.arrays)
+
+    def send(answer: JointCommand | None) -> None:
+        if answer is not None:
+            publisher.send(answer.stamp, driver.target_to_driver(answer.target))
+
     commands = VelocityCommands(session, live_controller)
     clock: ControlTime = SimTime(node) if arguments.sim_time else SystemTime()
     simulator = SimulatorCommands(session)
-    inbox = Measurements(session, robot, live_controller.needs_velocities, _mount(arguments))
+    inbox = Measurements(session, robot, driver, live_controller.needs_velocities, _mount(arguments))
     diagnostics = Diagnostics(node, robot.name)
     while session.running:
         session.wait(_POLL_PERIOD)
@@ -110,7 +120,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             live_controller.restart("reset")
         if clock.set_back(session.refuse):
             live_controller.restart(_SET_BACK)
-        outbox.send(live_controller.emergency_stop(simulator.stopped))
+        send(live_controller.emergency_stop(simulator.stopped))
         commands.take(clock)
         answer = None
         try:
@@ -123,7 +133,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         except QuadrupedError as error:
             session.refuse(str(error))
         now = clock.now
-        outbox.send(answer or live_controller.silent(now))
+        send(answer or live_controller.silent(now))
         waiting = live_controller.waiting_for
         if waiting and not simulator.stopped:
             waiting = inbox.missing() or waiting
@@ -135,7 +145,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             f"{mode.value}{f'; waits for {waiting}' if waiting else ''}",
             {"policy": arguments.policy, "velocity command": moving, "refused messages": session.refuse.count},
         )
-    outbox.let_go()
+    publisher.let_go()
     return 0
 
 
@@ -157,35 +167,3 @@ def _mount(arguments: argparse.Namespace) -> NDArray[np.float64] | None:
     if not np.isfinite(angles).all():
         raise QuadrupedError(f"--imu-mount: expected three finite angles in rad; found {angles}")
     return from_roll_pitch_yaw(angles)
-
-
-class _Outbox:
-    """Sends the controller's commands.
-
-    Args:
-        session: the session of this process.
-        arrays: True for the format of ros2_control.
-        robot: robot that is commanded.
-    """
-
-    def __init__(self, session: Session, arrays: bool, robot: Robot) -> None:
-        self._arrays = arrays
-        self._commands = session.node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
-        self._robot = robot
-        self._stamp = 0
-
-    def send(self, answer: JointCommand | None) -> None:
-        """Send a command, if there is one."""
-        if answer is None:
-            return
-        self._stamp = answer.stamp
-        if not self._arrays:
-            self._commands.send_bytes(command_message(self._robot, answer.stamp, answer.target))
-        elif answer.target is not LIMP:
-            self._commands.send(positions_message(answer.target))
-
-    def let_go(self) -> None:
-        """Let the robot go limp if it was ever commanded, and wait for the acknowledgement."""
-        if self._stamp:
-            self.send(JointCommand(self._stamp, LIMP))
-            self._commands.wait_until_read(0.5)

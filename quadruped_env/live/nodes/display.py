@@ -22,6 +22,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def start(arguments: argparse.Namespace) -> int:
     """Run the three nodes until one ends."""
-    shared = passed_on(arguments, "task", *COMMON)
+    shared = passed_on(arguments, "task", "map", *COMMON)
     gait, view = passed_on(arguments, "preset"), passed_on(arguments, "port", "allow_host")
     return launch([["gait", *gait, *shared], ["state", *shared], ["view", *view, *shared]], status="gait")

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.joint_messages import JointReader, read_positions, read_target
 from quadruped_env.live.messages.sensor_messages import Sensors
 from quadruped_env.live.middleware.node import Received, message_reader
@@ -72,13 +73,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Simulate until the session ends."""
     robot = SimulatedRobot(arguments.seed, chosen_terrain(arguments), robot_of(arguments))
+    driver = DriverJoints.load(arguments.map, robot.robot)
     factor = arguments.real_time_factor
     if not _SLOWEST <= factor <= _FASTEST:
         raise QuadrupedError(f"--real-time-factor: expected {_SLOWEST:g} to {_FASTEST:g}; found {factor:g}")
     guard = SinglePublisherGuard(session)
     guard.check()
-    sensors = Sensors(session.node, robot.robot)
-    commands = _Commands(session, robot)
+    sensors = Sensors(session.node, robot.robot, driver)
+    commands = _Commands(session, robot, driver)
     pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
     # Exclude the existing objects from garbage collection, to avoid pauses in the real-time loop.
     gc.collect()
@@ -154,17 +156,17 @@ class _Steps:
 class _Commands:
     """Forwards validated commands to the robot, in order and from one publisher at a time."""
 
-    def __init__(self, session: Session, robot: SimulatedRobot) -> None:
+    def __init__(self, session: Session, robot: SimulatedRobot, driver: DriverJoints) -> None:
         self._session = session
         self._robot = robot
-        node, joints = session.node, JointReader(JOINT_COMMANDS.name, robot.robot)
+        node, joints = session.node, JointReader(JOINT_COMMANDS.name, driver)
 
         def command(data: bytes) -> tuple[int, Target]:
             state = joints(data)
-            return state.stamp, read_target(state)
+            return state.stamp, driver.target_to_robot(read_target(state))
 
         def array(message: Any) -> tuple[int, Target]:
-            return 0, read_positions(message, robot.robot)
+            return 0, driver.target_to_robot(read_positions(message, driver))
 
         self._subscriptions = (
             node.subscribe(JOINT_COMMANDS, read=command),

@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def start(arguments: argparse.Namespace) -> int:
     """Run all nodes until one ends."""
     chosen_terrain(arguments)  # an unknown terrain is an error before any node starts
-    common, robot = passed_on(arguments, *COMMON), passed_on(arguments, "task", *COMMON)
+    common, robot = passed_on(arguments, *COMMON), passed_on(arguments, "task", "map", *COMMON)
     ground, port = passed_on(arguments, *GROUND), passed_on(arguments, "port", "allow_host")
     nodes = [
         ["sim", *ground, "--pick-up", "3", *robot],
