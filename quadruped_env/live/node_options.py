@@ -16,15 +16,16 @@ GROUND: Final = ("seed", "terrain", "level")
 """Options of `add_terrain_arguments`."""
 
 
-def add_robot_argument(parser: argparse.ArgumentParser) -> None:
-    """Add `--task`, the file that defines another robot than the built-in one, and `--map`."""
+def add_robot_argument(parser: argparse.ArgumentParser, joint_map: bool = True) -> None:
+    """Add `--task`, the file that defines another robot than the built-in one, and unless told otherwise `--map`."""
     parser.add_argument(
         "--task",
         metavar="FILE",
         help="Python file that defines your robot or terrain (docs/make-it-yours.md); it is executed (default: the "
         "built-in ones)",
     )
-    add_map_argument(parser)
+    if joint_map:
+        add_map_argument(parser)
 
 
 def add_map_argument(parser: argparse.ArgumentParser) -> None:

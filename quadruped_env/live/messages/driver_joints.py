@@ -72,14 +72,15 @@ class DriverJoints:
         if self._map is None:
             return joints
         assert joints.positions is not None
-        given = dict(zip(_KINDS, (joints.positions, joints.velocities, joints.efforts), strict=True))
+        given = {"position": joints.positions, "velocity": joints.velocities, "effort": joints.efforts}
         found = np.isfinite(joints.positions)
-        for kind, array in given.items():
-            self._last[kind] = np.where(found, np.nan if array is None else array, self._last[kind])
-        mapped = self._map.to_joints(self.joint_names, self._last)
+        for kind, values in given.items():
+            self._last[kind] = np.where(found, np.nan if values is None else values, self._last[kind])
+        known = {kind: self._last[kind] for kind, values in given.items() if values is not None}
         held = found.any() & ((self._uses & found).any(axis=1) | ~self._uses.any(axis=1))
-        values = {kind: None if given[kind] is None else np.where(held, mapped[kind], np.nan) for kind in _KINDS}
-        return Joints(joints.stamp, *values.values(), joints.others)
+        mapped = self._map.to_joints(self.joint_names, known)
+        position, velocity, effort = (np.where(held, mapped[k], np.nan) if k in mapped else None for k in _KINDS)
+        return Joints(joints.stamp, position, velocity, effort, joints.others)
 
     def target_to_robot(self, target: Target) -> Target:
         """A target for the driver's joints (D,) as one for the robot's (J,), or `LIMP`."""

@@ -14,6 +14,7 @@ SUMMARIES: Final = {
     "gait": "a scripted gait on /joint_states, like the tutorial's publisher, or as commands",
     "state": "joint states in, transforms out, like robot_state_publisher",
     "controller": "a policy drives the robot: states and /cmd_vel in, joint commands out",
+    "calibrate": "move a hanging robot's motors one after another, ask what moved, and write the map of --map",
     "view": "the live robot in the browser, with keys to steer it",
     "teleop": "drive the robot with the keyboard: /cmd_vel",
     "gamepad": "drive the robot with a gamepad or joystick: /cmd_vel, /estop",
