@@ -208,8 +208,8 @@ class _Wizard:
         names = ", ".join(self._robot.joint_names[joint] for joint in joints)
         while True:
             answer = self._ask(
-                f"{names}: hold the leg still at known angles. Enter: all 0 (the built-in robot's leg is then straight, at "
-                f"right angles to the trunk); or type the angles in degrees"
+                f"{names}: hold the leg still at known angles. Enter: all 0 (a straight leg of the built-in robot, "
+                f"upright to the trunk); or type the angles in degrees"
             ).replace(",", " ")
             try:
                 angles = np.radians([float(angle) for angle in answer.split()] or [0.0] * len(joints))
