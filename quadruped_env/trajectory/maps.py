@@ -49,7 +49,8 @@ A joint that several motors move, as in five-bar legs, has their factors in plac
 
 Velocities are combined in the same way, and efforts so that the power stays the same: that of a joint with one source
 is the source's divided by `sign * scale`. The map is for files (`retarget`) and for single messages
-(`JointMap.to_joints`), and back: `JointMap.to_sources` gives the sources that bring joints to their targets.
+(`JointMap.to_joints`), as of live nodes, and back: `JointMap.to_sources` gives the sources that bring joints to their
+targets.
 """
 
 import json

@@ -235,6 +235,22 @@ def test_controller_moves_a_robot_that_sends_legs_apart_without_velocities_and_a
     assert re.search(r"refused: /imu/data: 0\.\d+ s older than /joint_states, over 0\.\d+ s", log.getvalue())
 
 
+def test_controller_says_that_positions_are_missing(run_node, nodes):
+    """As those of servos that report nothing."""
+    driver = nodes("driver")
+    states, attitudes = driver.publish(JOINT_STATES), driver.publish(IMU)
+    log = run_node("controller", "tuned")
+
+    def send():
+        attitudes.send(cdr.message(IMU.type_name, header=cdr.header(time.time_ns()), orientation={"w": 1.0}))
+        states.send(joint_state(time.time_ns(), position=()))
+
+    reason = (
+        r"waiting for /joint_states: no message that can be read for \d\.\d s: holds no positions; send one per joint"
+    )
+    wait_until(lambda: send() or re.search(reason, log.getvalue()), log.getvalue, interval=0.02)
+
+
 def test_state_and_view_use_the_joints_that_they_know(run_node, nodes):
     driver = nodes("driver")
     states, poses = driver.publish(JOINT_STATES), driver.subscribe(TF)

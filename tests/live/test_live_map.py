@@ -123,6 +123,25 @@ def test_missing_velocities_are_computed_in_the_maps_unit(map_file):
     assert np.std(np.add(errors, sizes)) == pytest.approx(np.std(sizes), rel=0.3)
 
 
+def test_joint_is_known_once_all_of_its_motors_are(map_file):
+    """For drivers with a message per motor: `state` and `view` use what they know."""
+    driver = DriverJoints.load(map_file, MINI_QUADRUPED)
+    read = JointReader("/joint_states", driver, states=True)
+    degrees = motor_angles(STANCE)
+    known = []
+    for motor in (5, 4, 0, 5):
+        message = joint_state(1, [MOTORS[motor]], [degrees[motor]], [1.0], [2.0])
+        joints = driver.to_robot(read(cdr.serialize(message)))
+        found = np.flatnonzero(np.isfinite(joints.positions))
+        np.testing.assert_allclose(joints.positions[found], STANCE[found])
+        assert np.isfinite(joints.efforts[found]).all()
+        known.append(found.tolist())
+    # Joint 4 has motor 4 alone, joint 5 has motors 4 and 5, joints 0 and 1 need motor 1 too.
+    assert known == [[], [4, 5], [], [5]]
+    other = driver.to_robot(read(cdr.serialize(joint_state(2, ["tail"], [1.0]))))
+    assert (other.others, np.isnan(other.positions).all()) == (("tail",), True)
+
+
 def test_map_that_does_not_fit_the_robot_is_refused(tmp_path, map_file):
     def refused(text, words):
         path = tmp_path / "wrong.toml"
@@ -260,7 +279,7 @@ class Person:
         return None
 
     def _seen(self, line):
-        """What turned, by the joints' true motion on the way out."""
+        """Joints that turned on the way out, by their true motion."""
         robot, name = self.robot, line.split(":")[0]
         targets = np.array(robot.targets)
         robot.targets.clear()

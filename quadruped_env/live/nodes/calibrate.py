@@ -209,7 +209,7 @@ class _Wizard:
         while True:
             answer = self._ask(
                 f"{names}: hold the leg still at known angles. Enter: all 0 (a straight leg of the built-in robot, "
-                f"upright to the trunk); or type the angles in degrees"
+                f"across the trunk); or type the angles in degrees"
             ).replace(",", " ")
             try:
                 angles = np.radians([float(angle) for angle in answer.split()] or [0.0] * len(joints))
