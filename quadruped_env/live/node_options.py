@@ -1,10 +1,10 @@
 """Options of nodes that need to know the robot or the ground, and options that a launch passes on to its nodes."""
 
 import argparse
-from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from quadruped_env.control.task_file import load_robot
+from quadruped_env.live.messages.driver_joints import add_map_argument
 from quadruped_env.robot.robot import Robot
 
 if TYPE_CHECKING:
@@ -26,17 +26,6 @@ def add_robot_argument(parser: argparse.ArgumentParser, joint_map: bool = True) 
     )
     if joint_map:
         add_map_argument(parser)
-
-
-def add_map_argument(parser: argparse.ArgumentParser) -> None:
-    """Add `--map`: the joints that the robot's driver names."""
-    parser.add_argument(
-        "--map",
-        type=Path,
-        metavar="MAP.toml",
-        help="joints, signs, zeros and units of the robot's driver on /joint_states and /joint_commands, as "
-        "'calibrate' writes them (docs/live.md; default: those of the robot, in rad)",
-    )
 
 
 def robot_of(arguments: argparse.Namespace) -> Robot:

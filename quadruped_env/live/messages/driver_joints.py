@@ -1,5 +1,6 @@
 """The joints that a robot's driver names in its messages, and their conversion to the robot's joints."""
 
+import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, Self
 
@@ -97,3 +98,14 @@ class DriverJoints:
         if self._map is None:
             return values
         return tuple(self._map.to_sources(dict(zip(_KINDS, values, strict=False))).values())
+
+
+def add_map_argument(parser: argparse.ArgumentParser) -> None:
+    """Add `--map`: the joints that the robot's driver names."""
+    parser.add_argument(
+        "--map",
+        type=Path,
+        metavar="MAP.toml",
+        help="joints, signs, zeros and units of the robot's driver on /joint_states and /joint_commands, as "
+        "'calibrate' writes them (docs/live.md; default: those of the robot, in rad)",
+    )

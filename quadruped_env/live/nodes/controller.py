@@ -32,9 +32,8 @@ from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
 from quadruped_env.live.controller_inputs import Measurements, VelocityCommands
 from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
-from quadruped_env.live.messages.driver_joints import DriverJoints
+from quadruped_env.live.messages.driver_joints import DriverJoints, add_map_argument
 from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_POSITIONS, TF_STATIC
-from quadruped_env.live.node_options import add_map_argument
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
