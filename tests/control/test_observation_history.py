@@ -252,6 +252,7 @@ def test_live_controller_stacks_as_the_interface_does():
         readings.joint_position[0], readings.joint_velocity[0] = positions, velocities
         for interface in (control, plain):
             interface.set_command(np.array([0]), np.array([[0.3, 0.1]]))
+            interface.approach_requested()
         frame = plain.observe(readings)[0]
         expected = frames.add(frame) if step else frames.reset(frame)
         np.testing.assert_array_equal(control.observe(readings)[0], expected)

@@ -227,8 +227,7 @@ def test_resampling_intervals_are_uniform_and_independent_of_commands_and_starts
     for i in range(envs):
         times = np.flatnonzero(changed[:, i]) + 1
         assert len(times) >= count
-        # A command that is drawn at the end of a step holds from the next one on.
-        lengths.append(np.diff(times[:count], prepend=1))
+        lengths.append(np.diff(times[:count], prepend=0))
         values.append(history[[0, *times[: count - 1]], i])
     lengths, values = np.array(lengths).T, np.array(values).swapaxes(0, 1)
     assert lengths.min() == 3

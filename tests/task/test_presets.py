@@ -1,6 +1,7 @@
 """Presets of the randomization, and refusal of ranges that are not physical."""
 
 import json
+import math
 
 import gymnasium
 import numpy as np
@@ -45,8 +46,7 @@ def test_each_preset_contains_the_ranges_of_the_one_before():
         assert lower <= low or name == "push_speed", name
         assert (low, high) != (lower, higher), name
     # Its pushes are horizontal and of one size, as often on the average.
-    # Its mean square is larger: that of a uniform number in -a to a is a^2 / 3.
-    assert hard.push_speed[0] ** 2 > 2.0 * moderate.push_velocity**2 / 3.0
+    assert hard.push_speed[0] > math.hypot(moderate.push_velocity, moderate.push_velocity)
     assert np.mean(hard.push_interval) <= np.mean(moderate.push_interval)
 
 

@@ -314,8 +314,8 @@ def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path)
     _, info = env.reset(seed=SEED)
     average, squares, ends = np.zeros((ENVS, 2)), [], 0
     for actions in run.actions:
+        command = info["command"]  # in force in the step
         *_, terminated, truncated, info = env.step(actions)
-        command = info["command"]
         velocity = np.stack([info["base_linear_velocity"][:, 0], info["base_angular_velocity"][:, 2]], axis=1)
         average += (1.0 - math.exp(-0.02 / 0.3)) * (velocity - average)
         squares.append((average - command) ** 2)
