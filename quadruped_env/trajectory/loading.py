@@ -14,10 +14,11 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import recognition
-from quadruped_env.trajectory.plausibility import TURN, Plausibility, spikes
+from quadruped_env.trajectory.plausibility import TURN, Plausibility
 from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.row_conversion import from_degrees, retarget
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, joined
+from quadruped_env.trajectory.steps import Steps
 from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, read_only, validate
 from quadruped_env.utils.progress import Progress
 
@@ -114,7 +115,7 @@ def _repaired(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:
         return
     rows = joined(chain([first], pieces))
     if options.despike and len(rows) > 2:
-        bad = spikes(rows, (options.unwrap or TURN,)).any(axis=1)
+        bad = Steps(rows, (options.unwrap or TURN,)).spikes.any(axis=1)
         reading.leave_out("a joint is elsewhere for a few rows", int(bad.sum()))
         rows = rows.take(~bad)
     if options.unwrap:
