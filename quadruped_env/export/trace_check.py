@@ -158,8 +158,9 @@ def read_columns(path: Path, expected: Sequence[str] = ()) -> dict[str, NDArray[
     check_regular(path, "name a CSV file")
     try:
         with path.open(encoding="utf-8-sig") as file:
-            header = [name.strip() for name in file.readline().split(",")]
-            table = np.loadtxt(file, delimiter=",", ndmin=2)
+            first, *lines = file.readlines() or [""]
+        header = [name.strip() for name in first.split(",")]
+        table = np.loadtxt(lines, delimiter=",", ndmin=2) if lines else np.empty((0, len(header)))
         for name in (STEP, *expected):
             if header.count(name) != 1:
                 raise ValueError(f"line 1 has {header.count(name)} columns {short(name)}; expected one")

@@ -238,9 +238,9 @@ class TestMotionClip:
         ("text", "message"),
         [
             ('{"FrameDuration": 0, "Frames": [[1]]}', r"FrameDuration: expected a time .*; found 0"),
-            ('{"FrameDuration": 0.1, "Frames": []}', r"Frames: expected a list of lists of numbers; found \[\]"),
-            ('{"FrameDuration": 0.1, "Frames": [[1], [2, 3]]}', r"frame 1: expected 1 numbers, as in frame 0"),
-            ('{"FrameDuration": 0.1, "Frames": [["x"]]}', r"frame 0: expected 1 numbers"),
+            ('{"FrameDuration": 0.1, "Frames": []}', r"Frames: expected lists of .*; found \[\]"),
+            ('{"FrameDuration": 0.1, "Frames": [[1], [2, 3]]}', r"Frames: .*; found \[\[1\], \[2, 3\]\]"),
+            ('{"FrameDuration": 0.1, "Frames": [["x"]]}', r"Frames: .*; found \[\['x'\]\]"),
         ],
     )
     def test_mistakes_are_named(self, tmp_path, text, message):
