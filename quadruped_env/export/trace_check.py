@@ -14,7 +14,7 @@ from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.golden_trace import GIVEN, STATE, STEP, Loop, TraceField
 from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import OBSERVATION, REQUESTED
-from quadruped_env.export.runtime import Arrays, run, session_of
+from quadruped_env.export.runtime import Arrays, difference, run, session_of
 from quadruped_env.utils.documents import check_regular, read_json
 
 Run = Callable[[Arrays], Arrays]
@@ -105,18 +105,14 @@ class ExportedTrace:
         first, text, largest = math.inf, "", 0.0
         compared = [field for field in self.fields if field.name in found]
         for field in compared:
-            expected = self.values[field.name].astype(np.float64)
-            values = np.asarray(found[field.name], np.float64)
-            difference = np.abs(values - expected)
-            if field.name == graph_io.GAIT_PHASE:
-                # Just below a whole turn is next to just above 0.
-                difference = np.minimum(difference, np.abs(math.tau - difference))
-            difference[np.isnan(values) & np.isnan(expected)] = 0.0
-            difference[np.isnan(difference)] = math.inf
-            largest = max(largest, float(difference.max()))
-            steps = np.flatnonzero((difference > field.tolerance).any(axis=1))
+            expected, values = self.values[field.name], found[field.name]
+            size = difference(field.name, values, expected)
+            size[np.isnan(values) & np.isnan(expected)] = 0.0
+            size[np.isnan(size)] = math.inf
+            largest = max(largest, float(size.max()))
+            steps = np.flatnonzero((size > field.tolerance).any(axis=1))
             if len(steps) and steps[0] < first:
-                first, column = int(steps[0]), int(difference[steps[0]].argmax())
+                first, column = int(steps[0]), int(size[steps[0]].argmax())
                 text = (
                     f"differs from step {first} on: {field.name}_{column} is {values[first, column]:.7g}; the trace "
                     f"has {expected[first, column]:.7g} and tolerates {field.tolerance:g}"
