@@ -14,7 +14,7 @@ from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.robot import MINI_QUADRUPED, MOTOR_PRESETS, JointMotor, MotorConfig, Robot
 from quadruped_env.robot.motors import servo_target
-from quadruped_env.task import Randomization, ServoError, TaskConfig
+from quadruped_env.task import TaskConfig
 
 STEP, PLAY, BAND = 0.05, 0.03, 0.02
 HALF_WITH_SERVOS = dataclasses.replace(half_robot.DESIGN, name="servos", motors=MOTOR_PRESETS["mg996r"])
@@ -164,8 +164,3 @@ def test_robot_without_servo_errors_keeps_its_identity():
 def test_invalid_servo_errors_are_refused():
     with pytest.raises(QuadrupedError, match="dead_band must be a number, 0 or more"):
         JointMotor(dead_band=-0.1)
-    with pytest.raises(QuadrupedError, match="quantity must be one of target_step, backlash, dead_band; found 'play'"):
-        ServoError("play")
-    own = Randomization("own", ServoError("backlash"), (0.0, 0.1), width=3)
-    with pytest.raises(QuadrupedError, match="3 values; width must be 1 or 8"):
-        own.apply.bind(gymnasium.make(ENV_ID).unwrapped.task.simulation, 3)
