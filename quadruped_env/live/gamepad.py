@@ -4,7 +4,6 @@ import errno
 import os
 import struct
 from pathlib import Path
-from types import TracebackType
 from typing import Final, Self
 
 from quadruped_env.errors import QuadrupedError
@@ -44,9 +43,7 @@ class Gamepad:
             ) from error
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         os.close(self._file)
 
     def update(self) -> set[int]:
@@ -57,7 +54,7 @@ class Gamepad:
         """
         pressed = set()
         while data := self._read():
-            data, self._rest = self._rest + data, b""
+            data = self._rest + data
             whole = len(data) - len(data) % _EVENT.size
             self._rest = data[whole:]
             for _, value, kind, number in _EVENT.iter_unpack(data[:whole]):
