@@ -114,7 +114,7 @@ class ReadOptions:
     salvage: bool = False
 
     def __post_init__(self) -> None:
-        if self.stamps not in STAMPS and self.period is None:
+        if self.stamps not in STAMPS and not 1e-6 <= (self.period or 0.0) <= 1e6:
             raise QuadrupedError(
                 f"stamps: expected one of {', '.join(STAMPS)}, or the time from row to row, 1e-6 to 1e6 s; found "
                 f"{self.stamps!r}"
@@ -134,12 +134,13 @@ class ReadOptions:
 
     @property
     def period(self) -> float | None:
-        """Time from row to row, s, if it replaces the timestamps."""
+        """Time from row to row, s, if it replaces the timestamps or there are none."""
+        if self.stamps in STAMPS:
+            return None if self.columns is None else self.columns.period
         try:
-            period = float(self.stamps)
+            return float(self.stamps)
         except (TypeError, ValueError):
             return None
-        return period if 1e-6 <= period <= 1e6 else None
 
     @classmethod
     def of(cls, **given: Any) -> Self:

@@ -53,14 +53,12 @@ def read(reading: Reading, columns: ColumnMap | None = None) -> Iterator[Rows]:
     """
     columns = columns or reading.options.columns
     assert columns is not None
-    if columns.stamp is None and columns.period is None:
-        if reading.options.period is None:
-            raise reading.error(
-                None,
-                f"{columns.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
-                f"(period in the map, or --stamps 0.02)",
-            )
-        columns = replace(columns, period=reading.options.period)
+    if columns.stamp is None and reading.options.period is None:
+        raise reading.error(
+            None,
+            f"{columns.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
+            f"(period in the map, or --stamps 0.02)",
+        )
     velocity_file = (columns.velocity_files or {}).get(reading.path.name)
     if velocity_file is None:
         return salvaged_text(_rows(reading, columns), reading)
@@ -173,7 +171,6 @@ def _layout(titles: list[str], columns: ColumnMap, reading: Reading) -> Layout:
     return Layout(
         titles=titles,
         stamp=None if columns.stamp is None else index("stamp", columns.stamp),
-        period=columns.period or 0.0,
         parse_stamp=_stamp_parser(STAMP_UNITS[columns.stamp_unit]),
         stamp_form=f"a time in {columns.stamp_unit}",
         columns={
