@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import second_robot
+from test_golden_trace import POLICIES as TRACED
 from test_graph import POLICIES, TERMS, own_policy
 
 from quadruped_env.cli.main import main
@@ -27,6 +28,7 @@ pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="there is no
 STUBS = Path(__file__).parents[1] / "helpers" / "arduino"
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Werror")
 TOLERANCE = 1e-5
+STATE = ("command", "last_action", "gait_phase", "observation_history")
 
 
 def compiler(*arguments, **options):
@@ -113,25 +115,30 @@ def test_c_equals_onnx_runtime(name, tmp_path):
     assert np.ptp(expected["joint_target"], axis=0).min() > 0.05
 
 
-def test_step_is_that_of_the_golden_trace_and_leaves_out_what_is_nan(tmp_path):
-    policy = load_policy("flat")
-    compiled = Compiled(policy, tmp_path)
+@pytest.mark.parametrize("name", TRACED)
+def test_step_is_that_of_the_golden_trace_and_leaves_out_what_is_nan(name, tmp_path):
+    policy = TRACED[name](tmp_path)
+    compiled, joints = Compiled(policy, tmp_path), policy.robot.num_joints
     trace = golden_trace(compiled.interface)
     readings = np.concatenate([trace[entry.name] for entry in readings_of(compiled.interface)], axis=1)
-    memory, target = np.full(compiled.memory_width, 7.0, np.float32), np.empty(8, np.float32)
+    requests = trace.get("requested_command", np.zeros((len(readings), 2), np.float32))
+    memory, target = np.full(compiled.memory_width, 7.0, np.float32), np.empty(joints, np.float32)
     compiled.call("policy_reset", memory)
-    for step, requested in enumerate(trace["requested_command"]):
+    for step, requested in enumerate(requests):
         before = memory.copy(), target.copy()
-        missing = np.where(np.arange(22) == step % 22, np.float32(np.nan), readings[step])
+        missing = np.where(np.arange(readings.shape[1]) == step % 22, np.float32(np.nan), readings[step])
         assert compiled.call("policy_step", missing, requested, memory, target) == 0
         np.testing.assert_array_equal(memory, before[0])
         np.testing.assert_array_equal(target, before[1])
         assert compiled.call("policy_step", readings[step], requested, memory, target) == 1
         # The two differ by rounding, which comes back through the last action.
         np.testing.assert_allclose(target, trace["joint_target"][step], rtol=0, atol=1e-4)
-        np.testing.assert_allclose(memory[:2], trace["command"][step], rtol=0, atol=1e-6)
+        kept = dict(zip(STATE, np.split(memory, [2, 2 + joints, 3 + joints]), strict=True))
+        for field, later in zip(STATE, (0, 1, 1, 1), strict=True):
+            if field in trace and step + later < len(requests):
+                assert runtime.difference(field, kept[field], trace[field][step + later]).max() < 1e-4
     # Velocities are clipped to the range, and never change faster than the rate.
-    low, high = np.transpose([entry.range for entry in policy.control.commands])
+    low, high = np.transpose([entry.range for entry in policy.control.commands[:2]])
     rate = np.multiply(policy.control.command_rate, policy.control.timestep)
     compiled.call("policy_reset", memory)
     for step in range(1, 80):
