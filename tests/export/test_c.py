@@ -17,7 +17,6 @@ from test_graph import POLICIES, TERMS, own_policy
 from quadruped_env.cli.main import main
 from quadruped_env.export import PolicyInterface, quantization, runtime
 from quadruped_env.export.c_source import FOLDER, c_files, readings_of
-from quadruped_env.export.card import example
 from quadruped_env.export.golden_trace import golden_trace
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import Policy, load_policy
@@ -200,7 +199,7 @@ def sketch(policy, folder):
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")
-def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path, monkeypatch):
+def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path):
     policy = load_policy("flat")
     compiled, run = sketch(policy, tmp_path)
     command = [(1, LEVEL, STILL, "0.3 0.5")]
@@ -213,11 +212,9 @@ def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path, m
     before, walk, silent, again, fallen = np.split(np.arange(len(rows)), [60, 160, 240, 400, 460])[:5]
     assert off[before].all()
     assert not off[walk].any()
-    # As many steps of the loop of the card, with the servos as the sketch models them.
-    (tmp_path / "policy.onnx").write_bytes(policy_graph(compiled.interface, "test"))
-    monkeypatch.chdir(tmp_path)
-    namespace, robot = {}, policy.robot
-    exec(example(compiled.interface), namespace)  # noqa: S102
+    # As many steps of the policy, with the servos as the sketch models them.
+    memory, target, robot = np.empty(compiled.memory_width, np.float32), np.empty(8, np.float32), policy.robot
+    compiled.call("policy_reset", memory)
     settle = int(np.flatnonzero((pulses[walk] != pulses[walk[0]]).any(axis=1))[0])
     assert settle in (25, 26), "the robot stands in its stance for 0.5 s"
     sent, servo = robot.stance.copy(), robot.stance.copy()
@@ -225,10 +222,8 @@ def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path, m
         earlier = servo
         servo = earlier + np.clip(sent - earlier, -0.1, 0.1)
         if row >= walk[settle]:
-            target = namespace["joint_targets"](
-                projected_gravity=(0, 0, -1), angular_velocity=STILL, joint_position=servo,
-                joint_velocity=(servo - earlier) / 0.02, command=(0.3, 0.5),
-            )  # fmt: skip
+            readings = np.float32([0.0, 0.0, -1.0, *STILL, *servo, *((servo - earlier) / 0.02)])
+            assert compiled.call("policy_step", readings, np.float32([0.3, 0.5]), memory, target) == 1
             sent = sent + np.clip(target - sent, -0.02 * robot.velocity_limit, 0.02 * robot.velocity_limit)
         microseconds = np.clip(1500.0 + 636.6 * sent, 500.0, 2500.0)
         np.testing.assert_allclose(pulses[row], microseconds * 4096 / 20000, atol=0.6)
@@ -259,16 +254,14 @@ def test_sketch_with_a_field_that_nobody_fills_does_not_move_and_has_the_robots_
 
 
 def test_program_writes_the_c_files_and_the_loss_of_8_bits(tmp_path, capsys):
-    assert main(["export", "flat", "--c-int8", "-o", str(tmp_path / "flat")]) == 0
-    said = capsys.readouterr().out
-    manifest = json.loads((tmp_path / "flat" / "manifest.json").read_text())
-    loss = manifest["c"]["loss"]
-    assert manifest["c"]["weights"] == "int8"
-    assert f"weights of 8 bits change joint targets by {loss['joint_target_rms_rad']:.2g} rad (RMS)" in said
+    folder = tmp_path / "flat"
+    assert main(["export", "flat", "--c-int8", "-o", str(folder)]) == 0
+    manifest = json.loads((folder / "manifest.json").read_text())
+    loss = manifest["c"]["loss"]["joint_target_rms_rad"]
+    assert f"weights of 8 bits change joint targets by {loss:.2g} rad (RMS)" in capsys.readouterr().out
     assert {f"firmware/{name}" for name in ("policy.c", "policy.h", "firmware.ino")} <= set(manifest["files"])
-    assert "int8_t weight_type" in (tmp_path / "flat" / "firmware" / "policy.c").read_text()
-    assert "`firmware/policy.c`" in (tmp_path / "flat" / "README.md").read_text()
-    assert main(["export", "flat", "--c", "-o", str(tmp_path / "flat"), "--overwrite"]) == 0
-    manifest = json.loads((tmp_path / "flat" / "manifest.json").read_text())
-    assert manifest["c"] == {"weights": "float32", "loss": None}
-    assert "float weight_type" in (tmp_path / "flat" / "firmware" / "policy.c").read_text()
+    assert "int8_t weight_type" in (folder / "firmware" / "policy.c").read_text()
+    assert "`firmware/policy.c`" in (folder / "README.md").read_text()
+    assert main(["export", "flat", "--c", "-o", str(folder), "--overwrite"]) == 0
+    assert json.loads((folder / "manifest.json").read_text())["c"] == {"weights": "float32", "loss": None}
+    assert "float weight_type" in (folder / "firmware" / "policy.c").read_text()
