@@ -9,8 +9,8 @@ import sys
 
 import numpy as np
 import pytest
-import second_robot
 from comparisons import random_policy
+from test_graph import TERMS, other_robots_policy, own_policy
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
@@ -18,23 +18,11 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_poli
 from quadruped_env.export.folder import export_policy
 from quadruped_env.export.trace_check import RUNTIMES, ExportedTrace
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.task import ActionConfig, TaskConfig, load_task_file
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
 pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
 
 OTHER_RUNTIMES = "ONNXRUNTIME_PYTHONS"
-FIELD = """
-from quadruped_env.task import Command, observation
-
-height = Command("height", "m", (0.15, 0.19), default=0.18)
-
-
-@observation(unit="m", mirror=(1.0,), scale=5.0, bound=0.9)
-def height_command(readings, control):
-    "Commanded height of the base."
-    return control.command_of("height")[:, None]
-"""
 
 
 def blind():
@@ -46,25 +34,11 @@ def blind():
     )
 
 
-def other_robot():
-    policy = random_policy("residual")
-    task = TaskConfig(action=ActionConfig(mode="residual")).for_robot(second_robot.ROBOT)
-    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card)
-
-
-def with_own_field(directory):
-    (directory / "mine.py").write_text(FIELD)
-    rng = np.random.default_rng(0)
-    weights = [rng.normal(0.0, 0.3, shape).astype(np.float32) for shape in ((3 * 35, 12), (12, 8))]
-    task = TaskConfig(definition=load_task_file(directory / "mine.py"))
-    return Policy.for_task(weights, [np.zeros(width, np.float32) for width in (12, 8)], "tanh", task, {})
-
-
 POLICIES = {
     "flat": lambda directory: load_policy("flat"),
     "blind": lambda directory: blind(),
-    "other robot": lambda directory: other_robot(),
-    "own field": with_own_field,
+    "other robot": lambda directory: other_robots_policy("residual"),
+    "own field": lambda directory: own_policy(directory, TERMS),
 }
 
 
