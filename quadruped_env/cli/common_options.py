@@ -199,7 +199,7 @@ def gain_of(policy: Policy, arguments: argparse.Namespace) -> LearningGain:
 def add_reading_options(parser: argparse.ArgumentParser) -> None:
     """Add the options to a parser; `reading_options` takes them from the parsed arguments."""
     group = parser.add_argument_group("reading")
-    exclusive = defaultdict(group.add_mutually_exclusive_group)
+    exclusive: defaultdict[str, Any] = defaultdict(group.add_mutually_exclusive_group)
     for flag, arguments in FLAGS.items():
         exclusive[arguments["dest"]].add_argument(flag, default=None, **arguments)
 

@@ -168,11 +168,11 @@ def _named_files(path: Path) -> list[str]:
             names = [PurePath(one).name for one in paths if isinstance(one, str)] if isinstance(paths, list) else []
     except (OSError, UnicodeDecodeError, yaml.YAMLError):
         return []
-    repeated = next((name for name, count in Counter(names).items() if count > 1), None)
+    repeated = next((name for name, count in Counter(names).items() if count > 1), "")
     for problem, wrong in (
         (f"over {_MAX_METADATA} characters", len(text) > _MAX_METADATA),
         (f"nested deeper than {MAX_DEPTH} levels", deepest > MAX_DEPTH),
-        (f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times", repeated is not None),
+        (f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times", repeated != ""),
     ):
         if wrong:
             raise QuadrupedError(
