@@ -67,7 +67,7 @@ def trace_fields(interface: PolicyInterface) -> list[TraceField]:
 
 
 class Loop:
-    """What the loop around a policy's graph keeps from step to step.
+    """State that the loop around a policy's graph keeps from step to step.
 
     Args:
         widths: columns of the state by name.

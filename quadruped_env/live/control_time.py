@@ -67,7 +67,7 @@ class SimTime:
         """Simulated time, s."""
 
     def of(self, taken: float) -> float:
-        """The present time: simulators stamp no commands."""
+        """Present time, for a message that has none."""
         return self.now
 
     def set_back(self, refused: Refused) -> bool:

@@ -141,7 +141,7 @@ class Plausibility:
                 self._add_places(rows, steps, begin, end)
             self._add_sums(rows, steps, begin, end)
         pairs = {(a, b): (rows.values[a], rows.values[b]) for a in rows.values for b in rows.values if a < b}
-        # Legs are commanded alike; those that measure a torque are never exactly alike.
+        # Joints may have the same targets, but never exactly the same measurements.
         if "effort" in rows.values:
             joints = dict(zip(rows.names, rows.values["position"].T, strict=True))
             pairs |= {(a, b): (joints[a], joints[b]) for a in joints for b in joints if a < b}

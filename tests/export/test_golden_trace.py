@@ -63,7 +63,7 @@ def table_of(folder):
 
 @pytest.mark.parametrize("name", POLICIES)
 def test_readings_of_the_trace_are_those_of_a_robot_that_walks_and_reach_their_bounds(name, tmp_path):
-    """What the loop makes of them is compared with the C form in `test_c` and with runtimes below."""
+    """Results of the loop are compared with the C form in `test_c` and with runtimes below."""
     policy = POLICIES[name](tmp_path)
     evaluated = EvaluatedPolicy("mine", policy, tmp_path, tmp_path / "evaluation")
     document, trace = table_of(export_policy(evaluated, tmp_path / "export").folder)
