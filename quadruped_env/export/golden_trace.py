@@ -48,22 +48,19 @@ class TraceField:
 
 def trace_fields(interface: PolicyInterface) -> list[TraceField]:
     """Fields of a policy's trace in the order in which a loop computes them."""
-    found: dict[str, list[TraceField]] = {GIVEN: [], STATE: [], RESULT: []}
-
-    def add(part: str, entry: Input) -> None:
-        found[part].append(TraceField(entry.name, part, entry.width, entry.unit, TOLERANCE, entry.description))
-
-    for entry in interface.inputs:
+    given = [entry for entry in interface.inputs if entry.name not in (graph_io.COMMAND, *FEEDBACK)]
+    state = [entry for entry in interface.inputs if entry not in given]
+    for entry in state:
         if entry.name == graph_io.COMMAND:
-            text = "Requested command, which the loop's own command approaches."
-            add(GIVEN, replace(entry, name=REQUESTED, description=text))
-        add(STATE if entry.name == graph_io.COMMAND or entry.name in FEEDBACK else GIVEN, entry)
+            given.append(replace(entry, name=REQUESTED, description="Command that the loop's own one approaches."))
     text = "Scaled and clipped observation of this step alone."
-    add(RESULT, Input(OBSERVATION, interface.layout.width, "1", text))
-    for entry in interface.outputs:
-        if entry.name not in FEEDBACK.values() or entry.name == graph_io.ACTION:
-            add(RESULT, entry)
-    return [field for fields in found.values() for field in fields]
+    results = [Input(OBSERVATION, interface.layout.width, "1", text)]
+    results += [entry for entry in interface.outputs if entry.name in (graph_io.ACTION, graph_io.JOINT_TARGET)]
+    return [
+        TraceField(entry.name, part, entry.width, entry.unit, TOLERANCE, entry.description)
+        for part, entries in ((GIVEN, given), (STATE, state), (RESULT, results))
+        for entry in entries
+    ]
 
 
 class Loop:

@@ -48,25 +48,13 @@ def flat(tmp_path_factory):
     return export_policy(find_policy("flat", tmp_path_factory.mktemp("none")), tmp_path_factory.mktemp("out") / "flat")
 
 
-def table_of(folder):
-    """Fields of a trace by NumPy and the manifest alone, float64 (steps, width)."""
-    document = json.loads((folder / "manifest.json").read_text())
-    lines = np.genfromtxt(folder / "golden_trace.csv", delimiter=",", skip_header=1)
-    start, fields = 1, {}
-    for field in document["golden_trace"]["fields"]:
-        fields[field["name"]] = lines[:, start : start + field["width"]]
-        start += field["width"]
-    assert start == lines.shape[1]
-    np.testing.assert_array_equal(lines[:, 0], np.arange(200))
-    return document, fields
-
-
 @pytest.mark.parametrize("name", POLICIES)
 def test_readings_of_the_trace_are_those_of_a_robot_that_walks_and_reach_their_bounds(name, tmp_path):
     """Results of the loop are compared with the C form in `test_c` and with runtimes below."""
     policy = POLICIES[name](tmp_path)
     evaluated = EvaluatedPolicy("mine", policy, tmp_path, tmp_path / "evaluation")
-    document, trace = table_of(export_policy(evaluated, tmp_path / "export").folder)
+    export = export_policy(evaluated, tmp_path / "export")
+    document, trace = export.manifest, ExportedTrace.load(export.folder).values
     gravity, position, velocity = (trace[field] for field in ("projected_gravity", "joint_position", "joint_velocity"))
     np.testing.assert_allclose(np.linalg.norm(gravity[:160], axis=1), 1.0, atol=1e-6)
     np.testing.assert_allclose(position[0], [joint["stance_rad"] for joint in document["joints"]], atol=1e-6)

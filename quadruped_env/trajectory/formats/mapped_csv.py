@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import short
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import (
@@ -72,7 +72,7 @@ def by_titles(line: str, reading: Reading) -> ColumnMap | None:
     the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or
     is s.
     """
-    names = reading.options.names or JOINT_NAMES
+    names = reading.options.names or MINI_QUADRUPED.joint_names
     patterns = {name: re.compile(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])") for name in names}
     for separator in ",;\t":
         titles = [title.strip().strip('"') for title in line.rstrip("\n").split(separator)]
