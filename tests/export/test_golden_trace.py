@@ -65,7 +65,7 @@ def test_readings_of_the_trace_are_those_of_a_robot_that_walks_and_reach_their_b
     state = {"command", "requested_command", "gait_phase", "observation_history"}
     assert state & trace.keys() == (set() if name == "blind" else state)
     assert name == "blind" or len(np.unique(trace["requested_command"], axis=0)) >= 4
-    assert name != "own field" or set(trace["height_command"][:160].ravel()) == {0.18}
+    assert name != "own field" or set(trace["height_command"][:160].ravel()) == {np.float32(0.18)}
 
 
 def test_every_installed_runtime_passes_and_the_program_says_so(flat, capsys):
