@@ -4,6 +4,7 @@ The code is in the folder `firmware`; weights, observation scaling, gait clock, 
 are put into it. It computes in float32, as the ONNX graph does.
 """
 
+import dataclasses
 import json
 from collections.abc import Iterable
 from importlib import resources
@@ -19,7 +20,8 @@ from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
-from quadruped_env.export.quantization import as_int8
+from quadruped_env.export.runtime import SAMPLES, expected_outputs, random_inputs
+from quadruped_env.policies import Policy
 
 FOLDER: Final = "firmware"
 """Folder of the files, and name of the sketch: Arduino's tools want them to be the same."""
@@ -27,6 +29,8 @@ HEADER_FILE: Final = f"{FOLDER}/policy.h"
 SOURCE_FILE: Final = f"{FOLDER}/policy.c"
 SKETCH_FILE: Final = f"{FOLDER}/{FOLDER}.ino"
 
+_LARGEST: Final = 127
+"""Of an integer that stands for a weight."""
 _PER_LINE: Final = 12
 """Numbers per line of a table."""
 
@@ -51,7 +55,7 @@ def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[s
     Args:
         interface: inputs and outputs of the policy.
         name: name of the policy.
-        int8: whether weights have 8 bits in place of float32 (`quantization.as_int8`).
+        int8: whether weights have 8 bits in place of float32 (`as_int8`).
     """
     readings = [
         f"float {entry.name}[POLICY_READS_{entry.name.upper()}]; /* {_comment(f'{entry.unit}: {entry.description}')} */"
@@ -75,6 +79,35 @@ def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[s
             code = code.replace(place, text)
         files[path] = code.encode()
     return files
+
+
+def as_int8(weight: NDArray[np.float32]) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
+    """Weights (in, out) as integers in [-127, 127], and the step of each output (out,): weight = integer * step."""
+    step = np.abs(weight).max(axis=0) / np.float32(_LARGEST)
+    step = np.where(step > 0.0, step, np.float32(1.0))
+    return np.rint(weight / step).astype(np.int8), step
+
+
+def quantized(policy: Policy) -> Policy:
+    """The policy whose weights are what the integers stand for."""
+    weights = (integers * step for integers, step in map(as_int8, policy.weights))
+    return dataclasses.replace(policy, weights=tuple(weight.astype(np.float32) for weight in weights))
+
+
+def int8_loss(policy: Policy) -> dict[str, float]:
+    """Differences of the policy with weights of 8 bits, on the readings that the ONNX graph is compared on.
+
+    Those are farther from the stance than the readings of a walk.
+    """
+    interface = PolicyInterface(policy)
+    inputs = random_inputs(interface, SAMPLES)
+    one, two = expected_outputs(interface, inputs), expected_outputs(PolicyInterface(quantized(policy)), inputs)
+    loss = {}
+    for name, unit in ((graph_io.ACTION, ""), (graph_io.JOINT_TARGET, "_rad")):
+        difference = two[name].astype(np.float64) - one[name]
+        loss[f"{name}_rms{unit}"] = float(np.sqrt(np.square(difference).mean()))
+        loss[f"{name}_largest{unit}"] = float(np.abs(difference).max())
+    return loss
 
 
 def readings_of(interface: PolicyInterface) -> list[Input]:

@@ -15,8 +15,8 @@ from test_golden_trace import POLICIES as TRACED
 from test_graph import POLICIES, TERMS, own_policy
 
 from quadruped_env.cli.main import main
-from quadruped_env.export import PolicyInterface, quantization, runtime
-from quadruped_env.export.c_source import FOLDER, c_files, readings_of
+from quadruped_env.export import PolicyInterface, runtime
+from quadruped_env.export.c_source import FOLDER, as_int8, c_files, int8_loss, quantized, readings_of
 from quadruped_env.export.golden_trace import golden_trace
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import Policy, load_policy
@@ -107,7 +107,7 @@ def test_c_equals_onnx_runtime(name, tmp_path):
     inputs = runtime.random_inputs(compiled.interface, samples)
     if "command" in inputs:  # some near the end of standing
         inputs["command"][1::5] = np.random.default_rng(1).uniform(-0.04, 0.04, inputs["command"][1::5].shape)
-    exact = PolicyInterface(quantization.quantized(policy)) if name == "8 bits" else compiled.interface
+    exact = PolicyInterface(quantized(policy)) if name == "8 bits" else compiled.interface
     expected = runtime.run(runtime.session_of(policy_graph(exact, "test")), inputs)
     found = compiled.graph(inputs)
     assert max(runtime.difference(name, found[name], value).max() for name, value in expected.items()) < TOLERANCE
@@ -166,14 +166,14 @@ def test_joint_positions_approach_a_target_at_the_speed_within_the_ranges(tmp_pa
 
 def test_weights_of_8_bits_are_within_half_a_step_and_their_loss_is_measured():
     policy = load_policy("flat")
-    for weight, other in zip(policy.weights, quantization.quantized(policy).weights, strict=True):
+    for weight, other in zip(policy.weights, quantized(policy).weights, strict=True):
         step = np.abs(weight).max(axis=0) / 127
         assert np.abs(weight - other).max() <= 0.5001 * step.max()
         assert (np.abs(weight - other) <= 0.5001 * step).all()
-    integers, step = quantization.as_int8(np.float32([[0.0, 2.54], [0.0, -1.0]]))
+    integers, step = as_int8(np.float32([[0.0, 2.54], [0.0, -1.0]]))
     assert integers.tolist() == [[0, 127], [0, -50]]
     np.testing.assert_allclose(step, [1.0, 0.02])
-    loss = quantization.int8_loss(policy)
+    loss = int8_loss(policy)
     assert 0.0 < loss["action_rms"] < 0.05
     assert loss["joint_target_largest_rad"] <= policy.control.action.scale * loss["action_largest"] + 1e-6
 
