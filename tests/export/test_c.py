@@ -1,7 +1,6 @@
 """The C form of a policy: compiled with all warnings, and equal to ONNX Runtime; its sketch with simulated devices."""
 
 import ctypes
-import dataclasses
 import json
 import math
 import shutil
@@ -85,14 +84,7 @@ def without_clock(policy):
     return Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot, "tanh")
 
 
-def of_one_step(policy):
-    """The policy without a history, whose first layer is that of the present step."""
-    width = PolicyInterface(policy).layout.width
-    control = dataclasses.replace(policy.control, observation_history=1)
-    return dataclasses.replace(policy, weights=(policy.weights[0][:width], *policy.weights[1:]), control=control)
-
-
-@pytest.mark.parametrize("name", [*POLICIES, "own fields", "no clock, tanh", "no history", "8 bits"])
+@pytest.mark.parametrize("name", [*POLICIES, "own fields", "no clock, tanh", "8 bits"])
 def test_c_equals_onnx_runtime(name, tmp_path):
     if name in POLICIES:
         policy = POLICIES[name]()
@@ -100,8 +92,6 @@ def test_c_equals_onnx_runtime(name, tmp_path):
         policy = own_policy(tmp_path, TERMS)
         if name == "no clock, tanh":
             policy = without_clock(policy)
-        elif name == "no history":
-            policy = of_one_step(policy)
     samples = 10_000 if name in ("shipped", "8 bits") else 2_000
     compiled = Compiled(policy, tmp_path, int8=name == "8 bits")
     inputs = runtime.random_inputs(compiled.interface, samples)
