@@ -1,6 +1,5 @@
 """Events of a joystick or gamepad, from Linux's joystick interface (`/dev/input/js0`)."""
 
-import errno
 import os
 import struct
 from pathlib import Path
@@ -71,9 +70,7 @@ class Gamepad:
             data = os.read(self._file, _READ)
         except BlockingIOError:
             return b""
-        except OSError as error:
-            if error.errno != errno.ENODEV:
-                raise
+        except OSError:  # ENODEV
             data = b""
         if not data:
             raise QuadrupedError(f"{self._device}: was unplugged")
