@@ -1,6 +1,6 @@
 """Compare an exported policy with its golden trace, and name the first step and field that differ.
 
-Without --trace, every runtime on this machine runs the graph: ONNX Runtime, ONNX's reference, OpenVINO. With it, the
+Without --trace, every runtime on this machine runs the graph: ONNX Runtime, OpenVINO. With it, the
 file is compared that your own program wrote when it ran on the readings of golden_trace.csv. Exit status 1 if anything
 differs by more than its tolerance.
 

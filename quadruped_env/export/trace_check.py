@@ -170,15 +170,6 @@ def _onnx_runtime(path: Path) -> tuple[str, Run]:
     return f"onnxruntime {onnxruntime.__version__}", lambda inputs: run(session, inputs)
 
 
-def _onnx_reference(path: Path) -> tuple[str, Run]:
-    import onnx
-    from onnx.reference import ReferenceEvaluator
-
-    evaluator = ReferenceEvaluator(onnx.load_from_string(path.read_bytes()))
-    names = evaluator.output_names
-    return f"onnx.reference {onnx.__version__}", lambda x: dict(zip(names, evaluator.run(None, x), strict=True))
-
-
 def _openvino(path: Path) -> tuple[str, Run]:
     import openvino
 
@@ -192,7 +183,6 @@ def _openvino(path: Path) -> tuple[str, Run]:
 
 RUNTIMES: Final[dict[str, Callable[[Path], tuple[str, Run]]]] = {
     "onnxruntime": _onnx_runtime,
-    "onnx": _onnx_reference,
     "openvino": _openvino,
 }
 """Library -> function that loads a graph's file; it returns name and version of the runtime, and the graph."""

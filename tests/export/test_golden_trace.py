@@ -1,7 +1,6 @@
 """The golden trace against formulas, and its check: right runtimes pass, planted bugs are named with step and field."""
 
 import csv
-import json
 import os
 import re
 import subprocess
@@ -74,7 +73,6 @@ def test_every_installed_runtime_passes_and_the_program_says_so(flat, capsys):
     assert re.search(
         r"^onnxruntime [\d.]+: equal; largest difference \de-0\d \(last_action, .* joint_target\)$", said, re.M
     )
-    assert re.search(r"^onnx\.reference [\d.]+: equal", said, re.M)
 
 
 def shifted(graph, field, change):
@@ -173,20 +171,6 @@ def test_file_that_cannot_be_compared_is_refused_with_its_fix(flat, tmp_path, ch
     write(tmp_path / "mine.csv", change(columns_of(flat.folder)))
     with pytest.raises(QuadrupedError, match=rf"mine\.csv: .*{message}"):
         ExportedTrace.load(flat.folder).of_file(tmp_path / "mine.csv")
-
-
-def test_folder_without_a_sound_trace_is_refused_with_its_fix(flat, tmp_path):
-    for damage, message in (
-        ({"format": "another"}, "is not the manifest of an exported policy; name the folder of one"),
-        ({"golden_trace": None}, "golden_trace: is missing or damaged .* export the policy again"),
-        ({"golden_trace": {"file": "x", "fields": [{"name": "action", "width": 1e30}]}}, "golden_trace: is missing"),
-    ):
-        (tmp_path / "manifest.json").write_text(json.dumps({**flat.manifest, **damage}))
-        with pytest.raises(QuadrupedError, match=rf"manifest\.json: {message}"):
-            ExportedTrace.load(tmp_path)
-    (tmp_path / "manifest.json").write_text(json.dumps(flat.manifest))
-    with pytest.raises(QuadrupedError, match=r"golden_trace\.csv: there is no such file"):
-        ExportedTrace.load(tmp_path)
 
 
 def interpreters():

@@ -76,18 +76,6 @@ def test_joint_without_load_stops_short_by_half_the_play_and_the_dead_band(step,
         np.testing.assert_allclose(position + offset - rounded, side * (play / 2 + band), atol=2e-4)
 
 
-def test_joint_under_load_stands_off_by_the_load_over_the_gain_and_the_dead_band():
-    motor = JointMotor(dead_band=BAND)
-    config = {"motor": dataclasses.asdict(MotorConfig(motor, motor))}
-    env = gymnasium.make(ENV_ID, config=config, max_episode_steps=None).unwrapped
-    env.reset(seed=0, options={"command": (0.0, 0.0)})
-    position, torque = resting(env, 0.0)
-    error = MINI_QUADRUPED.stance - position
-    assert abs(torque).max() > 0.1
-    beyond = np.sign(error) * np.maximum(abs(error) - BAND, 0.0)
-    np.testing.assert_allclose(torque, motor.kp * beyond, atol=0.02)
-
-
 def test_randomization_adds_to_the_motors_in_each_env_and_joint():
     ranges = {"target_step": [0.01, 0.02], "backlash": [0.0, 0.02], "dead_band": [0.0, 0.01]}
     config = {"motor": {"knee": {"backlash": 0.05}}, "randomization": ranges}
