@@ -223,6 +223,7 @@ READ_BY = {
     "utils/documents.py": JSON,
     "evaluation/evaluated_policy.py": ("recipe",),
     "evaluation/suite/suite.py": ("references", "suite"),
+    "export/c_source.py": "a file of this package",
     "export/folder.py": ("export", "metrics"),
     "export/trace_check.py": ("golden trace", "traced export"),
     "utils/files.py": "a file that it has just written",

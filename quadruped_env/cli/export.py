@@ -62,11 +62,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         f"policy by {graph['largest_difference_from_the_policy']:.1g} at most"
     )
     if loss := export.manifest.get("c", {}).get("loss"):
-        one, other = (loss["walking"][weights]["forward_velocity_error"] for weights in ("float32", "int8"))
         print(
             f"weights of 8 bits change joint targets by {loss['joint_target_rms_rad']:.2g} rad (RMS), "
-            f"{loss['joint_target_largest_rad']:.2g} rad at most; forward velocity error of a walk: {one:.2g} m/s, "
-            f"with them {other:.2g} m/s"
+            f"{loss['joint_target_largest_rad']:.2g} rad at most"
         )
     if export.manifest["evaluation"] is None:
         print("no results are included: evaluate the policy first to export them, too")

@@ -8,9 +8,9 @@ from typing import Any, Final
 from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
-from quadruped_env.export.golden_trace import GIVEN, TRACE_FILE
+from quadruped_env.export.golden_trace import TRACE_FILE
 from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
-from quadruped_env.export.onnx_interface import REQUESTED, PolicyInterface
+from quadruped_env.export.onnx_interface import PolicyInterface
 
 CARD_PAGE: Final = "README.md"
 TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")
@@ -31,7 +31,7 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
         f"# {manifest['name']}\n\n{_introduction(manifest)}",
         "" if film is None else f"![The robot walks.]({film})",
         f"## Use\n\n{_use(interface, manifest)}",
-        f"## Check your loop\n\n{_check(interface, manifest['golden_trace'])}",
+        f"## Check your loop\n\n{_check(manifest['golden_trace'])}",
         f"## Before it walks\n\n{_entry(manifest)}",
         f"## Results\n\n{_results(manifest['evaluation'])}",
         _learning(manifest["learning"]),
@@ -74,37 +74,12 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
     )
 
 
-def _check(interface: PolicyInterface, trace: Mapping[str, Any]) -> str:
-    text = _filled(
+def _check(trace: Mapping[str, Any]) -> str:
+    return _filled(
         f"`{trace['file']}` holds {trace['steps']} steps of readings and all that the loop makes of them, and "
-        f"`{MANIFEST_FILE}` its columns and tolerances. This runs the code above on it. `mini-quadruped check-export` "
-        f"compares other runtimes, or a file that your own program wrote, and names the first step and field that "
-        f"differ."
+        f"`{MANIFEST_FILE}` its columns and tolerances. `mini-quadruped check-export` compares the runtimes on a "
+        f"computer, or a file that your own program wrote, and names the first step and field that differ."
     )
-    return f"{text}\n\n```python\n{trace_example(interface, trace)}```"
-
-
-def trace_example(interface: PolicyInterface, trace: Mapping[str, Any]) -> str:
-    """Python code that compares the code of `example` with the golden trace, in the folder of the policy."""
-    names = {field["name"] for field in trace["fields"] if field["part"] == GIVEN}
-    readings = [entry.name for entry in interface.inputs if entry.name in names]
-    command = f'"{graph_io.COMMAND}": values("{REQUESTED}")' if REQUESTED in names else ""
-    (tolerance,) = (field["tolerance"] for field in trace["fields"] if field["name"] == graph_io.JOINT_TARGET)
-    return f'''\
-import csv
-
-READINGS = {readings}
-with open("{trace["file"]}", newline="") as file:
-    for step in csv.DictReader(file):
-
-        def values(name):
-            return [float(text) for column, text in step.items() if column.rpartition("_")[0] == name]
-
-        given = {{{command}}}
-        given.update((name, values(name)) for name in READINGS)
-        difference = np.abs(joint_targets(**given) - values("{graph_io.JOINT_TARGET}")).max()
-        assert difference <= {tolerance:g}, f"step {{step['step']}}: {{difference:.2g}} rad"
-'''
 
 
 def example(interface: PolicyInterface) -> str:

@@ -12,7 +12,7 @@ from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.export.c_source import c_files
+from quadruped_env.export.c_source import c_files, int8_loss
 from quadruped_env.export.card import CARD_PAGE, card_page
 from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
 from quadruped_env.export.manifest import (
@@ -26,7 +26,6 @@ from quadruped_env.export.manifest import (
 )
 from quadruped_env.export.onnx_graph import OPSET, policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
-from quadruped_env.export.quantization import int8_loss
 from quadruped_env.export.runtime import largest_difference
 from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.reporting.pages.page import METRICS_FILE, without_nan

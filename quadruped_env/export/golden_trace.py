@@ -48,22 +48,47 @@ class TraceField:
 
 def trace_fields(interface: PolicyInterface) -> list[TraceField]:
     """Fields of a policy's trace in the order in which a loop computes them."""
-    found: dict[str, list[TraceField]] = {GIVEN: [], STATE: [], RESULT: []}
-
-    def add(part: str, entry: Input) -> None:
-        found[part].append(TraceField(entry.name, part, entry.width, entry.unit, TOLERANCE, entry.description))
-
-    for entry in interface.inputs:
+    given = [entry for entry in interface.inputs if entry.name not in (graph_io.COMMAND, *FEEDBACK)]
+    state = [entry for entry in interface.inputs if entry not in given]
+    for entry in state:
         if entry.name == graph_io.COMMAND:
-            text = "Requested command, which the loop's own command approaches."
-            add(GIVEN, replace(entry, name=REQUESTED, description=text))
-        add(STATE if entry.name == graph_io.COMMAND or entry.name in FEEDBACK else GIVEN, entry)
+            given.append(replace(entry, name=REQUESTED, description="Command that the loop's own one approaches."))
     text = "Scaled and clipped observation of this step alone."
-    add(RESULT, Input(OBSERVATION, interface.layout.width, "1", text))
-    for entry in interface.outputs:
-        if entry.name not in FEEDBACK.values() or entry.name == graph_io.ACTION:
-            add(RESULT, entry)
-    return [field for fields in found.values() for field in fields]
+    results = [Input(OBSERVATION, interface.layout.width, "1", text)]
+    results += [entry for entry in interface.outputs if entry.name in (graph_io.ACTION, graph_io.JOINT_TARGET)]
+    return [
+        TraceField(entry.name, part, entry.width, entry.unit, TOLERANCE, entry.description)
+        for part, entries in ((GIVEN, given), (STATE, state), (RESULT, results))
+        for entry in entries
+    ]
+
+
+class Loop:
+    """State that the loop around a policy's graph keeps from step to step.
+
+    Args:
+        widths: columns of the state by name.
+        rates: largest rates of the velocity command, m/s^2 and rad/s^2.
+        timestep: control step, s.
+    """
+
+    def __init__(self, widths: Mapping[str, int], rates: Sequence[float], timestep: float) -> None:
+        self._change = (np.array(rates) * timestep).astype(np.float32)
+        self._state: Arrays = {
+            name: np.full((1, width), np.nan if name == graph_io.HISTORY else 0.0, np.float32)
+            for name, width in widths.items()
+        }
+
+    def begin(self, requested: NDArray[np.float32]) -> Arrays:
+        """The state (1, width) of the next step, whose command is nearer to the requested one (1, 2)."""
+        if graph_io.COMMAND in self._state:
+            command = self._state[graph_io.COMMAND]
+            self._state[graph_io.COMMAND] = command + np.clip(requested - command, -self._change, self._change)
+        return dict(self._state)
+
+    def end(self, outputs: Arrays) -> None:
+        """Keep what the graph returns for the next step."""
+        self._state |= {name: outputs[output] for name, output in FEEDBACK.items() if name in self._state}
 
 
 def golden_trace(interface: PolicyInterface) -> Arrays:
@@ -80,54 +105,33 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
     at_rest = np.zeros((1, robot.num_velocities))
     simulation.reset(_ROW, start, at_rest)
     control = ControlInterface(robot, policy.control, 1, policy.fields)
-    readings = {entry.name: entry for entry in policy.fields}
     random = random_inputs(interface, RANDOM_STEPS)
-    requested, command = _requests(policy.control.commands), np.zeros((1, VELOCITY), np.float32)
-    change = largest_change(policy.control.command_rate, policy.control.timestep)
-    state = {entry.name: np.zeros((1, entry.width), np.float32) for entry in interface.inputs}
-    if graph_io.HISTORY in state:
-        state[graph_io.HISTORY][:] = np.nan
+    widths = {entry.name: entry.width for entry in interface.inputs if entry.name in FEEDBACK}
+    loop = Loop({**widths, graph_io.COMMAND: VELOCITY}, policy.control.command_rate, policy.control.timestep)
     others = np.array([[entry.default for entry in policy.control.commands[VELOCITY:]]])
     rows: dict[str, list[NDArray[np.float32]]] = {field.name: [] for field in trace_fields(interface)}
-    for step in range(STEPS):
-        command = approached(command, requested[step : step + 1], change)
+    for step, requested in enumerate(_requests(policy.control.commands)):
+        state = loop.begin(requested[None])
         phase = state[graph_io.GAIT_PHASE][:, 0].astype(float) if interface.has_clock else 0.0
-        control.reset(_ROW, phase, np.concatenate([command, others], axis=1))
+        control.reset(_ROW, phase, np.concatenate([state[graph_io.COMMAND], others], axis=1))
         control.action[:] = state.get(graph_io.LAST_ACTION, 0.0)
-        inputs = {}
-        for name, kept in state.items():
-            if name == graph_io.COMMAND:
-                inputs[name] = command
-            elif name in FEEDBACK:
-                inputs[name] = kept
-            elif step < STEPS - RANDOM_STEPS:
-                field = readings[name]
-                read = field.read(simulation.readings, control) + interface.offset(field)
-                inputs[name] = read.astype(np.float32)
-            else:
-                number = step - STEPS + RANDOM_STEPS
-                inputs[name] = random[name][number : number + 1]
-        results = expected_outputs(interface, inputs)
-        for name, values in {REQUESTED: requested[step : step + 1], **inputs, **results}.items():
+        number = step - STEPS + RANDOM_STEPS
+        given = {
+            field.name: random[field.name][number : number + 1]
+            if number >= 0
+            else (field.read(simulation.readings, control) + interface.offset(field)).astype(np.float32)
+            for field in policy.fields
+            if field.name in random and field.name not in state
+        }
+        results = expected_outputs(interface, {**given, **state})
+        loop.end(results)
+        for name, values in {REQUESTED: requested[None], **given, **state, **results}.items():
             if name in rows:
                 rows[name].append(values[0])
-        state |= {name: results[output] for name, output in FEEDBACK.items() if name in state}
         simulation.step(results[graph_io.JOINT_TARGET].astype(float), config.decimation)
         if simulation.diverged()[0]:
             simulation.reset(_ROW, start, at_rest)
     return {name: np.array(values) for name, values in rows.items()}
-
-
-def largest_change(rate: Sequence[float], timestep: float) -> NDArray[np.float32]:
-    """Largest change of the velocity command in a control step (2,), m/s and rad/s, for rates in m/s^2 and rad/s^2."""
-    return (np.array(rate) * timestep).astype(np.float32)
-
-
-def approached(
-    command: NDArray[np.float32], requested: NDArray[np.float32], change: NDArray[np.float32]
-) -> NDArray[np.float32]:
-    """The command of the next control step, on its way to the requested one."""
-    return command + np.clip(requested - command, -change, change)
 
 
 def _requests(commands: Sequence[Any]) -> NDArray[np.float32]:

@@ -101,6 +101,14 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
     return {graph_io.OBSERVATION: present, **outputs}
 
 
+def difference(name: str, found: NDArray[Any], expected: NDArray[Any]) -> NDArray[np.float64]:
+    """Absolute differences between values of an input or output; a phase just below a whole turn is next to 0."""
+    size = np.abs(found.astype(np.float64) - expected)
+    return (
+        np.minimum(size, np.abs(math.tau - size)) if name in (graph_io.GAIT_PHASE, graph_io.NEXT_GAIT_PHASE) else size
+    )
+
+
 def largest_difference(interface: PolicyInterface, content: bytes, samples: int = SAMPLES) -> float:
     """Largest difference between a graph on ONNX Runtime and the policy, over random inputs.
 
@@ -112,12 +120,7 @@ def largest_difference(interface: PolicyInterface, content: bytes, samples: int 
     """
     inputs = random_inputs(interface, samples)
     found, expected = run(session_of(content), inputs), expected_outputs(interface, inputs)
-    differences = {name: np.abs(value.astype(np.float64) - expected[name]) for name, value in found.items()}
-    if interface.has_clock:
-        # Just below a whole turn is next to just above 0.
-        turn = differences[graph_io.NEXT_GAIT_PHASE]
-        differences[graph_io.NEXT_GAIT_PHASE] = np.minimum(turn, math.tau - turn)
-    largest = max(float(difference.max()) for difference in differences.values())
+    largest = max(float(difference(name, value, expected[name]).max()) for name, value in found.items())
     if not largest <= TOLERANCE:
         raise QuadrupedError(
             f"export: ONNX Runtime differs from the policy by {largest:.2g} on random inputs, and {TOLERANCE:g} is "

@@ -9,9 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.identification.fitted_parameters import QUANTITIES
 from quadruped_env.robot import Robot
-from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.interpreter import program_command
@@ -25,15 +23,6 @@ _MIN_COMMAND_RANGE: Final = 0.05
 """Minimum range of a joint's target for which its motion is checked, rad."""
 _MIN_MOTION_SHARE: Final = 0.4
 """Minimum fraction of the commanded range that a working joint moves through."""
-
-_ECHO_TOLERANCE: Final = 2e-4
-"""Difference up to which a position is a target, rad: one may be rounded to four decimals, or to 0.01 degrees."""
-_ECHO_SHARE: Final = 0.9
-"""Share of a moving joint's positions that must be targets of one age: a message more or less late changes a few."""
-_ECHO_ROWS: Final = (10, 2000)
-"""Minimum and maximum number of changed positions of a joint that are looked at."""
-_MAX_ECHO_AGE: Final = 0.5
-"""Maximum age of a target that a driver repeats, s."""
 
 
 @dataclass(frozen=True)
@@ -168,63 +157,6 @@ def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajec
                 f"blocked, leave it out (--without {name})."
             )
     return tuple(found)
-
-
-def check_feedback(measured: JointTrajectory, commands: JointTrajectory, without: Sequence[str] = ()) -> None:
-    """Refuse a recording of servos that report no position: nothing in it shows how the motors move the joints.
-
-    Such a driver repeats the target as the position, at once or later, or reports a constant.
-
-    Args:
-        measured: measured joint states.
-        commands: joint targets of the same joints, in the same order.
-        without: joints that do not count.
-
-    Raises:
-        QuadrupedError: naming the joints, what their positions are, what cannot be identified, and what to do.
-    """
-    kept = [i for i, name in enumerate(measured.names) if name not in without]
-    ages = {
-        measured.names[i]: _age_of_echo(
-            measured.stamps, measured.positions[:, i], commands.stamps, commands.positions[:, i]
-        )
-        for i in kept
-    }
-    echoes = {name: 1000.0 * age for name, age in ages.items() if age is not None}
-    if echoes:
-        late = " to ".join(dict.fromkeys(f"{end(echoes.values()):.0f}" for end in (min, max)))
-        fact = f"the positions of {', '.join(echoes)} are their targets, {late} ms later"
-    elif not np.ptp(measured.positions[:, kept], axis=0).any():
-        fact = "no position changes, though the targets do"
-    else:
-        return
-    raise QuadrupedError(
-        f"{measured.source.name}: {fact}; a servo without feedback reports no position of its own. Nothing here shows "
-        f"how the motors move these joints, so "
-        f"{', '.join((*QUANTITIES, *SERVO_ERRORS))} cannot be identified. Record them with encoders or a camera, or "
-        f"leave them out (--without); or take their motors from a data sheet "
-        f"(docs/identification.md#servos-without-feedback)"
-    )
-
-
-def _age_of_echo(
-    stamps: NDArray[np.int64],
-    positions: NDArray[np.float64],
-    command_stamps: NDArray[np.int64],
-    targets: NDArray[np.float64],
-) -> float | None:
-    """Age in s of the targets that a joint's positions (T,) repeat; None if they are no targets."""
-    common = (stamps >= command_stamps[0]) & (stamps <= command_stamps[-1])
-    rows = np.flatnonzero(common[1:] & (np.abs(np.diff(positions)) > _ECHO_TOLERANCE))[: _ECHO_ROWS[1]] + 1
-    if len(rows) < _ECHO_ROWS[0]:
-        return None
-    step = max(int(np.median(np.diff(command_stamps))) // 4, NS_PER_SECOND // 1000)
-    for age in range(0, int(_MAX_ECHO_AGE * NS_PER_SECOND) + 1, step):
-        held_rows = np.searchsorted(command_stamps, stamps[rows] - age, side="right") - 1
-        repeated = np.abs(targets[held_rows.clip(0)] - positions[rows]) <= _ECHO_TOLERANCE
-        if np.mean(repeated) >= _ECHO_SHARE:
-            return age / NS_PER_SECOND
-    return None
 
 
 def held(times: NDArray[np.float64], values: NDArray[np.float64], edges: NDArray[Any]) -> NDArray[np.float64]:

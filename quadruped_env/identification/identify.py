@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.identification.dataset import UNITS, Recorded, align, check_feedback, remarks
+from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES, names_of, quantity, value_of
 from quadruped_env.identification.recording_checks import check
@@ -232,9 +232,8 @@ def identify(
         robot: robot that was recorded.
 
     Raises:
-        QuadrupedError: if the recordings do not overlap, the commands are constant, the measured positions are the
-            targets, something in them would spoil the fit (the message says what repairs it), or an argument is out of
-            range.
+        QuadrupedError: if the recordings do not overlap, the commands are constant, something in them would spoil the
+            fit (the message says what repairs it), or an argument is out of range.
         MissingExtraError: if MuJoCo's toolbox is not installed.
     """
     if importlib.util.find_spec("tabulate") is None or importlib.util.find_spec("scipy") is None:
@@ -250,7 +249,6 @@ def identify(
     measured, commands = measured.in_joint_order(robot), commands.in_joint_order(robot)
     recorded = align(robot, measured, commands, train_share, timestep, without)
     fit = MotorFit(recorded, base, before, fitted, progress)
-    check_feedback(measured, commands, without)
     check(recorded, measured, commands, without)
     mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     after = fit.run()

@@ -1,7 +1,7 @@
-"""The time that the controller runs on: the system's, or that of a simulator."""
+"""The time that the controller runs on, in s from an arbitrary start: the system's, or that of a simulator."""
 
 import time
-from typing import Final, Protocol
+from typing import Final
 
 from quadruped_env.control.timestamp_filter import MAX_AGE
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
@@ -12,38 +12,11 @@ from quadruped_env.ros.timestamps import NS_PER_SECOND, read_stamp
 _QOS: Final = Qos(depth=1, reliable=False)
 
 
-class ControlTime(Protocol):
-    """A clock, s from an arbitrary start."""
-
-    simulated: bool
-    """True if it does not run at the speed of the system's time."""
-
-    @property
-    def now(self) -> float:
-        """The time, s."""
-        ...
-
-    def of(self, taken: float) -> float:
-        """Time at which a message was taken, s, given its `time.monotonic`."""
-        ...
-
-    def set_back(self, refused: Refused) -> bool:
-        """Take the simulator's messages. Returns True if time was set back."""
-        ...
-
-    def state(self, stamp: int, taken: float) -> tuple[float, bool]:
-        """Time of receipt of a state with a timestamp in ns, s, and True if time was set back."""
-        ...
-
-    def pause(self, paused: bool) -> None:
-        """Stop the time, except for states that arrive, or let it run again."""
-        ...
-
-
 class SystemTime:
     """`time.monotonic` without the pauses."""
 
     simulated = False
+    """True if it does not run at the speed of the system's time."""
 
     def __init__(self) -> None:
         self._paused_for = 0.0
@@ -57,22 +30,22 @@ class SystemTime:
         return time.monotonic() - self._paused_for if self._paused_at is None else self._paused_at
 
     def of(self, taken: float) -> float:
-        """See `ControlTime`."""
+        """Time at which a message was taken, s, given its `time.monotonic`."""
         return min(taken - self._paused_for, self.now)
 
     def set_back(self, refused: Refused) -> bool:
-        """Returns False: it never is."""
+        """Take the simulator's messages. Returns True if time was set back."""
         return False
 
     def state(self, stamp: int, taken: float) -> tuple[float, bool]:
-        """See `ControlTime`."""
+        """Time of receipt of a state with a timestamp in ns, s, and True if time was set back."""
         if self._paused_at is not None and self._stamp:
             self._paused_at += max(0.0, (stamp - self._stamp) / NS_PER_SECOND)
         self._stamp = stamp
         return self.of(taken), False
 
     def pause(self, paused: bool) -> None:
-        """See `ControlTime`."""
+        """Stop the time, except for states that arrive, or let it run again."""
         if paused and self._paused_at is None:
             self._paused_at = self.now
         elif not paused and self._paused_at is not None:
@@ -80,7 +53,7 @@ class SystemTime:
 
 
 class SimTime:
-    """The time of `/clock`, or of the states' timestamps where nothing publishes `/clock`.
+    """The time of `/clock`, or of the states' timestamps where nothing publishes `/clock`; see `SystemTime`.
 
     Args:
         node: the node that subscribes to `/clock`.
@@ -94,7 +67,7 @@ class SimTime:
         """Simulated time, s."""
 
     def of(self, taken: float) -> float:
-        """See `ControlTime`."""
+        """Present time, for a message that has none."""
         return self.now
 
     def set_back(self, refused: Refused) -> bool:
@@ -103,7 +76,7 @@ class SimTime:
         return newest is not None and self._set(newest[1])
 
     def state(self, stamp: int, taken: float) -> tuple[float, bool]:
-        """See `ControlTime`. A state may overtake the message of `/clock`."""
+        """Time of a state, which may overtake the message of `/clock`, and True if time was set back."""
         back = not self._clock.writers and self._set(stamp)
         ahead = stamp / NS_PER_SECOND - self.now
         return self.now + (ahead if 0.0 < ahead <= MAX_AGE else 0.0), back
@@ -116,3 +89,6 @@ class SimTime:
         back = now < before - MAX_AGE
         self.now = now if back else max(before, now)
         return back
+
+
+ControlTime = SystemTime | SimTime

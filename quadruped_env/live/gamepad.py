@@ -1,10 +1,8 @@
 """Events of a joystick or gamepad, from Linux's joystick interface (`/dev/input/js0`)."""
 
-import errno
 import os
 import struct
 from pathlib import Path
-from types import TracebackType
 from typing import Final, Self
 
 from quadruped_env.errors import QuadrupedError
@@ -44,9 +42,7 @@ class Gamepad:
             ) from error
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         os.close(self._file)
 
     def update(self) -> set[int]:
@@ -57,7 +53,7 @@ class Gamepad:
         """
         pressed = set()
         while data := self._read():
-            data, self._rest = self._rest + data, b""
+            data = self._rest + data
             whole = len(data) - len(data) % _EVENT.size
             self._rest = data[whole:]
             for _, value, kind, number in _EVENT.iter_unpack(data[:whole]):
@@ -74,9 +70,7 @@ class Gamepad:
             data = os.read(self._file, _READ)
         except BlockingIOError:
             return b""
-        except OSError as error:
-            if error.errno != errno.ENODEV:
-                raise
+        except OSError:  # ENODEV
             data = b""
         if not data:
             raise QuadrupedError(f"{self._device}: was unplugged")

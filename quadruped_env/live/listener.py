@@ -96,10 +96,9 @@ class Listener:
             self._session.say_once(f"skipped: {problem}")
             return
         offered = common_qos([endpoint.qos for endpoint in known], name)
-        topic = Topic(name, known[0].type_name, offered)
-        subscription = self._session.node.subscribe(
-            topic, replace(offered, depth=_DEPTH), read=self._read(topic), exact=True
-        )
+        # The name as it is on the domain.
+        topic = Topic(name, known[0].type_name, offered, is_global=True)
+        subscription = self._session.node.subscribe(topic, replace(offered, depth=_DEPTH), read=self._read(topic))
         self.subscriptions.append(subscription)
 
 

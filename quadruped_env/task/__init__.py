@@ -8,7 +8,7 @@ from quadruped_env.task.context import TaskContext
 from quadruped_env.task.privileged import PrivilegedReading, TrueState, privileged
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.model_fields import ModelField
-from quadruped_env.task.randomization.randomization import Randomization, SensorError, ServoError
+from quadruped_env.task.randomization.randomization import Randomization, SensorError
 from quadruped_env.task.randomization.randomization_presets import PRESETS, preset_values
 from quadruped_env.task.task import Task, Transition
 from quadruped_env.task.task_config import (
@@ -42,7 +42,6 @@ __all__ = [
     "RewardTerm",
     "Section",
     "SensorError",
-    "ServoError",
     "Task",
     "TaskConfig",
     "TaskContext",

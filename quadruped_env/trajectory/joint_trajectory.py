@@ -162,22 +162,8 @@ class JointTrajectory:
                 line or message, the field, the value and the fix.
             MissingExtraError: if the format needs libraries that are not installed.
         """
-        options = ReadOptions.of(
-            topic=topic,
-            columns=columns,
-            joint_map=joint_map,
-            names=names,
-            degrees=degrees,
-            stamps=stamps,
-            ignore=ignore,
-            unwrap=unwrap,
-            despike=despike,
-            merge=merge,
-            sort=sort,
-            drop=drop,
-            salvage=salvage,
-        )
-        return cls.from_stream(Stream(path, options, progress))
+        given = {name: value for name, value in locals().items() if name not in {"cls", "path", "progress"}}
+        return cls.from_stream(Stream(path, ReadOptions.of(**given), progress))
 
     def save(
         self,

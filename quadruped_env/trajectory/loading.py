@@ -14,10 +14,11 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import recognition
-from quadruped_env.trajectory.plausibility import TURN, Plausibility, spikes
+from quadruped_env.trajectory.plausibility import TURN, Plausibility
 from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.row_conversion import from_degrees, retarget
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, joined
+from quadruped_env.trajectory.steps import Steps
 from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, read_only, validate
 from quadruped_env.utils.progress import Progress
 
@@ -68,8 +69,10 @@ class Stream:
             joint_map = reading.options.joint_map
             periods = (TURN,) if joint_map is None else joint_map.periods
             pieces = (_converted(rows, reading) for rows in _validated(pieces, reading))
+            if reading.options.despike or reading.options.unwrap:
+                pieces = _repaired(pieces, reading)
             check = Plausibility(periods)
-            for rows in check.watch(_repaired(pieces, reading)):
+            for rows in check.watch(pieces):
                 if self._first is None:
                     self._first = int(rows.numbers[0])
                 yield rows
@@ -89,10 +92,15 @@ class Stream:
 
 def _sorted(pieces: Iterator[Rows]) -> Iterator[Rows]:
     """All rows in the order of their timestamps; rows with equal timestamps stay in the order of the file."""
+    for rows in _together(pieces):
+        yield rows.take(np.argsort(rows.stamps, kind="stable"))
+
+
+def _together(pieces: Iterator[Rows]) -> Iterator[Rows]:
+    """All rows in one piece, or nothing."""
     first = next(pieces, None)
     if first is not None:
-        rows = joined(chain([first], pieces))
-        yield rows.take(np.argsort(rows.stamps, kind="stable"))
+        yield joined(chain([first], pieces))
 
 
 def _evenly_spaced(pieces: Iterator[Rows], period: float) -> Iterator[Rows]:
@@ -106,24 +114,19 @@ def _evenly_spaced(pieces: Iterator[Rows], period: float) -> Iterator[Rows]:
 
 
 def _repaired(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:
-    """The rows without spikes and without wraps, as the options say."""
+    """All rows without spikes and without wraps, as the options say."""
     options = reading.options
-    first = next(pieces, None)
-    if first is None or not (options.despike or options.unwrap):
-        yield from () if first is None else chain([first], pieces)
-        return
-    rows = joined(chain([first], pieces))
-    if options.despike and len(rows) > 2:
-        bad = spikes(rows, (options.unwrap or TURN,)).any(axis=1)
-        reading.leave_out("a joint is elsewhere for a few rows", int(bad.sum()))
-        rows = rows.take(~bad)
-    if options.unwrap:
+    for rows in _together(pieces):
+        if options.despike and len(rows) > 2:
+            bad = Steps(rows, (options.unwrap or TURN,)).spikes.any(axis=1)
+            reading.leave_out("a joint is elsewhere for a few rows", int(bad.sum()))
+            rows = rows.take(~bad)  # noqa: PLW2901
         position = rows.values["position"]
-        whole = np.rint(np.diff(position, axis=0) / options.unwrap)
-        reading.count(f"steps of about {options.unwrap:.4g} rad, undone", int(np.count_nonzero(whole)))
-        position = np.concatenate([position[:1], position[1:] - options.unwrap * np.cumsum(whole, axis=0)])
-        rows = replace(rows, values=rows.values | {"position": position})
-    yield rows
+        if options.unwrap:
+            whole = np.rint(np.diff(position, axis=0) / options.unwrap)
+            reading.count(f"steps of about {options.unwrap:.4g} rad, undone", int(np.count_nonzero(whole)))
+            position = np.concatenate([position[:1], position[1:] - options.unwrap * np.cumsum(whole, axis=0)])
+        yield replace(rows, values=rows.values | {"position": position})
 
 
 def _validated(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:

@@ -16,85 +16,79 @@ from quadruped_env.trajectory.rows import KINDS
 STAMPS: Final = ("header", "log")
 """Sources of a message's timestamp: its header, or the time at which it was recorded."""
 
-FLAGS: Final[Mapping[str, Mapping[str, Mapping[str, Any]]]] = {
-    "topic": {
-        "--topic": {
-            "metavar": "A[,B,...]",
-            "help": "topic of the joint states, for a bag that has several; several with --merge",
-        }
+FLAGS: Final[Mapping[str, Mapping[str, Any]]] = {
+    "--topic": {
+        "dest": "topic",
+        "metavar": "A[,B,...]",
+        "help": "topic of the joint states, for a bag that has several; several with --merge",
     },
-    "columns": {
-        "--columns": {"type": Path, "metavar": "MAP.toml", "help": "map of the columns of a CSV: table [columns]"}
+    "--columns": {
+        "dest": "columns",
+        "type": Path,
+        "metavar": "MAP.toml",
+        "help": "map of the columns of a CSV: table [columns]",
     },
-    "joint_map": {
-        "--map": {
-            "type": Path,
-            "metavar": "MAP.toml",
-            "help": "map of another robot's joints to this one's: tables [joints.<joint>]",
-        }
+    "--map": {
+        "dest": "joint_map",
+        "type": Path,
+        "metavar": "MAP.toml",
+        "help": "map of another robot's joints to this one's: tables [joints.<joint>]",
     },
-    "names": {
-        "--names": {
-            "type": lambda text: text.split(","),
-            "metavar": "A,B,...",
-            "help": "names of the joints in their order, for messages and motion clips without names; of a CSV, the "
-            "names of its columns of positions",
-        }
+    "--names": {
+        "dest": "names",
+        "type": lambda text: text.split(","),
+        "metavar": "A,B,...",
+        "help": "names of the joints in their order, for messages and motion clips without names; of a CSV, the names "
+        "of its columns of positions",
     },
-    "degrees": {
-        "--degrees": {
-            "action": "store_const",
-            "const": True,
-            "help": "positions and velocities are in degrees: convert them",
-        },
-        "--radians": {
-            "action": "store_const",
-            "const": False,
-            "help": "positions and velocities are in rad, even if they look like degrees",
-        },
+    "--degrees": {
+        "dest": "degrees",
+        "action": "store_const",
+        "const": True,
+        "help": "positions and velocities are in degrees: convert them",
     },
-    "stamps": {
-        "--stamps": {
-            "metavar": "header|log|S",
-            "help": "timestamps: those of the headers, the times at which a bag recorded the messages, or none of them "
-            "but this time in s from row to row; default: header",
-        }
+    "--radians": {
+        "dest": "degrees",
+        "action": "store_const",
+        "const": False,
+        "help": "positions and velocities are in rad, even if they look like degrees",
     },
-    "ignore": {
-        "--ignore": {"action": "append", "choices": KINDS[1:], "help": "do not read these values; may be given twice"}
+    "--stamps": {
+        "dest": "stamps",
+        "metavar": "header|log|S",
+        "help": "timestamps: those of the headers, the times at which a bag recorded the messages, or none of them but "
+        "this time in s from row to row; default: header",
     },
-    "unwrap": {
-        "--unwrap": {
-            "type": float,
-            "nargs": "?",
-            "const": 2.0 * math.pi,
-            "metavar": "RAD",
-            "help": "undo the jumps of encoders that begin again after this angle (default of the angle: a turn)",
-        }
+    "--ignore": {
+        "dest": "ignore",
+        "action": "append",
+        "choices": KINDS[1:],
+        "help": "do not read these values; may be given twice",
     },
-    "despike": {
-        "--despike": {
-            "action": "store_true",
-            "help": "leave out rows in which a joint is elsewhere, if it is for a few rows",
-        }
+    "--unwrap": {
+        "dest": "unwrap",
+        "type": float,
+        "nargs": "?",
+        "const": 2.0 * math.pi,
+        "metavar": "RAD",
+        "help": "undo the jumps of encoders that begin again after this angle (default of the angle: a turn)",
     },
-    "merge": {
-        "--merge": {
-            "action": "store_true",
-            "help": "make one row of messages that hold some of the robot's joints each",
-        }
+    **{
+        f"--{name}": {"dest": name, "action": "store_true", "help": text}
+        for name, text in (
+            ("despike", "leave out rows in which a joint is elsewhere, if it is for a few rows"),
+            ("merge", "make one row of messages that hold some of the robot's joints each"),
+            ("sort", "sort the rows by timestamp"),
+            (
+                "drop",
+                "leave out rows that cannot be used (timestamps that do not increase, NaN, other joints), and count "
+                "them",
+            ),
+            ("salvage", "keep the readable part of a damaged file"),
+        )
     },
-    "sort": {"--sort": {"action": "store_true", "help": "sort the rows by timestamp"}},
-    "drop": {
-        "--drop": {
-            "action": "store_true",
-            "help": "leave out rows that cannot be used (timestamps that do not increase, NaN, other joints), and "
-            "count them",
-        }
-    },
-    "salvage": {"--salvage": {"action": "store_true", "help": "keep the readable part of a damaged file"}},
 }
-"""Option -> its flags, which exclude each other -> arguments of argparse's `add_argument`."""
+"""Flag -> arguments of argparse's `add_argument`; flags of the same option exclude each other."""
 
 
 @dataclass(frozen=True)
@@ -120,7 +114,7 @@ class ReadOptions:
     salvage: bool = False
 
     def __post_init__(self) -> None:
-        if self.stamps not in STAMPS and self.period is None:
+        if self.stamps not in STAMPS and not 1e-6 <= (self.period or 0.0) <= 1e6:
             raise QuadrupedError(
                 f"stamps: expected one of {', '.join(STAMPS)}, or the time from row to row, 1e-6 to 1e6 s; found "
                 f"{self.stamps!r}"
@@ -140,12 +134,13 @@ class ReadOptions:
 
     @property
     def period(self) -> float | None:
-        """Time from row to row, s, if it replaces the timestamps."""
+        """Time from row to row, s, if it replaces the timestamps or there are none."""
+        if self.stamps in STAMPS:
+            return None if self.columns is None else self.columns.period
         try:
-            period = float(self.stamps)
+            return float(self.stamps)
         except (TypeError, ValueError):
             return None
-        return period if 1e-6 <= period <= 1e6 else None
 
     @classmethod
     def of(cls, **given: Any) -> Self:

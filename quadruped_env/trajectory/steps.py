@@ -21,6 +21,8 @@ MAX_AWAY: Final = 5
 """Maximum rows of a spike."""
 _MIN_FROZEN: Final = 5
 """Equal rows from which on a position is frozen."""
+_MIN_TOLD: Final = 0.3
+"""Mean speed from which on a velocity says that the joint moves, rad/s."""
 
 
 class Steps:
@@ -42,7 +44,9 @@ class Steps:
         # Timestamps of a burst are too close to each other; positions are not.
         self.time = np.maximum(self.duration, self.period)
         size = np.abs(self.change)
-        time = self.time[:, None] * _held(self.change)
+        self.held = _held(self.change)
+        """Rows for which a joint's value is held (J,)"""
+        time = self.time[:, None] * self.held
         bound = np.maximum(_MIN_STEP, np.maximum(_MAX_SPEED * time, _MAX_ACCELERATION / 4.0 * time**2))
         self.wrapped = np.zeros_like(self.change)
         """Whole periods in the steps, rad (n - 1, J)"""
@@ -56,11 +60,8 @@ class Steps:
             smooth = (rest <= np.minimum(4.0 * most + 0.02, 0.15 * period)) & (size > 4.0 * most)
             self.wrapped = np.where(large & smooth & (whole != 0.0), whole, self.wrapped)
         stands_out = large & (self.wrapped == 0.0) & (size > _PROMINENCE * usual)
-        self.away = np.zeros_like(stands_out)
-        """Steps to where the joint stays for a few rows only (n - 1, J)"""
         self.spikes = np.zeros(position.shape, dtype=np.bool_)
-        """Positions there (n, J)"""
-        back = np.zeros_like(stands_out)
+        """Positions where the joint stays for a few rows only (n, J)"""
         for count in range(1, min(MAX_AWAY, len(size) - 1) + 1):
             first, last = slice(None, -count), slice(count, None)
             moves = [self.change[k : k + len(size) - count] for k in range(count + 1)]
@@ -68,25 +69,24 @@ class Steps:
             stays = np.abs(moves[1:-1]).max(axis=0, initial=0.0) < 0.25 * size[first]
             returns = np.abs(np.sum(moves, axis=0)) < 0.5 * size[first]
             far = stands_out[first] & ((size > bound) & stands_out)[last] if count > 1 else stands_out[first]
-            found = far & stays & returns & ~back[first] & ~self.gap[last, None]
-            self.away[first] |= found
-            back[last] |= found
+            found = far & stays & returns & ~self.spikes[:-1][first] & ~self.gap[last, None]
             for k in range(1, count + 1):
                 self.spikes[k : k + len(found)] |= found
-        self.jumps = stands_out & (size > bound) & ~self.away & ~back
-        self.false_speeds = np.zeros_like(self.jumps)
-        """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
-        known = self.away | back | (self.wrapped != 0.0) | self.gap[:, None]
+        self.away = self.spikes[1:] & ~self.spikes[:-1]
+        """Steps to spikes (n - 1, J)"""
+        beside = self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
+        velocity = rows.values.get("velocity", np.zeros_like(position))
+        self.jumps = stands_out & (size > bound) & ~beside
         if "velocity" in rows.values:
-            self.jumps |= self._unexpected(rows.values["velocity"]) & ~known
-        self.bad = self.jumps | self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
+            self.jumps |= self._unexpected(velocity) & ~beside & (self.wrapped == 0.0)
+        self.bad = self.jumps | beside
         """Steps that say nothing about the motion (n - 1, J)"""
-        if "velocity" in rows.values:
-            speed = np.abs(rows.values["velocity"])[:-1]
-            moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
-            padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
-            fastest = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
-            self.false_speeds = (speed - fastest > _MAX_SPEED) & (speed > _PROMINENCE * _around(speed)[0])
+        speed = np.abs(velocity)[:-1]
+        moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
+        padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
+        fastest = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
+        self.false_speeds = (speed - fastest > _MAX_SPEED) & (speed > _PROMINENCE * _around(speed)[0])
+        """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
 
     def _unexpected(self, velocity: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Mask (n - 1, J) of steps that are large, and far larger than the velocity (n, J) says."""
@@ -115,30 +115,27 @@ def _held(change: NDArray[np.float64]) -> NDArray[np.float64]:
 def frozen(rows: Rows, steps: Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
     """Mask (n - 1, J) of the first steps of runs of equal positions while the joint moves, and the runs' lengths, s.
 
-    It moves if it catches up at the end, if its velocity says so, or if all joints stop and go on at once.
+    It moves if its velocity says so, if it catches up at the end, or if all joints stop and go on at once.
     """
     found, length = np.zeros(steps.change.shape, dtype=np.bool_), np.zeros(steps.change.shape)
-    velocity = rows.values.get("velocity")
+    velocity = rows.values.get("velocity", np.zeros(rows.values["position"].shape))
     size = np.abs(steps.change)
     for j in range(size.shape[1]):
         still = np.concatenate([[False], (size[:, j] == 0.0) & ~steps.gap, [False]])
         starts, ends = np.flatnonzero(np.diff(still.astype(np.int8))).reshape(-1, 2).T
-        runs = (ends - starts >= _MIN_FROZEN) & (starts >= 3) & (ends + 4 <= len(size))
+        runs = ends - starts >= _MIN_FROZEN
         for start, end in zip(starts[runs], ends[runs], strict=True):
-            before, after = size[start - 3 : start], size[end + 1 : end + 4]
-            if before[:, j].min() == 0.0 or after[:, j].min() == 0.0:
-                continue
-            speed = max(before[:, j].mean(), after[:, j].mean())
-            catches_up = size[end, j] > max(0.05, 5.0 * speed)
-            fast = np.minimum(before.min(axis=0), after.min(axis=0)) > 0.01
-            all_stop = fast[j] and fast.sum() > 1 and not size[start:end].any()
-            says_moving = False
-            if velocity is not None:
-                told = np.abs(velocity[start:end, j])
-                path = float((told * steps.duration[start:end]).sum())
-                says_moving = path > 0.1 and float(told.mean()) > 0.5 * float(np.median(np.abs(velocity[:, j])))
-            found[start, j] = catches_up or all_stop or says_moving
             length[start, j] = steps.duration[start:end].sum()
+            told = float(np.abs(velocity[start:end, j]).mean())
+            if told > _MIN_TOLD and told * length[start, j] > 0.1 and end - start >= _MIN_FROZEN * steps.held[j]:
+                found[start, j] = True
+                continue
+            before, after = size[max(start - 3, 0) : start], size[end + 1 : end + 4]
+            if len(before) < 3 or len(after) < 3 or before[:, j].min() == 0.0 or after[:, j].min() == 0.0:
+                continue
+            catches_up = size[end, j] > max(0.05, 5.0 * before[:, j].mean(), 5.0 * after[:, j].mean())
+            fast = np.minimum(before.min(axis=0), after.min(axis=0)) > 0.01
+            found[start, j] = catches_up or (fast[j] and fast.sum() > 1 and not size[start:end].any())
     return found, length
 
 

@@ -1,7 +1,6 @@
 """The C form of a policy: compiled with all warnings, and equal to ONNX Runtime; its sketch with simulated devices."""
 
 import ctypes
-import dataclasses
 import json
 import math
 import shutil
@@ -11,12 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import second_robot
+from test_golden_trace import POLICIES as TRACED
 from test_graph import POLICIES, TERMS, own_policy
 
 from quadruped_env.cli.main import main
-from quadruped_env.export import PolicyInterface, quantization, runtime
-from quadruped_env.export.c_source import FOLDER, c_files, readings_of
-from quadruped_env.export.card import example
+from quadruped_env.export import PolicyInterface, runtime
+from quadruped_env.export.c_source import FOLDER, as_int8, c_files, int8_loss, quantized, readings_of
+from quadruped_env.export.golden_trace import golden_trace
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import Policy, load_policy
 
@@ -26,6 +26,7 @@ pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="there is no
 STUBS = Path(__file__).parents[1] / "helpers" / "arduino"
 WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Werror")
 TOLERANCE = 1e-5
+STATE = ("command", "last_action", "gait_phase", "observation_history")
 
 
 def compiler(*arguments, **options):
@@ -49,7 +50,7 @@ class Compiled:
         self.library = ctypes.CDLL(str(library))
         symbols = compiler("nm", "-D", "--undefined-only", library)
         assert not {"malloc", "calloc", "realloc", "free"} & set(symbols.split())
-        self.memory_width = 2 + policy.robot.num_joints + self.interface.has_clock + self.interface.history_width
+        self.memory_width = 3 + policy.robot.num_joints + self.interface.history_width
 
     def call(self, function, *arguments):
         pointers = [a.ctypes.data_as(ctypes.c_void_p) if isinstance(a, np.ndarray) else a for a in arguments]
@@ -62,12 +63,13 @@ class Compiled:
         readings = np.ascontiguousarray(np.concatenate([*readings, np.zeros((samples, 1), np.float32)], axis=1))
         memory = [inputs.get("command", np.zeros((samples, 2), np.float32))]
         memory.append(inputs.get("last_action", np.zeros((samples, joints), np.float32)))
-        memory += [inputs[name] for name in ("gait_phase", "observation_history") if name in inputs]
+        memory.append(inputs.get("gait_phase", np.zeros((samples, 1), np.float32)))
+        memory.append(inputs.get("observation_history", np.zeros((samples, 0), np.float32)))
         memory = np.ascontiguousarray(np.concatenate(memory, axis=1))
         target = np.empty((samples, joints), np.float32)
         for row in range(samples):
             self.call("policy_graph", readings[row], memory[row], target[row])
-        parts = np.split(memory, [2, 2 + joints, 2 + joints + self.interface.has_clock], axis=1)
+        parts = np.split(memory, [2, 2 + joints, 3 + joints], axis=1)
         return {
             "joint_target": target,
             "action": parts[1],
@@ -76,28 +78,13 @@ class Compiled:
         }
 
 
-def largest_difference(found, expected):
-    differences = {name: np.abs(found[name] - value) for name, value in expected.items()}
-    if "next_gait_phase" in differences:
-        turn = differences["next_gait_phase"]
-        differences["next_gait_phase"] = np.minimum(turn, math.tau - turn)
-    return max(difference.max() for difference in differences.values())
-
-
 def without_clock(policy):
     kept = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
     weights = (policy.weights[0][: 3 * 31], policy.weights[1])
     return Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot, "tanh")
 
 
-def of_one_step(policy):
-    """The policy without a history, whose first layer is that of the present step."""
-    width = PolicyInterface(policy).layout.width
-    control = dataclasses.replace(policy.control, observation_history=1)
-    return dataclasses.replace(policy, weights=(policy.weights[0][:width], *policy.weights[1:]), control=control)
-
-
-@pytest.mark.parametrize("name", [*POLICIES, "own fields", "no clock, tanh", "no history", "8 bits"])
+@pytest.mark.parametrize("name", [*POLICIES, "own fields", "no clock, tanh", "8 bits"])
 def test_c_equals_onnx_runtime(name, tmp_path):
     if name in POLICIES:
         policy = POLICIES[name]()
@@ -105,53 +92,46 @@ def test_c_equals_onnx_runtime(name, tmp_path):
         policy = own_policy(tmp_path, TERMS)
         if name == "no clock, tanh":
             policy = without_clock(policy)
-        elif name == "no history":
-            policy = of_one_step(policy)
     samples = 10_000 if name in ("shipped", "8 bits") else 2_000
     compiled = Compiled(policy, tmp_path, int8=name == "8 bits")
     inputs = runtime.random_inputs(compiled.interface, samples)
     if "command" in inputs:  # some near the end of standing
         inputs["command"][1::5] = np.random.default_rng(1).uniform(-0.04, 0.04, inputs["command"][1::5].shape)
-    exact = PolicyInterface(quantization.quantized(policy)) if name == "8 bits" else compiled.interface
+    exact = PolicyInterface(quantized(policy)) if name == "8 bits" else compiled.interface
     expected = runtime.run(runtime.session_of(policy_graph(exact, "test")), inputs)
-    assert largest_difference(compiled.graph(inputs), expected) < TOLERANCE
+    found = compiled.graph(inputs)
+    assert max(runtime.difference(name, found[name], value).max() for name, value in expected.items()) < TOLERANCE
     assert np.ptp(expected["joint_target"], axis=0).min() > 0.05
 
 
-def test_step_is_the_loop_of_the_card_and_leaves_out_what_is_nan(tmp_path, monkeypatch):
-    policy = load_policy("flat")
-    compiled = Compiled(policy, tmp_path)
-    (tmp_path / "policy.onnx").write_bytes(policy_graph(compiled.interface, "test"))
-    monkeypatch.chdir(tmp_path)
-    namespace = {}
-    exec(example(compiled.interface), namespace)  # noqa: S102
-    rng = np.random.default_rng(0)
-    memory, target = np.full(compiled.memory_width, 7.0, np.float32), np.empty(8, np.float32)
+@pytest.mark.parametrize("name", TRACED)
+def test_step_is_that_of_the_golden_trace_and_leaves_out_what_is_nan(name, tmp_path):
+    policy = TRACED[name](tmp_path)
+    compiled, joints = Compiled(policy, tmp_path), policy.robot.num_joints
+    trace = golden_trace(compiled.interface)
+    readings = np.concatenate([trace[entry.name] for entry in readings_of(compiled.interface)], axis=1)
+    requests = trace.get("requested_command", np.zeros((len(readings), 2), np.float32))
+    memory, target = np.full(compiled.memory_width, 7.0, np.float32), np.empty(joints, np.float32)
     compiled.call("policy_reset", memory)
-    for step in range(150):
-        requested = np.float32([(0.5, 0.0), (-0.2, 0.7), (0.0, 0.0)][step // 50])
-        readings = {
-            "projected_gravity": np.float32([*rng.normal(0.0, 0.1, 2), -1.0]),
-            "angular_velocity": np.float32(rng.normal(0.0, 1.0, 3)),
-            "joint_position": np.float32(policy.robot.stance + rng.normal(0.0, 0.3, 8)),
-            "joint_velocity": np.float32(rng.normal(0.0, 2.0, 8)),
-        }
-        expected = namespace["joint_targets"](**readings, command=requested)
-        together = np.concatenate(list(readings.values()))
+    for step, requested in enumerate(requests):
         before = memory.copy(), target.copy()
-        assert compiled.call("policy_step", np.where(np.arange(22) == step % 22, np.nan, together).astype(np.float32),
-                             requested, memory, target) == 0  # fmt: skip
+        missing = np.where(np.arange(readings.shape[1]) == step % 22, np.float32(np.nan), readings[step])
+        assert compiled.call("policy_step", missing, requested, memory, target) == 0
         np.testing.assert_array_equal(memory, before[0])
         np.testing.assert_array_equal(target, before[1])
-        assert compiled.call("policy_step", together, requested, memory, target) == 1
+        assert compiled.call("policy_step", readings[step], requested, memory, target) == 1
         # The two differ by rounding, which comes back through the last action.
-        np.testing.assert_allclose(target, expected, rtol=0, atol=1e-4)
+        np.testing.assert_allclose(target, trace["joint_target"][step], rtol=0, atol=1e-4)
+        kept = dict(zip(STATE, np.split(memory, [2, 2 + joints, 3 + joints]), strict=True))
+        for field, later in zip(STATE, (0, 1, 1, 1), strict=True):
+            if field in trace and step + later < len(requests):
+                assert runtime.difference(field, kept[field], trace[field][step + later]).max() < 1e-4
     # Velocities are clipped to the range, and never change faster than the rate.
-    low, high = np.transpose([entry.range for entry in policy.control.commands])
+    low, high = np.transpose([entry.range for entry in policy.control.commands[:2]])
     rate = np.multiply(policy.control.command_rate, policy.control.timestep)
     compiled.call("policy_reset", memory)
     for step in range(1, 80):
-        assert compiled.call("policy_step", together, np.float32([-9.0, 9.0]), memory, target) == 1
+        assert compiled.call("policy_step", readings[0], np.float32([-9.0, 9.0]), memory, target) == 1
         np.testing.assert_allclose(memory[:2], [max(low[0], -step * rate[0]), min(high[1], step * rate[1])], atol=1e-5)
 
 
@@ -176,20 +156,14 @@ def test_joint_positions_approach_a_target_at_the_speed_within_the_ranges(tmp_pa
 
 def test_weights_of_8_bits_are_within_half_a_step_and_their_loss_is_measured():
     policy = load_policy("flat")
-    for weight, other in zip(policy.weights, quantization.quantized(policy).weights, strict=True):
-        step = np.abs(weight).max(axis=0) / 127
-        assert np.abs(weight - other).max() <= 0.5001 * step.max()
-        assert (np.abs(weight - other) <= 0.5001 * step).all()
-    integers, step = quantization.as_int8(np.float32([[0.0, 2.54], [0.0, -1.0]]))
+    for weight, other in zip(policy.weights, quantized(policy).weights, strict=True):
+        assert (np.abs(weight - other) <= 0.5001 * np.abs(weight).max(axis=0) / 127).all()
+    integers, step = as_int8(np.float32([[0.0, 2.54], [0.0, -1.0]]))
     assert integers.tolist() == [[0, 127], [0, -50]]
     np.testing.assert_allclose(step, [1.0, 0.02])
-    loss = quantization.int8_loss(policy)
-    coarse = dataclasses.replace(policy, weights=tuple(np.float32(8 * np.round(w / 8, 2)) for w in policy.weights))
-    worse = quantization.int8_loss(coarse)
-    assert 0.0 < loss["action_rms"] < 0.05 < loss["action_largest"] + 0.05
+    loss = int8_loss(policy)
+    assert 0.0 < loss["action_rms"] < 0.05
     assert loss["joint_target_largest_rad"] <= policy.control.action.scale * loss["action_largest"] + 1e-6
-    assert set(loss["walking"]["int8"]) == {"forward_velocity_error", "yaw_rate_error", "fall_rate"}
-    assert worse["walking"]["float32"] != loss["walking"]["float32"], "the policies walk themselves"
 
 
 LEVEL, STILL = (0, 0, 8192), (0, 0, 0)
@@ -213,7 +187,7 @@ def sketch(policy, folder):
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")
-def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path, monkeypatch):
+def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path):
     policy = load_policy("flat")
     compiled, run = sketch(policy, tmp_path)
     command = [(1, LEVEL, STILL, "0.3 0.5")]
@@ -226,11 +200,9 @@ def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path, m
     before, walk, silent, again, fallen = np.split(np.arange(len(rows)), [60, 160, 240, 400, 460])[:5]
     assert off[before].all()
     assert not off[walk].any()
-    # As many steps of the loop of the card, with the servos as the sketch models them.
-    (tmp_path / "policy.onnx").write_bytes(policy_graph(compiled.interface, "test"))
-    monkeypatch.chdir(tmp_path)
-    namespace, robot = {}, policy.robot
-    exec(example(compiled.interface), namespace)  # noqa: S102
+    # As many steps of the policy, with the servos as the sketch models them.
+    memory, target, robot = np.empty(compiled.memory_width, np.float32), np.empty(8, np.float32), policy.robot
+    compiled.call("policy_reset", memory)
     settle = int(np.flatnonzero((pulses[walk] != pulses[walk[0]]).any(axis=1))[0])
     assert settle in (25, 26), "the robot stands in its stance for 0.5 s"
     sent, servo = robot.stance.copy(), robot.stance.copy()
@@ -238,10 +210,8 @@ def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path, m
         earlier = servo
         servo = earlier + np.clip(sent - earlier, -0.1, 0.1)
         if row >= walk[settle]:
-            target = namespace["joint_targets"](
-                projected_gravity=(0, 0, -1), angular_velocity=STILL, joint_position=servo,
-                joint_velocity=(servo - earlier) / 0.02, command=(0.3, 0.5),
-            )  # fmt: skip
+            readings = np.float32([0.0, 0.0, -1.0, *STILL, *servo, *((servo - earlier) / 0.02)])
+            assert compiled.call("policy_step", readings, np.float32([0.3, 0.5]), memory, target) == 1
             sent = sent + np.clip(target - sent, -0.02 * robot.velocity_limit, 0.02 * robot.velocity_limit)
         microseconds = np.clip(1500.0 + 636.6 * sent, 500.0, 2500.0)
         np.testing.assert_allclose(pulses[row], microseconds * 4096 / 20000, atol=0.6)
@@ -272,16 +242,14 @@ def test_sketch_with_a_field_that_nobody_fills_does_not_move_and_has_the_robots_
 
 
 def test_program_writes_the_c_files_and_the_loss_of_8_bits(tmp_path, capsys):
-    assert main(["export", "flat", "--c-int8", "-o", str(tmp_path / "flat")]) == 0
-    said = capsys.readouterr().out
-    manifest = json.loads((tmp_path / "flat" / "manifest.json").read_text())
-    loss = manifest["c"]["loss"]
-    assert manifest["c"]["weights"] == "int8"
-    assert f"weights of 8 bits change joint targets by {loss['joint_target_rms_rad']:.2g} rad (RMS)" in said
+    folder = tmp_path / "flat"
+    assert main(["export", "flat", "--c-int8", "-o", str(folder)]) == 0
+    manifest = json.loads((folder / "manifest.json").read_text())
+    loss = manifest["c"]["loss"]["joint_target_rms_rad"]
+    assert f"weights of 8 bits change joint targets by {loss:.2g} rad (RMS)" in capsys.readouterr().out
     assert {f"firmware/{name}" for name in ("policy.c", "policy.h", "firmware.ino")} <= set(manifest["files"])
-    assert "int8_t weight_0" in (tmp_path / "flat" / "firmware" / "policy.c").read_text()
-    assert "`firmware/policy.c`" in (tmp_path / "flat" / "README.md").read_text()
-    assert main(["export", "flat", "--c", "-o", str(tmp_path / "flat"), "--overwrite"]) == 0
-    manifest = json.loads((tmp_path / "flat" / "manifest.json").read_text())
-    assert manifest["c"] == {"weights": "float32", "loss": None}
-    assert "static const float weight_0" in (tmp_path / "flat" / "firmware" / "policy.c").read_text()
+    assert "int8_t weight_type" in (folder / "firmware" / "policy.c").read_text()
+    assert "`firmware/policy.c`" in (folder / "README.md").read_text()
+    assert main(["export", "flat", "--c", "-o", str(folder), "--overwrite"]) == 0
+    assert json.loads((folder / "manifest.json").read_text())["c"] == {"weights": "float32", "loss": None}
+    assert "float weight_type" in (folder / "firmware" / "policy.c").read_text()

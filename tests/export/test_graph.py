@@ -186,23 +186,25 @@ def test_metadata_are_read_as_those_of_other_exporters(tmp_path):
     content = policy_graph(interface, "test", metadata=metadata(policy, interface))
     found = onnxruntime.InferenceSession(content, providers=["CPUExecutionProvider"]).get_modelmeta()
     lists = {name: text.split(",") for name, text in found.custom_metadata_map.items()}
-    assert lists.pop("joint_names") == list(robot.joint_names)
-    assert [float(number) for number in lists.pop("default_joint_pos")] == pytest.approx(robot.stance.tolist())
-    kinds = ["hip" in name for name in robot.joint_names]
-    assert [float(number) for number in lists.pop("joint_stiffness")] == [70.0 if hip else 60.0 for hip in kinds]
-    assert [float(number) for number in lists.pop("joint_damping")] == [
-        motor.kd for motor in robot.motors.of_joints(robot.joint_kinds)
-    ]
-    assert [float(number) for number in lists.pop("action_scale")] == [task.action.scale] * 8
-    names = lists.pop("observation_names")
-    assert names == [entry.name for entry in policy.fields]
-    layout = interface.layout
-    for name, text in zip(names, lists.pop("observation_scales"), strict=True):
-        assert [float(number) for number in text.split()] == pytest.approx(np.unique(layout.scale[layout.slices[name]]))
-    assert lists.pop("observation_history_lengths") == ["3"] * 7
-    assert lists.pop("command_names") == ["forward_velocity", "yaw_rate"]
-    assert float(lists.pop("update_rate")[0]) == pytest.approx(1.0 / task.control_timestep)
-    assert lists == {"action_mode": ["position"]}
+    scales = [np.float64(text.split()) for text in lists.pop("observation_scales")]
+    numbers = {
+        "default_joint_pos": robot.stance,
+        "joint_stiffness": [70.0 if "hip" in name else 60.0 for name in robot.joint_names],
+        "joint_damping": [motor.kd for motor in robot.motors.of_joints(robot.joint_kinds)],
+        "action_scale": [task.action.scale] * 8,
+        "update_rate": [1.0 / task.control_timestep],
+    }
+    for name, expected in numbers.items():
+        assert np.float64(lists.pop(name)) == pytest.approx(np.array(expected)), name
+    for entry, scale in zip(policy.fields, scales, strict=True):
+        assert scale == pytest.approx(np.unique(interface.layout.scale[interface.layout.slices[entry.name]]))
+    assert lists == {
+        "joint_names": list(robot.joint_names),
+        "observation_names": [entry.name for entry in policy.fields],
+        "observation_history_lengths": ["3"] * 7,
+        "command_names": ["forward_velocity", "yaw_rate"],
+        "action_mode": ["position"],
+    }
 
 
 def test_graph_takes_any_batch():

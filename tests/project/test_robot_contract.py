@@ -29,6 +29,7 @@ ENTRY_POINTS = {
     "simulation/single_simulation.py": "default of a public class",
     "task/task_definition.py": "robot of the built-in task",
     "task/randomization/randomization_presets.py": "the robot for which the presets' ranges are",
+    "trajectory/formats/mapped_csv.py": "names of the columns of a CSV without a map",
     "trajectory/joint_trajectory.py": "default of public methods",
     "trajectory/saving.py": "default of public options",
     "viewer/view_controller.py": "default of a public class",

@@ -14,7 +14,7 @@ from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.robot import MINI_QUADRUPED, MOTOR_PRESETS, JointMotor, MotorConfig, Robot
 from quadruped_env.robot.motors import servo_target
-from quadruped_env.task import Randomization, ServoError, TaskConfig
+from quadruped_env.task import TaskConfig
 
 STEP, PLAY, BAND = 0.05, 0.03, 0.02
 HALF_WITH_SERVOS = dataclasses.replace(half_robot.DESIGN, name="servos", motors=MOTOR_PRESETS["mg996r"])
@@ -32,23 +32,16 @@ def test_step_makes_a_staircase_within_half_a_step():
     assert abs(stairs - targets).max() == pytest.approx(STEP / 2)
     heights, counts = np.unique(stairs.round(12), return_counts=True)
     np.testing.assert_allclose(heights, STEP * np.arange(-6, 7), atol=1e-12)
-    assert counts[1:-1].min() >= 499
-    assert counts[1:-1].max() <= 501
+    assert set(counts[1:-1]) <= {499, 500, 501}
 
 
 def test_backlash_makes_a_hysteresis_loop_of_its_width():
-    """Between -A and A the loop is a parallelogram: as wide as the play, 2 A - play high."""
-    amplitude = 0.2
-    up, down = np.linspace(-amplitude, amplitude, 401), np.linspace(amplitude, -amplitude, 401)
-    targets = np.concatenate([down[200:], up[1:], down[1:]])
+    """Between -A and A the loop is a parallelogram: the joint rests until the target has moved by the play."""
+    up = np.linspace(-0.2, 0.2, 401)
+    targets = np.concatenate([up[200::-1], up[1:], up[-2::-1]])
     found = followed(targets, backlash=PLAY)
-    rising, falling = found[200:601], found[600:]
-    np.testing.assert_allclose(rising[31:], up[31:] - PLAY / 2, atol=1e-12)
-    np.testing.assert_allclose(falling[31:], down[31:] + PLAY / 2, atol=1e-12)
-    # At rest until the target has moved by the play.
-    np.testing.assert_allclose(rising[:31], -amplitude + PLAY / 2, atol=1e-12)
-    area = np.trapezoid(falling[::-1] - rising, up)
-    assert area == pytest.approx(PLAY * (2 * amplitude - PLAY), rel=1e-3)
+    rising, falling = np.maximum(up - PLAY / 2, -0.2 + PLAY / 2), np.minimum(up[::-1] + PLAY / 2, 0.2 - PLAY / 2)
+    np.testing.assert_allclose(found[200:], [*rising, *falling[1:]], atol=1e-12)
     # The loop does not depend on the rate of the control.
     np.testing.assert_allclose(followed(targets[::10], backlash=PLAY), found[::10], atol=1e-12)
 
@@ -83,18 +76,6 @@ def test_joint_without_load_stops_short_by_half_the_play_and_the_dead_band(step,
         np.testing.assert_allclose(position + offset - rounded, side * (play / 2 + band), atol=2e-4)
 
 
-def test_joint_under_load_stands_off_by_the_load_over_the_gain_and_the_dead_band():
-    motor = JointMotor(dead_band=BAND)
-    config = {"motor": dataclasses.asdict(MotorConfig(motor, motor))}
-    env = gymnasium.make(ENV_ID, config=config, max_episode_steps=None).unwrapped
-    env.reset(seed=0, options={"command": (0.0, 0.0)})
-    position, torque = resting(env, 0.0)
-    error = MINI_QUADRUPED.stance - position
-    assert abs(torque).max() > 0.1
-    beyond = np.sign(error) * np.maximum(abs(error) - BAND, 0.0)
-    np.testing.assert_allclose(torque, motor.kp * beyond, atol=0.02)
-
-
 def test_randomization_adds_to_the_motors_in_each_env_and_joint():
     ranges = {"target_step": [0.01, 0.02], "backlash": [0.0, 0.02], "dead_band": [0.0, 0.01]}
     config = {"motor": {"knee": {"backlash": 0.05}}, "randomization": ranges}
@@ -102,10 +83,7 @@ def test_randomization_adds_to_the_motors_in_each_env_and_joint():
     for _ in range(2):
         env.reset(seed=0)
         found = {name: np.array([env.get_state()[i]["servos"][name] for i in range(16)]) for name in ranges}
-        assert (
-            np.unique(found["target_step"], axis=1).shape == (16, 1)
-            or (np.ptp(found["target_step"], axis=1) == 0).all()
-        )
+        assert not np.ptp(found["target_step"], axis=1).any()
         for name, (low, high) in ranges.items():
             values = found[name] - ([0.0, 0.05] * 4 if name == "backlash" else 0.0)
             assert low <= values.min() < values.max() <= high + 1e-12
@@ -159,13 +137,5 @@ def test_robot_without_servo_errors_keeps_its_identity():
     robot = HALF_WITH_SERVOS.robot()
     assert Robot.from_dict(robot.to_dict()) == robot
     assert robot != dataclasses.replace(HALF_WITH_SERVOS, motors=MotorConfig()).robot()
-
-
-def test_invalid_servo_errors_are_refused():
     with pytest.raises(QuadrupedError, match="dead_band must be a number, 0 or more"):
         JointMotor(dead_band=-0.1)
-    with pytest.raises(QuadrupedError, match="quantity must be one of target_step, backlash, dead_band; found 'play'"):
-        ServoError("play")
-    own = Randomization("own", ServoError("backlash"), (0.0, 0.1), width=3)
-    with pytest.raises(QuadrupedError, match="3 values; width must be 1 or 8"):
-        own.apply.bind(gymnasium.make(ENV_ID).unwrapped.task.simulation, 3)

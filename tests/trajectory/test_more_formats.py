@@ -41,28 +41,17 @@ def write(path, messages, storage="mcap"):
 
 def plan(stamp, names, points):
     """A JointTrajectory with points (time from start in ns, positions, velocities)."""
-    types = typestore().types
-    empty = np.empty(0)
-    made = [
-        types["trajectory_msgs/msg/JointTrajectoryPoint"](
-            np.array(positions, float),
-            np.array(velocities, float),
-            empty,
-            empty,
-            types["builtin_interfaces/msg/Duration"](*divmod(time, 10**9)),
-        )
-        for time, positions, velocities in points
-    ]
+    types, empty = typestore().types, np.empty(0)
+    point, duration = types["trajectory_msgs/msg/JointTrajectoryPoint"], types["builtin_interfaces/msg/Duration"]
+    made = [point(np.array(q, float), np.array(v, float), empty, empty, duration(0, time)) for time, q, v in points]
     return types[TYPES["plan"]](cdr.header(stamp), list(names), made)
 
 
 def dynamic(stamp, joints):
     """A DynamicJointState of joint -> {interface: value}."""
     types = typestore().types
-    values = [
-        types["control_msgs/msg/InterfaceValue"](list(table), np.array(list(table.values()), float))
-        for table in joints.values()
-    ]
+    value = types["control_msgs/msg/InterfaceValue"]
+    values = [value(list(table), np.array(list(table.values()), float)) for table in joints.values()]
     return types[TYPES["dynamic"]](cdr.header(stamp), list(joints), values)
 
 
@@ -83,24 +72,16 @@ class TestMessages:
         np.testing.assert_array_equal(loaded.efforts, [[np.nan, 5]] * 3)
 
     def test_points_of_a_trajectory_end_where_the_next_begins(self, tmp_path):
-        names = ("a", "b")
-        found = [
-            (
-                7,
-                "/plan",
-                "plan",
-                plan(1000, names, [(0, (0.0, 1.0), ()), (100, (0.1, 1.1), ()), (200, (0.2, 1.2), ())]),
-            ),
-            (8, "/plan", "plan", plan(1150, ("b", "a"), [(0, (2.0, 0.5), ()), (100, (2.1, 0.6), ())])),
-        ]
-        loaded = JointTrajectory.load(write(tmp_path / "bag", found))
+        points = [(0, (0.0, 1.0), ()), (100, (0.1, 1.1), ()), (200, (0.2, 1.2), ())]
+        first = plan(1000, ("a", "b"), points)
+        second = plan(1150, ("b", "a"), [(0, (2.0, 0.5), ()), (100, (2.1, 0.6), ())])
+        loaded = JointTrajectory.load(write(tmp_path / "bag", [(7, "/p", "plan", first), (8, "/p", "plan", second)]))
         assert loaded.stamps.tolist() == [1000, 1100, 1150, 1250]
         np.testing.assert_array_equal(loaded.positions, [[0, 1], [0.1, 1.1], [0.5, 2.0], [0.6, 2.1]])
         assert loaded.source.notes == ("1 points that a later trajectory replaced",)
-
-    def test_trajectory_without_a_time_begins_when_it_was_recorded(self, tmp_path):
+        # One without a time begins when it was recorded.
         found = [(i * 50, "/plan", "plan", plan(0, ["a"], [(20, [float(i)], [1.0])])) for i in range(3)]
-        loaded = JointTrajectory.load(write(tmp_path / "bag", found))
+        loaded = JointTrajectory.load(write(tmp_path / "late", found))
         assert (loaded.stamps.tolist(), loaded.velocities.tolist()) == ([20, 70, 120], [[1.0]] * 3)
 
     def test_arrays_are_read_with_names_at_their_time_of_recording(self, tmp_path):
@@ -110,10 +91,8 @@ class TestMessages:
         with pytest.raises(QuadrupedError, match=r"2 positions and no names: give .*--names"):
             JointTrajectory.load(path, topic="/commands")
         loaded = JointTrajectory.load(path, topic="/commands", names=["x", "y"])
-        assert (loaded.stamps.tolist(), loaded.positions.tolist()) == (
-            [1, 2, 3],
-            [[0.1, 0.5], [0.2, 0.5], [0.1 * 3, 0.5]],
-        )
+        assert loaded.stamps.tolist() == [1, 2, 3]
+        assert loaded.positions.tolist() == [[0.1, 0.5], [0.2, 0.5], [0.1 * 3, 0.5]]
 
     def test_echoed_yaml_of_each_type(self, tmp_path):
         head = "header:\n  stamp:\n    sec: 1\n    nanosec: 5\n  frame_id: ''\njoint_names: [a, b]\n"
@@ -142,9 +121,7 @@ class TestMerge:
 
     def test_messages_of_parts_of_a_robot_become_whole_rows(self, tmp_path):
         path = write_bag(tmp_path / "bag", self.messages())
-        with pytest.raises(
-            QuadrupedError, match=r"message 1: it lacks joint 'f1', .* merge the messages .*\(--merge\)"
-        ):
+        with pytest.raises(QuadrupedError, match=r"message 1: it lacks joint 'f1', .* merge .*\(--merge\)"):
             JointTrajectory.load(path, degrees=False)
         loaded = JointTrajectory.load(path, merge=True, degrees=False)
         assert loaded.names == ("f1", "f2", "r1")
@@ -153,59 +130,42 @@ class TestMerge:
         np.testing.assert_array_equal(loaded.velocities, [[1, 2, 3]] * 40)
         np.testing.assert_array_equal(loaded.efforts, [[np.nan, np.nan, 4]] * 40)
         assert loaded.source.notes[0] == "merged 2 kinds of messages: 3 joints"
-
-    def test_rows_come_at_the_rate_of_the_slowest_message_with_the_newest_values(self, tmp_path):
-        loaded = JointTrajectory.load(write_bag(tmp_path / "bag", self.messages(4)), merge=True, degrees=False)
+        # At the rate of the slowest message, with the newest values.
+        loaded = JointTrajectory.load(write_bag(tmp_path / "slow", self.messages(4)), merge=True, degrees=False)
         assert loaded.stamps.tolist() == [i * 10 + 2 for i in range(0, 40, 4)]
         np.testing.assert_array_equal(loaded.positions[:, 0], np.arange(0, 40, 4))
 
     def test_joints_of_over_one_and_a_half_periods_apart_are_left_out(self, tmp_path):
-        lost = [one for one in self.messages() if not (100 <= one[0] < 200 and "r1" in one[1]["name"])]
-        loaded = JointTrajectory.load(write_bag(tmp_path / "bag", lost), merge=True, degrees=False)
-        assert len(loaded) == 30
-        late = [
-            (time + 60, one) if time >= 200 and "r1" in one["name"] else (time, one) for time, one in self.messages()
-        ]
+        late = [(time + 60 * (time >= 200 and "r1" in one["name"]), one) for time, one in self.messages()]
         late.sort(key=lambda one: one[0])
         loaded = JointTrajectory.load(write_bag(tmp_path / "late", late), merge=True, degrees=False)
         assert "left out 14 of 34: the joints' messages are over 1.5 periods apart" in loaded.source.notes
 
     def test_topics_of_one_robot_are_merged(self, tmp_path):
-        bag = write(
-            tmp_path / "bag",
-            [
-                (time, f"/{one['name'][0][0]}", "state", cdr.message(TYPES["state"], **one))
-                for time, one in self.messages()
-            ],
-        )
+        parts = ((time, f"/{one['name'][0][0]}", one) for time, one in self.messages())
+        found = [(time, topic, "state", cdr.message(TYPES["state"], **one)) for time, topic, one in parts]
+        bag = write(tmp_path / "bag", found)
         with pytest.raises(QuadrupedError, match=r"topics /f,/r: several are read .*\(--merge\)"):
             JointTrajectory.load(bag, topic="/f,/r")
         assert len(JointTrajectory.load(bag, topic="/f,/r", merge=True, degrees=False)) == 40
 
 
 class TestOddBags:
-    def test_renamed_storage_file_is_read_with_a_note(self, tmp_path):
-        trajectory = random_trajectory()
-        for storage in ("mcap", "sqlite3"):
-            bag = tmp_path / storage
-            trajectory.save(bag, storage=storage, compress=storage == "sqlite3")
-            (file,) = (path for path in bag.iterdir() if path.name != "metadata.yaml")
-            file.rename(bag / f"renamed{''.join(file.suffixes)}")
-            loaded = JointTrajectory.load(bag)
-            assert_same(loaded, trajectory)
-            assert re.search(
-                rf"names {storage}\..*, and the directory holds renamed\..*: those were read", loaded.source.notes[0]
-            )
+    @pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
+    def test_renamed_storage_file_is_read_with_a_note(self, tmp_path, storage):
+        trajectory, bag = random_trajectory(), tmp_path / "bag"
+        trajectory.save(bag, storage=storage, compress=storage == "sqlite3")
+        (file,) = (path for path in bag.iterdir() if path.name != "metadata.yaml")
+        file.rename(bag / f"renamed{''.join(file.suffixes)}")
+        loaded = JointTrajectory.load(bag)
+        assert_same(loaded, trajectory)
+        assert re.search(r"names bag\..*, and the directory holds renamed\..*: those were read", loaded.source.notes[0])
 
     def test_missing_storage_file_is_named(self, tmp_path):
         random_trajectory().save(tmp_path / "bag")
-        text = (tmp_path / "bag/metadata.yaml").read_text()
-        (tmp_path / "bag/metadata.yaml").write_text(
-            re.sub(r"(\n *)- bag\.mcap", r"\1- bag.mcap\1- bag_1.mcap", text, count=1)
-        )
-        with pytest.raises(
-            QuadrupedError, match=r"names bag\.mcap, bag_1\.mcap, and the directory holds bag\.mcap; add"
-        ):
+        metadata = tmp_path / "bag/metadata.yaml"
+        metadata.write_text(re.sub(r"(\n *)- bag\.mcap", r"\1- bag.mcap\1- bag_1.mcap", metadata.read_text(), count=1))
+        with pytest.raises(QuadrupedError, match=r"names bag\.mcap, bag_1\.mcap, and .* holds bag\.mcap; add bag_1"):
             JointTrajectory.load(tmp_path / "bag")
 
     def test_bag_in_wal_mode_that_was_closed_is_read(self, tmp_path):
@@ -235,16 +195,16 @@ class TestMotionClip:
         np.testing.assert_array_equal(loaded.positions, np.array(joints)[:, ::-1])
 
     @pytest.mark.parametrize(
-        ("text", "message"),
+        ("duration", "frames", "message"),
         [
-            ('{"FrameDuration": 0, "Frames": [[1]]}', r"FrameDuration: expected a time .*; found 0"),
-            ('{"FrameDuration": 0.1, "Frames": []}', r"Frames: expected a list of lists of numbers; found \[\]"),
-            ('{"FrameDuration": 0.1, "Frames": [[1], [2, 3]]}', r"frame 1: expected 1 numbers, as in frame 0"),
-            ('{"FrameDuration": 0.1, "Frames": [["x"]]}', r"frame 0: expected 1 numbers"),
+            (0, [[1]], r"FrameDuration: expected a time .*; found 0"),
+            (0.1, [], r"Frames: expected lists of .*; found \[\]"),
+            (0.1, [[1], [2, 3]], r"Frames: .*; found \[\[1\], \[2, 3\]\]"),
+            (0.1, [["x"]], r"Frames: .*; found \[\['x'\]\]"),
         ],
     )
-    def test_mistakes_are_named(self, tmp_path, text, message):
-        (tmp_path / "clip").write_text(text)
+    def test_mistakes_are_named(self, tmp_path, duration, frames, message):
+        (tmp_path / "clip").write_text(json.dumps({"FrameDuration": duration, "Frames": frames}))
         with pytest.raises(QuadrupedError, match=message):
             JointTrajectory.load(tmp_path / "clip", names=["a"])
 
@@ -263,64 +223,47 @@ class TestTitles:
         np.testing.assert_allclose(loaded.select(JOINT_NAMES).positions[3], [0.03 * k for k in range(7, -1, -1)])
         assert "positions of 8 joints, in rad" in loaded.source.notes[0]
 
+    @staticmethod
+    def load(tmp_path, text, *names, **options):
+        (tmp_path / "a.csv").write_text(text)
+        return JointTrajectory.load(tmp_path / "a.csv", names=names or None, **options)
+
     def test_titles_with_kinds_and_other_names(self, tmp_path):
-        (tmp_path / "a.csv").write_text(
-            "__time;/joint_states/q1/position;/joint_states/q1/velocity;/joint_states/q1/effort;/cmd/q1/position\n"
-            "0.5;0.1;2;3;9\n"
-        )
-        loaded = JointTrajectory.load(tmp_path / "a.csv", names=["q1"])
-        assert (loaded.positions.tolist(), loaded.velocities.tolist(), loaded.efforts.tolist()) == (
-            [[0.1]],
-            [[2]],
-            [[3]],
-        )
+        titles = "__time;/joint_states/q1/position;/joint_states/q1/velocity;/joint_states/q1/effort;/cmd/q1/position"
+        loaded = self.load(tmp_path, f"{titles}\n0.5;0.1;2;3;9\n", "q1")
+        assert [loaded.positions, loaded.velocities, loaded.efforts] == [[[0.1]], [[2]], [[3]]]
         with pytest.raises(QuadrupedError, match=r"no column bears the name 'q2' \(--names\)"):
-            JointTrajectory.load(tmp_path / "a.csv", names=["q1", "q2"])
-        (tmp_path / "a.csv").write_text("t,pos_q1,q1\n0,1,2\n")
+            self.load(tmp_path, f"{titles}\n0.5;0.1;2;3;9\n", "q1", "q2")
         with pytest.raises(QuadrupedError, match=r"two columns hold the position of q1"):
-            JointTrajectory.load(tmp_path / "a.csv", names=["q1"])
+            self.load(tmp_path, "t,pos_q1,q1\n0,1,2\n", "q1")
 
     def test_dates_and_times_are_read_to_the_nanosecond(self, tmp_path):
-        (tmp_path / "a.csv").write_text("time,q\n1970-01-02T00:00:01.000000005,0\n1970-01-02 01:00:02.5+01:00,0\n")
+        rows = "1970-01-02T00:00:01.000000005,0\n1970-01-02 01:00:02.5+01:00,0\n"
         day = 86_400 * 10**9
-        assert JointTrajectory.load(tmp_path / "a.csv", names=["q"]).stamps.tolist() == [
-            day + 10**9 + 5,
-            day + 2_500_000_000,
-        ]
-        (tmp_path / "a.csv").write_text("time,q\n1970-13-02T00:00:01,0\n")
+        assert self.load(tmp_path, f"time,q\n{rows}", "q").stamps.tolist() == [day + 10**9 + 5, day + 2_500_000_000]
         with pytest.raises(QuadrupedError, match=r"line 2, time: '1970-13-02T00:00:01' is not a time in s"):
-            JointTrajectory.load(tmp_path / "a.csv", names=["q"])
+            self.load(tmp_path, "time,q\n1970-13-02T00:00:01,0\n", "q")
 
     def test_csv_without_a_time_needs_a_period(self, tmp_path):
-        (tmp_path / "a.csv").write_text("LF_hip_joint,LF_knee_joint\n0.1,0.2\n0.3,0.4\n")
+        text, joints = "LF_hip_joint,LF_knee_joint\n0.1,0.2\n0.3,0.4\n", ["LF_knee_joint"]
         with pytest.raises(QuadrupedError, match=r"no timestamps: .*\(period in the map, or --stamps 0\.02\)"):
-            JointTrajectory.load(tmp_path / "a.csv")
-        by_map = ColumnMap(None, ["LF_knee_joint"], period=0.02)
-        for options in (
-            {"stamps": 0.02},
-            {"columns": by_map},
-            {"columns": ColumnMap(None, ["LF_knee_joint"]), "stamps": "0.02"},
-        ):
-            assert JointTrajectory.load(tmp_path / "a.csv", **options).stamps.tolist() == [0, 20_000_000]
-        with pytest.raises(
-            QuadrupedError, match=r"period: expected a time of 1e-6 to 1e6 s, in place of stamp; found 0\.02"
-        ):
+            self.load(tmp_path, text)
+        by_map, without = ColumnMap(None, joints, period=0.02), ColumnMap(None, joints)
+        for options in ({"stamps": 0.02}, {"columns": by_map}, {"columns": without, "stamps": "0.02"}):
+            assert self.load(tmp_path, text, **options).stamps.tolist() == [0, 20_000_000]
+        with pytest.raises(QuadrupedError, match=r"period: expected .* 1e-6 to 1e6 s, in place of stamp; found 0\.02"):
             ColumnMap("t", ["a"], period=0.02)
 
 
-def test_convert_map_back_gives_the_motors_of_the_robot_that_the_map_describes(tmp_path, capsys):
-    joints = "".join(
-        f"[joints.{name}]\nsource = 'm{i}'\nsign = -1\nunit = 'deg'\n" for i, name in enumerate(JOINT_NAMES)
-    )
-    (tmp_path / "map.toml").write_text(joints)
+def test_convert_map_back_gives_the_motors_of_the_robot_that_the_map_describes(tmp_path):
+    rule = "[joints.{}]\nsource = 'm{}'\nsign = -1\nunit = 'deg'\n"
+    (tmp_path / "map.toml").write_text("".join(rule.format(name, i) for i, name in enumerate(JOINT_NAMES)))
     positions = np.linspace(-0.4, 0.4, 24).reshape(3, 8)
     JointTrajectory([0, 10, 20], JOINT_NAMES, positions).save(tmp_path / "a.csv")
-    assert (
-        main(["convert", str(tmp_path / "a.csv"), str(tmp_path / "b.csv"), "--map-back", str(tmp_path / "map.toml")])
-        == 0
-    )
-    sent = JointTrajectory.load(tmp_path / "b.csv", degrees=False)
+    files = [str(tmp_path / name) for name in ("a.csv", "b.csv", "map.toml")]
+    assert main(["convert", *files[:2], "--map-back", files[2]]) == 0
+    sent = JointTrajectory.load(files[1], degrees=False)
     assert sent.names == tuple(f"m{i}" for i in range(8))
     np.testing.assert_allclose(sent.positions, np.degrees(-positions))
-    again = JointTrajectory.load(tmp_path / "b.csv", joint_map=tmp_path / "map.toml")
+    again = JointTrajectory.load(files[1], joint_map=files[2])
     np.testing.assert_allclose(again.positions, positions, rtol=1e-15)

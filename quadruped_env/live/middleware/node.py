@@ -61,7 +61,8 @@ class Publisher:
         self.count = 0
         """Number of messages sent."""
         self._wire = wire_type(topic.type_name)
-        self._writer = DataWriter(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type))
+        self.entity = DataWriter(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type))
+        """The writer on DDS."""
 
     def send(self, message: Any) -> None:
         """Send a message of `quadruped_env.ros.cdr`. Raises a QuadrupedError if it is of another type."""
@@ -80,31 +81,22 @@ class Publisher:
         from cyclonedds.core import DDSException
 
         try:
-            self._writer.write(self._wire(data))
+            self.entity.write(self._wire(data))
         except DDSException as error:
             raise QuadrupedError(
                 f"{self.topic.name}: {len(data)} bytes could not be sent as a {self.topic.type_name}: {error}"
             ) from error
         self.count += 1
 
-    def delete(self) -> None:
-        """Leave the topic; see `Node.remove`."""
-        self._writer._delete(self._writer._ref)
-
-    @property
-    def guid(self) -> bytes:
-        """Key of the writer on DDS (16 bytes)."""
-        return bytes(self._writer.guid.bytes)
-
     @property
     def readers(self) -> int:
         """Number of matched subscriptions."""
-        return len(self._writer.get_matched_subscriptions())
+        return len(self.entity.get_matched_subscriptions())
 
     def wait_until_read(self, seconds: float) -> bool:
         """Wait until every reliable reader has acknowledged all messages. Returns False on timeout."""
         try:
-            return bool(self._writer.wait_for_acks(round(seconds * NS_PER_SECOND)))
+            return bool(self.entity.wait_for_acks(round(seconds * NS_PER_SECOND)))
         except AttributeError:
             # cyclonedds 11.0.1 fails with this error on a timeout: it looks up the return code in the wrong class.
             return False
@@ -125,15 +117,13 @@ class Subscription(Generic[T]):
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
         """Latencies from sending to taking of the last messages, s. Between machines they include the clock offset."""
         self._read = read
-        self._reader = DataReader(
-            participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own)
-        )
-        self.condition = ReadCondition(self._reader, ViewState.Any | InstanceState.Any | SampleState.NotRead)
+        self.entity = DataReader(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own))
+        self.condition = ReadCondition(self.entity, ViewState.Any | InstanceState.Any | SampleState.NotRead)
 
     def take(self) -> list[Received]:
         """All messages received since the last call, in order of arrival."""
         taken: list[Received] = []
-        while samples := self._reader.take(_TAKEN):
+        while samples := self.entity.take(_TAKEN):
             # Read the clock after the call, which may have been delayed, so that no message seems younger than it is.
             now, at = time.time_ns(), time.monotonic()
             for sample in samples:
@@ -186,19 +176,10 @@ class Subscription(Generic[T]):
             reason = f"{len(received.data)} bytes cannot be read: {type(error).__name__}: {error}"
         raise QuadrupedError(f"{self.topic.name}: {reason.removeprefix(f'{self.constant_name}: ')}")
 
-    def delete(self) -> None:
-        """Leave the topic; see `Node.remove`."""
-        self._reader._delete(self._reader._ref)
-
-    @property
-    def guid(self) -> bytes:
-        """Key of the reader on DDS (16 bytes)."""
-        return bytes(self._reader.guid.bytes)
-
     @property
     def writers(self) -> int:
         """Number of matched publishers."""
-        return len(self._reader.get_matched_publications())
+        return len(self.entity.get_matched_publications())
 
     @property
     def latency(self) -> float | None:
@@ -244,23 +225,15 @@ class Node:
         return publisher
 
     @overload
-    def subscribe(
-        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, exact: bool = False
-    ) -> Subscription[Any]: ...
+    def subscribe(self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False) -> Subscription[Any]: ...
 
     @overload
     def subscribe(
-        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, read: Read[T], exact: bool = False
+        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, read: Read[T]
     ) -> Subscription[T]: ...
 
     def subscribe(
-        self,
-        topic: Topic,
-        qos: Qos | None = None,
-        ignore_own: bool = False,
-        *,
-        read: Read[Any] | None = None,
-        exact: bool = False,
+        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, read: Read[Any] | None = None
     ) -> Subscription[Any]:
         """Create a subscription to a topic.
 
@@ -269,12 +242,10 @@ class Node:
             qos: requested quality of service; by default the topic's.
             ignore_own: ignore messages that this node itself publishes.
             read: decodes the CDR bytes; by default to messages of `quadruped_env.ros.cdr`; `bytes` keeps them.
-            exact: True if namespace and remapping do not apply to the topic's name.
         """
         if read is None:
             read = message_reader(topic, lambda message: message)
-        used = topic if exact else self.names.resolved(topic)
-        subscription = Subscription(self._participant, used, qos or topic.qos, read, ignore_own)
+        subscription = Subscription(self._participant, self.names.resolved(topic), qos or topic.qos, read, ignore_own)
         subscription.constant_name = topic.name
         self.subscriptions.append(subscription)
         self._waitset.attach(subscription.condition)
@@ -288,19 +259,23 @@ class Node:
         else:
             self._waitset.detach(end.condition)
             self.subscriptions.remove(end)
-        end.delete()
+        end.entity._delete(end.entity._ref)
         self._announce()
 
     def _announce(self) -> None:
         """Send the node's name and its publishers and subscriptions, as ROS 2's middleware does."""
+
+        def gid(entity: Any) -> dict[str, Any]:
+            return {"data": [*entity.guid.bytes]}
+
         info = {
             "node_namespace": self.names.namespace,
             "node_name": self.name,
-            "reader_gid_seq": [{"data": [*one.guid]} for one in self.subscriptions],
-            "writer_gid_seq": [{"data": [*one.guid]} for one in self.publishers],
+            "reader_gid_seq": [gid(one.entity) for one in self.subscriptions],
+            "writer_gid_seq": [gid(one.entity) for one in self.publishers],
         }
-        gid = {"data": [*self._participant.guid.bytes]}
-        self._info.send(cdr.message(DISCOVERY_INFO.type_name, gid=gid, node_entities_info_seq=[info]))
+        process = gid(self._participant)
+        self._info.send(cdr.message(DISCOVERY_INFO.type_name, gid=process, node_entities_info_seq=[info]))
 
     def wait(self, seconds: float) -> bool:
         """Wait for a message, with a timeout in s. Returns True if a message is available."""

@@ -4,7 +4,7 @@ import itertools
 import math
 import uuid
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Final
 
 from quadruped_env.live.middleware.topics import ros_name
@@ -15,18 +15,6 @@ _TAKEN: Final = 256
 _LIVELINESS: Final = ("Automatic", "ManualByParticipant", "ManualByTopic")
 """Kinds of liveliness; a request for one is met by that one and the later ones."""
 _NAMELESS: Final = "a process that gives no name"
-
-
-@dataclass(frozen=True)
-class Timing:
-    """Deadline and liveliness of an endpoint; the defaults ask for nothing."""
-
-    deadline: float = math.inf
-    """Maximum time between messages, s."""
-    liveliness: int = 0
-    """Index in `_LIVELINESS`."""
-    lease: float = math.inf
-    """Time after which a publisher that does not assert its liveliness counts as gone, s."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +35,12 @@ class Endpoint:
     """Key of the participant that owns it."""
     key: str = ""
     """Key of the endpoint, under which its process announces the node that it belongs to."""
-    timing: Timing = Timing()
+    deadline: float = math.inf
+    """Maximum time between messages, s."""
+    lease: float = math.inf
+    """Time after which a publisher that does not assert its liveliness counts as gone, s."""
+    liveliness: int = 0
+    """Index in `_LIVELINESS`."""
     structure: str = ""
     """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
@@ -177,7 +170,7 @@ class Graph:
                         one.sample_info.instance_handle,
                         str(one.participant_key),
                         key,
-                        _read_timing(one.qos),
+                        *_read_timing(one.qos),
                         _structure(one.type_id),
                     )
 
@@ -209,39 +202,36 @@ def _read_type_hash(qos: Any) -> str:
     return ""
 
 
-def _read_timing(qos: Any) -> Timing:
+def _read_timing(qos: Any) -> tuple[float, float, int]:
+    """Deadline, lease and liveliness of a discovered endpoint."""
     from cyclonedds.util import duration
 
     def seconds(nanoseconds: int) -> float:
         return math.inf if nanoseconds >= duration(infinite=True) else nanoseconds / NS_PER_SECOND
 
-    found = Timing()
+    deadline, lease, liveliness = math.inf, math.inf, 0
     for policy in qos:
         if policy.__scope__ == "Deadline":
-            found = replace(found, deadline=seconds(policy.deadline))
+            deadline = seconds(policy.deadline)
         elif policy.__scope__ == "Liveliness":
-            kind = type(policy).__name__.rpartition(".")[2]
-            found = replace(found, liveliness=_LIVELINESS.index(kind), lease=seconds(policy.lease_duration))
-    return found
+            liveliness = _LIVELINESS.index(type(policy).__name__.rpartition(".")[2])
+            lease = seconds(policy.lease_duration)
+    return deadline, lease, liveliness
 
 
 def _incompatible(writer: Endpoint, reader: Endpoint) -> str:
     """The reason why a reader receives nothing from a writer; empty if their QoS is compatible."""
-    offered, requested, reasons = writer.qos, reader.qos, []
-    if requested.reliable and not offered.reliable:
-        reasons.append("the reader requests reliable delivery, the writer offers best effort")
-    if requested.transient_local and not offered.transient_local:
-        reasons.append("the reader requests transient local (latched), the writer offers volatile")
-    for name, offer, request in (
-        ("a deadline", writer.timing.deadline, reader.timing.deadline),
-        ("a liveliness lease", writer.timing.lease, reader.timing.lease),
-    ):
-        if request < offer:
-            reasons.append(f"the reader requests {name} of {request:g} s, the writer offers {_seconds(offer)}")
-    if reader.timing.liveliness > writer.timing.liveliness:
-        kinds = (_LIVELINESS[one.timing.liveliness] for one in (reader, writer))
-        reasons.append("the reader requests liveliness {}, the writer offers {}".format(*kinds))
-    return " and ".join(reasons)
+    kinds = [_LIVELINESS[one.liveliness] for one in (reader, writer)]
+    checks = [
+        (reader.qos.reliable > writer.qos.reliable, "reliable delivery", "best effort"),
+        (reader.qos.transient_local > writer.qos.transient_local, "transient local (latched)", "volatile"),
+        (reader.deadline < writer.deadline, f"a deadline of {reader.deadline:g} s", _seconds(writer.deadline)),
+        (reader.lease < writer.lease, f"a liveliness lease of {reader.lease:g} s", _seconds(writer.lease)),
+        (reader.liveliness > writer.liveliness, f"liveliness {kinds[0]}", kinds[1]),
+    ]
+    return " and ".join(
+        f"the reader requests {requested}, the writer offers {offered}" for fails, requested, offered in checks if fails
+    )
 
 
 def _seconds(time: float) -> str:

@@ -1,6 +1,7 @@
 """Built-in randomizations: what is drawn, by which law, in which unit, and what the ranges of the presets rest on."""
 
 import math
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -10,7 +11,7 @@ from quadruped_env.robot.motors import MAX_DELAY
 from quadruped_env.robot.robot import Robot
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.model_fields import ModelField, MotorField, Payload
-from quadruped_env.task.randomization.randomization import Randomization, SensorError, ServoError
+from quadruped_env.task.randomization.randomization import Randomization, SensorError
 from quadruped_env.utils.parameters import Parameter
 
 Floats = NDArray[np.float64]
@@ -76,6 +77,11 @@ def _rotating_push(event: Event, values: Floats) -> None:
 
 def _force(event: Event, values: Floats) -> None:
     event.simulation.set_force(event.env_ids, _horizontal(values))
+
+
+def _worsen_servos(quantity: str, event: Event, values: Floats) -> None:
+    assert event.servos is not None
+    event.servos.add(quantity, event.env_ids, values)
 
 
 def _horizontal(values: Floats) -> Floats:
@@ -293,7 +299,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "target_step",
-        ServoError("target_step"),
+        partial(_worsen_servos, "target_step"),
         None,
         "rad",
         valid=_SMALL_ANGLE,
@@ -302,7 +308,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "backlash",
-        ServoError("backlash"),
+        partial(_worsen_servos, "backlash"),
         None,
         "rad",
         "joints",
@@ -312,7 +318,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "dead_band",
-        ServoError("dead_band"),
+        partial(_worsen_servos, "dead_band"),
         None,
         "rad",
         "joints",

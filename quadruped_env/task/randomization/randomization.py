@@ -14,7 +14,6 @@ from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.event import Apply, Bindable, Event
 from quadruped_env.task.randomization.model_fields import ModelField, check_choice
 from quadruped_env.task.randomization.sensor_errors import Quantity
-from quadruped_env.task.randomization.servo_errors import ServoQuantity
 from quadruped_env.utils.parameters import Parameter, is_quantity
 
 Floats = NDArray[np.float64]
@@ -59,44 +58,14 @@ class SensorError:
 
 
 @dataclass(frozen=True)
-class ServoError:
-    """Randomizes an error with which the servos follow their targets, on top of that of the motors: see `ServoErrors`.
-
-    Args:
-        quantity: `target_step`, `backlash` or `dead_band` in rad; one value per joint, or one for all.
-    """
-
-    quantity: ServoQuantity
-
-    def __post_init__(self) -> None:
-        check_choice("ServoError: quantity", self.quantity, get_args(ServoQuantity))
-
-    def bind(self, simulation: Simulation, width: int) -> Apply:
-        """Function for a simulation.
-
-        Raises:
-            QuadrupedError: if there is neither one value nor one per joint.
-        """
-        joints = simulation.robot.num_joints
-        if width not in (1, joints):
-            raise QuadrupedError(f"ServoError({self.quantity!r}): {width} values; width must be 1 or {joints}")
-        return self
-
-    def __call__(self, event: Event, values: Floats) -> None:
-        """Set the quantity in the envs of an event."""
-        assert event.servos is not None
-        event.servos.add(self.quantity, event.env_ids, values)
-
-
-@dataclass(frozen=True)
 class Randomization:
     """A quantity that is drawn at every reset, or at intervals within an episode."""
 
     name: str
     """Name of the randomization, and of its field in `config["randomization"]`."""
     apply: Apply | Bindable | tuple[ModelField, ...]
-    """Function (event, values (R, width)); or a `ModelField`, several that receive the same values, a
-    `SensorError` or a `ServoError`."""
+    """Function (event, values (R, width)); or a `ModelField`, several that receive the same values, or a
+    `SensorError`."""
     default: Range | float | None
     """Range to draw from; a number x stands for (-x, x), and None or 0 disables the randomization."""
     unit: str = "1"

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.command_sampling import CommandSampler
 from quadruped_env.task.randomization.draws import Draws, Purposes
@@ -17,7 +18,6 @@ from quadruped_env.task.randomization.randomization import (
     Active,
     Randomization,
     SensorError,
-    ServoError,
     ends_of,
     in_steps,
     is_active,
@@ -179,7 +179,7 @@ def _sensors(simulation: Simulation, config: TaskConfig, active: Sequence[Random
 
 
 def _servos(simulation: Simulation, config: TaskConfig, active: Sequence[Randomization]) -> ServoErrors | None:
-    """Errors of the servos, of the motors or of an active randomization; None if there are none."""
+    """Errors of the servos, of the motors or of an active built-in randomization; None if there are none."""
     of_motors = any(errors.any() for errors in config.motor.servo_errors(config.robot.joint_kinds))
-    randomized = any(isinstance(randomization.apply, ServoError) for randomization in active)
+    randomized = any(randomization.name in SERVO_ERRORS for randomization in active)
     return ServoErrors(simulation, config.motor) if of_motors or randomized else None

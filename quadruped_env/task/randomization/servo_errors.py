@@ -1,7 +1,5 @@
 """Errors with which position servos follow their joint targets: steps of the input, backlash, dead band."""
 
-from typing import Literal
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,7 +9,6 @@ from quadruped_env.simulation import Simulation
 from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
-ServoQuantity = Literal["target_step", "backlash", "dead_band"]
 
 
 class ServoErrors:
@@ -27,22 +24,22 @@ class ServoErrors:
     def __init__(self, simulation: Simulation, motors: MotorConfig) -> None:
         robot, like = simulation.robot, simulation.sensordata
         self.memory = EpisodeMemory(simulation.num_envs, like)
-        errors = zip(SERVO_ERRORS, motors.servo_errors(robot.joint_kinds), strict=True)
-        self._least: dict[str, Floats] = {name: frozen(values) for name, values in errors}
+        self._least: list[Floats] = [frozen(values) for values in motors.servo_errors(robot.joint_kinds)]
         self._values: list[Floats] = [self.memory.zeros(name, robot.num_joints) for name in SERVO_ERRORS]
         self._play: Floats = self.memory.zeros("play", robot.num_joints)
 
     def clear(self, env_ids: NDArray[np.intp]) -> None:
         """Set the errors of some envs (R,) to those of the motors."""
-        for values, least in zip(self._values, self._least.values(), strict=True):
+        for values, least in zip(self._values, self._least, strict=True):
             values[env_ids] = least
 
-    def add(self, quantity: ServoQuantity, env_ids: NDArray[np.intp], values: Floats) -> None:
+    def add(self, quantity: str, env_ids: NDArray[np.intp], values: Floats) -> None:
         """Set an error of some envs (R,) to that of the motors and values (R, 1) or (R, J) in rad more."""
-        self._values[SERVO_ERRORS.index(quantity)][env_ids] = self._least[quantity] + values
+        i = SERVO_ERRORS.index(quantity)
+        self._values[i][env_ids] = self._least[i] + values
 
     def start(self, env_ids: NDArray[np.intp], position: Floats) -> None:
-        """Begin episodes of some envs (R,) with joints at measured positions (R, J) in rad."""
+        """Let the gears of some envs (R,) begin at measured joint positions (R, J) in rad."""
         self._play[env_ids] = position
 
     def joint_target(self, target: Floats, position: Floats) -> Floats:

@@ -16,7 +16,7 @@ from quadruped_env.trajectory.file_reading import KEEP, Reading
 from quadruped_env.trajectory.formats import salvage
 from quadruped_env.trajectory.formats.echo_text import yaml_module
 from quadruped_env.trajectory.formats.message_rows import assembled
-from quadruped_env.trajectory.formats.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topics
+from quadruped_env.trajectory.formats.salvage import DIRECTORY, ROS1, choose_topics
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
 from quadruped_env.trajectory.formats.salvage.sqlite3_scanner import unapplied
 from quadruped_env.trajectory.rows import Rows
@@ -28,29 +28,14 @@ _MAX_METADATA: Final = 1_000_000
 _MESSAGES_PER_UPDATE: Final = 1000
 
 
-def read_rosbag2(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a rosbag2 directory, not validated.
+def read(reading: Reading, storage: str) -> Iterator[Rows]:
+    """The joint states of a rosbag2 directory, of a bare MCAP or sqlite3 file, or of a ROS 1 bag, not validated.
 
     Raises:
         QuadrupedError: if the bag is damaged.
         MissingExtraError: if rosbags is not installed.
     """
-    return assembled(_messages(reading, DIRECTORY), reading, is_text=False)
-
-
-def read_mcap(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a bare MCAP file; see `read_rosbag2`."""
-    return assembled(_messages(reading, MCAP), reading, is_text=False)
-
-
-def read_sqlite3(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a bare sqlite3 file; see `read_rosbag2`."""
-    return assembled(_messages(reading, SQLITE3), reading, is_text=False)
-
-
-def read_ros1(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a ROS 1 bag; see `read_rosbag2`."""
-    return assembled(_messages(reading, ROS1), reading, is_text=False)
+    return assembled(_messages(reading, storage), reading, is_text=False)
 
 
 def _messages(reading: Reading, storage: str) -> Iterator[tuple[int, list[RawJointState]]]:
@@ -93,7 +78,6 @@ def _irregular(reading: Reading, storage: str) -> bool:
     if not metadata.exists():
         reading.note(f"there is no {METADATA_FILE}: the storage files were read without it")
         return True
-    _check_metadata(metadata)
     named = _named_files(metadata)
     there = [file.name for file in files]
     missing = [name for name in named if name not in there]
@@ -161,53 +145,40 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
     return reader
 
 
-def _check_metadata(path: Path) -> None:
-    """Raise a QuadrupedError if the metadata would keep rosbags busy for long; it reports other damage itself."""
+def _named_files(path: Path) -> list[str]:
+    """Names of the files in the metadata; rosbags looks for all of them in the bag's own directory.
+
+    None if the metadata are damaged, which rosbags reports.
+
+    Raises:
+        QuadrupedError: if they would keep rosbags busy for long, or make it read a file twice.
+    """
     yaml = yaml_module()
+    names: list[str] = []
+    depth, deepest = 0, 0
     try:
         text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return
-    problem = f"over {_MAX_METADATA} characters" if len(text) > _MAX_METADATA else ""
-    depth = 0
-    try:
-        for event in () if problem else yaml.parse(text, yaml.CSafeLoader):
-            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-            if depth > MAX_DEPTH:
-                problem = f"nested deeper than {MAX_DEPTH} levels"
-                break
-        if not problem:
-            problem = _repeated_file(yaml.load(text, yaml.CBaseLoader))
-    except yaml.YAMLError:
-        return
-    if problem:
-        raise QuadrupedError(
-            f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or keep what can be read "
-            f"(--salvage)"
-        )
-
-
-def _repeated_file(metadata: Any) -> str:
-    """Description of a file that is named twice, which rosbags would read twice; empty without one."""
-    names = _names_in(metadata)
-    repeated = next((name for name, count in Counter(names).items() if count > 1), None)
-    return "" if repeated is None else f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times"
-
-
-def _names_in(metadata: Any) -> list[str]:
-    """Names of the files in metadata; rosbags looks for all of them in the bag's own directory."""
-    section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
-    paths = section.get("relative_file_paths") if isinstance(section, dict) else None
-    return [PurePath(path).name for path in paths if isinstance(path, str)] if isinstance(paths, list) else []
-
-
-def _named_files(path: Path) -> list[str]:
-    """Names of the files in a metadata file; none if it is damaged, which rosbags reports."""
-    yaml = yaml_module()
-    try:
-        return _names_in(yaml.load(path.read_text(encoding="utf-8"), yaml.CBaseLoader))
+        if len(text) <= _MAX_METADATA:
+            for event in yaml.parse(text, yaml.CSafeLoader):
+                depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+                deepest = max(deepest, depth)
+            metadata = yaml.load(text, yaml.CBaseLoader) if deepest <= MAX_DEPTH else None
+            section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
+            paths = section.get("relative_file_paths") if isinstance(section, dict) else None
+            names = [PurePath(one).name for one in paths if isinstance(one, str)] if isinstance(paths, list) else []
     except (OSError, UnicodeDecodeError, yaml.YAMLError):
         return []
+    repeated = next((name for name, count in Counter(names).items() if count > 1), "")
+    for problem, wrong in (
+        (f"over {_MAX_METADATA} characters", len(text) > _MAX_METADATA),
+        (f"nested deeper than {MAX_DEPTH} levels", deepest > MAX_DEPTH),
+        (f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times", repeated != ""),
+    ):
+        if wrong:
+            raise QuadrupedError(
+                f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or {KEEP}"
+            )
+    return names
 
 
 def _check_connection(connection: Any, reading: Reading) -> None:

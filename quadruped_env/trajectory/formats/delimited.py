@@ -12,7 +12,6 @@ from typing import Final, TextIO
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading, salvaged
 from quadruped_env.trajectory.rows import KINDS, Rows
 from quadruped_env.utils.documents import check_regular
@@ -31,7 +30,7 @@ class Layout:
     titles: Sequence[str]
     """Names of all columns, for error messages"""
     stamp: int | None
-    """Index of the column of the timestamp; None without one"""
+    """Index of the column of the timestamp; without one, rows are 1 ns apart"""
     parse_stamp: StampParser
     stamp_form: str
     """Description of a valid timestamp, for error messages"""
@@ -43,8 +42,6 @@ class Layout:
     """Numbers that mark a missing value"""
     blanks: tuple[str, ...] = ()
     """Texts that mark a missing value"""
-    period: float = 0.0
-    """Time from row to row, s, without a column of the timestamp"""
 
 
 @contextmanager
@@ -116,10 +113,7 @@ def table_rows(table: Iterable[tuple[int, list[str]]], layout: Layout, reading: 
                 )
             reading.rows += 1
             try:
-                if layout.stamp is None:
-                    stamps.append(round((reading.rows - 1) * layout.period * NS_PER_SECOND))
-                else:
-                    stamps.append(layout.parse_stamp(cells[layout.stamp]))
+                stamps.append(reading.rows - 1 if layout.stamp is None else layout.parse_stamp(cells[layout.stamp]))
                 values.extend(map(parse, [cells[column] for column in used]))
             except (ValueError, OverflowError):
                 raise _bad_cell(cells, layout, used, number, reading) from None

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import short
-from quadruped_env.robot import JOINT_NAMES
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import (
@@ -53,14 +53,12 @@ def read(reading: Reading, columns: ColumnMap | None = None) -> Iterator[Rows]:
     """
     columns = columns or reading.options.columns
     assert columns is not None
-    if columns.stamp is None and columns.period is None:
-        if reading.options.period is None:
-            raise reading.error(
-                None,
-                f"{columns.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
-                f"(period in the map, or --stamps 0.02)",
-            )
-        columns = replace(columns, period=reading.options.period)
+    if columns.stamp is None and reading.options.period is None:
+        raise reading.error(
+            None,
+            f"{columns.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
+            f"(period in the map, or --stamps 0.02)",
+        )
     velocity_file = (columns.velocity_files or {}).get(reading.path.name)
     if velocity_file is None:
         return salvaged_text(_rows(reading, columns), reading)
@@ -74,7 +72,7 @@ def by_titles(line: str, reading: Reading) -> ColumnMap | None:
     the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or
     is s.
     """
-    names = reading.options.names or JOINT_NAMES
+    names = reading.options.names or MINI_QUADRUPED.joint_names
     patterns = {name: re.compile(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])") for name in names}
     for separator in ",;\t":
         titles = [title.strip().strip('"') for title in line.rstrip("\n").split(separator)]
@@ -173,7 +171,6 @@ def _layout(titles: list[str], columns: ColumnMap, reading: Reading) -> Layout:
     return Layout(
         titles=titles,
         stamp=None if columns.stamp is None else index("stamp", columns.stamp),
-        period=columns.period or 0.0,
         parse_stamp=_stamp_parser(STAMP_UNITS[columns.stamp_unit]),
         stamp_form=f"a time in {columns.stamp_unit}",
         columns={

@@ -29,16 +29,15 @@ def read(reading: Reading) -> Iterator[Rows]:
     duration, frames = (document.get(key) for key in (DURATION, "Frames")) if isinstance(document, dict) else (0, 0)
     if isinstance(duration, bool) or not isinstance(duration, (int, float)) or not 1e-6 <= duration <= 1e6:
         raise reading.error(None, f"{DURATION}: expected a time from 1e-6 to 1e6 s; found {short(duration)}")
-    if not isinstance(frames, list) or not frames:
-        raise reading.error(None, f"Frames: expected a list of lists of numbers; found {short(frames)}")
-    width = len(frames[0]) if isinstance(frames[0], list) else 0
-    for number, frame in enumerate(frames):
-        if not isinstance(frame, list) or len(frame) != width or not all(type(one) in {int, float} for one in frame):
-            raise reading.error(number, f"expected {width} numbers, as in frame 0; found {short(frame)}; fix it")
-    table = np.array(frames, dtype=np.float64)
+    try:
+        table = np.array(frames)
+    except ValueError:  # lists of different lengths
+        table = np.empty(0)
+    if table.ndim != 2 or table.dtype.kind not in "if":
+        raise reading.error(None, f"Frames: expected lists of as many numbers each; found {short(frames)}")
     reading.rows = len(table)
-    names, columns = _columns(reading, width)
-    values = {kind: table[:, indices] for kind, indices in columns.items()}
+    names, columns = _columns(reading, table.shape[1])
+    values = {kind: table[:, indices].astype(np.float64) for kind, indices in columns.items()}
     stamps = np.rint(np.arange(len(table)) * (duration * NS_PER_SECOND)).astype(np.int64)
     yield Rows(np.arange(len(table)), stamps, names, values)
 

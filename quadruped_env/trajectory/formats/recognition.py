@@ -24,9 +24,9 @@ _KNOWN: Final = (
     "echo (YAML and --csv), rosbag2 (MCAP and sqlite3) and ROS 1 bags, motion clips (JSON with FrameDuration)"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
-    b"\x89MCAP0": bag_reader.read_mcap,
-    b"SQLite format 3\x00": bag_reader.read_sqlite3,
-    b"#ROSBAG V2.0": bag_reader.read_ros1,
+    b"\x89MCAP0": partial(bag_reader.read, storage=salvage.MCAP),
+    b"SQLite format 3\x00": partial(bag_reader.read, storage=salvage.SQLITE3),
+    b"#ROSBAG V2.0": partial(bag_reader.read, storage=salvage.ROS1),
     project_csv.STAMP_COLUMN.encode(): project_csv.read,
     b"\xef\xbb\xbf" + project_csv.STAMP_COLUMN.encode(): project_csv.read,
 }
@@ -77,7 +77,7 @@ def _reader(head: bytes, reading: Reading) -> Reader:
     if reading.path.is_dir():
         if not salvage.storage_files(reading.path):
             raise reading.error(None, "the directory is not a bag; expected metadata.yaml and .mcap or .db3 files")
-        return bag_reader.read_rosbag2
+        return partial(bag_reader.read, storage=salvage.DIRECTORY)
     for magic, reader in _MAGICS.items():
         if head.startswith(magic):
             line = head.partition(b"\n")[0].decode("utf-8-sig", errors="replace")

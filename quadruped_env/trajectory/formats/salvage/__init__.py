@@ -92,15 +92,14 @@ def choose_topics(types: Mapping[str, str], reading: Reading) -> dict[str, str]:
         raise reading.error(None, f"no topic of type {_short_name(JOINT_STATE)}; the types in it are: {found}")
     best = min(known.values(), key=RECORDED_TYPES.index)
     topics = [topic for topic, name in known.items() if name == best]
-    if len(topics) > 1 and DEFAULT_TOPIC not in topics:
-        raise reading.error(
-            None, f"several topics of type {_short_name(best)}; name one (--topic): {', '.join(topics)}"
-        )
-    chosen = topics[0] if len(topics) == 1 else DEFAULT_TOPIC
-    if len(topics) > 1:
-        others = ", ".join(topic for topic in topics if topic != chosen)
-        reading.note(f"read {chosen}; there are joint states on {others} too (--topic)")
-    return {chosen: best}
+    if len(topics) == 1:
+        return {topics[0]: best}
+    if DEFAULT_TOPIC not in topics:
+        several = f"several topics of type {_short_name(best)}; name one (--topic): {', '.join(topics)}"
+        raise reading.error(None, several)
+    others = ", ".join(topic for topic in topics if topic != DEFAULT_TOPIC)
+    reading.note(f"read {DEFAULT_TOPIC}; there are joint states on {others} too (--topic)")
+    return {DEFAULT_TOPIC: best}
 
 
 def _full_name(name: str) -> str:
