@@ -104,7 +104,11 @@ def parse_echo(path):
     names = rows[0][3:5]
     groups = [[row[5:7] for row in rows], [row[7:9] for row in rows], [row[9:11] for row in rows]]
     order = [[row[3:5].index(name) for name in names] for row in rows]
-    arrays = [np.array([[float(g[i]) for i in o] for g, o in zip(group, order, strict=True)]) for group in groups]
+    arrays = [
+        # A file that is cut off after the velocities of its only line has no efforts.
+        None if group == [[""]] else np.array([[float(g[i]) for i in o] for g, o in zip(group, order, strict=True)])
+        for group in groups
+    ]
     return built([int(row[0]) * 10**9 + int(row[1]) for row in rows], names, *arrays)
 
 
