@@ -2,7 +2,9 @@
 import quadruped_env  # noqa: F401  # isort: skip
 
 import functools
+import io
 import os
+import threading
 
 import browser
 import domains
@@ -98,6 +100,33 @@ def start(domain_id, tmp_path):
     """Function that starts live nodes on the test's domain: `start("sim", "--seed", "1")`."""
     with live_nodes.launcher(tmp_path) as start:
         yield start
+
+
+@pytest.fixture
+def run_node(domain_id):
+    """Function that runs a live node in a thread until the test ends: `run_node("controller")` returns its log."""
+    from quadruped_env.live.__main__ import make_parser
+    from quadruped_env.live.nodes import node_module
+    from quadruped_env.live.session import Session
+
+    threads = []
+
+    def run(*arguments):
+        args, log = make_parser().parse_args(arguments), io.StringIO()
+        session = Session(args.node, args, log)
+
+        def target():
+            with session:
+                node_module(args.node).run(session, args)
+
+        threads.append((session, threading.Thread(target=target)))
+        threads[-1][1].start()
+        return log
+
+    yield run
+    for session, thread in threads:
+        session.stop()
+        thread.join()
 
 
 @pytest.fixture(scope="session")

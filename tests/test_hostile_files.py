@@ -27,7 +27,9 @@ from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.aggregate import aggregate
 from quadruped_env.evaluation.suite.suite import ranked, read_references, read_results
 from quadruped_env.export.folder import check_output, evaluation_of
+from quadruped_env.export.golden_trace import TRACE_FILE
 from quadruped_env.export.manifest import FORMAT
+from quadruped_env.export.trace_check import ExportedTrace
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.reporting.pages.learning import half_way
 from quadruped_env.reporting.plots.learning_plots import read_progress
@@ -139,6 +141,16 @@ def prepare_subject(directory):
     (directory / sim2sim.RESULTS_FILE).write_text(json.dumps(document))
 
 
+def prepare_export(directory):
+    """Manifest and golden trace of an export, with two fields."""
+    field = {"part": "result", "width": 2, "unit": "1", "tolerance": 1e-4, "description": ""}
+    trace = {"file": TRACE_FILE, "fields": [{**field, "name": "action"}, {**field, "name": "joint_target"}]}
+    document = {"format": FORMAT, "golden_trace": trace, "control": {"timestep_s": 0.02}}
+    rates = {"components": [{"largest_rate": 1.0}, {"largest_rate": 4.0}]}
+    (directory / "manifest.json").write_text(json.dumps({**document, "command": rates}))
+    (directory / TRACE_FILE).write_text("step,action_0,action_1,joint_target_0,joint_target_1\n0,1,nan,-1e-3,0.5\n")
+
+
 TERMS = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    return context.base_height\n"
 MOTORS = json.dumps({"motor": TaskConfig().to_dict()["motor"]})
 COLUMNS = '[columns]\nstamp = "t"\nstamp_unit = "s"\npositions = ["a", "b"]\nmissing = [-1]\n'
@@ -147,6 +159,7 @@ SPACE = "[learning_rate]\nlow = 1e-4\nhigh = 1e-2\nlog = true\n[task.reward.weig
 SPACE_JSON = '{"gamma": {"low": 0.9, "high": 0.99}, "task.reward.weights": {"foot_slip": {"choices": [-1, 0]}}}'
 ROW = {name: SUITE_RESULTS[name] for name in ("suite", "conditions", "name")} | {"score": SCORE}
 TASK = json.dumps({"decimation": 4, "reward": {"weights": {"upright": -1.0}}, "command": {"yaw_rate": [-0.4, 0.4]}})
+CLIP = '{"FrameDuration": 0.02, "Frames": [[0.1, 0.2], [0.3, 0.4]]}'
 TABLE = "t,q\n0.0,1.5\n0.1,1.25\n"
 
 READERS = {
@@ -179,6 +192,8 @@ READERS = {
     "export": Reader(
         "manifest.json", lambda path: check_output(path.parent, True), sound=json.dumps({"format": FORMAT})
     ),
+    "golden trace": Reader(TRACE_FILE, lambda path: ExportedTrace.load(path.parent), prepare_export),
+    "traced export": Reader("manifest.json", lambda path: ExportedTrace.load(path.parent), prepare_export),
     "space": Reader("space.toml", lambda path: read_space(path, TaskConfig().to_dict()), sound=SPACE),
     "space as JSON": Reader("space.json", lambda path: read_space(path, TaskConfig().to_dict()), sound=SPACE_JSON),
     "columns": Reader("columns.toml", ColumnMap.load, sound=COLUMNS),
@@ -188,6 +203,7 @@ READERS = {
     "table": Reader(
         "a.csv", lambda path: JointTrajectory.load(path, columns=path.with_name("map.toml")), prepare_map, TABLE
     ),
+    "clip": Reader("clip.json", lambda path: JointTrajectory.load(path, names=["a", "b"]), sound=CLIP),
     "metadata": Reader("bag/metadata.yaml", lambda path: JointTrajectory.load(path.parent), prepare_bag),
     "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, salvage=True), prepare_bag),
     "tensors": Reader(TENSORS_FILE, lambda path: read_policy(path.parent), prepare_policy),
@@ -196,7 +212,8 @@ READERS = {
 BINARY = ("tensors", "storage")
 """Readers of binary files; tests/trajectory/test_formats_fuzz.py mutates bags."""
 
-JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON")
+JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON", "clip")
+JSON += ("traced export",)
 TOML = ("columns", "joints", "space")
 READ_BY = {
     "cli/train.py": ("task",),
@@ -206,7 +223,9 @@ READ_BY = {
     "utils/documents.py": JSON,
     "evaluation/evaluated_policy.py": ("recipe",),
     "evaluation/suite/suite.py": ("references", "suite"),
+    "export/c_source.py": "a file of this package",
     "export/folder.py": ("export", "metrics"),
+    "export/trace_check.py": ("golden trace", "traced export"),
     "utils/files.py": "a file that it has just written",
     "utils/provenance.py": "/proc/cpuinfo",
     "replay/motors_file.py": ("motors",),
@@ -226,6 +245,7 @@ READ_BY = {
     "trajectory/formats/bag_reader.py": ("metadata", "storage"),
     "trajectory/formats/bag_writer.py": "a file that it has just written",
     "trajectory/formats/delimited.py": ("recording", "table"),
+    "trajectory/formats/motion_clip.py": ("clip",),
     "trajectory/formats/recognition.py": ("recording",),
     "trajectory/formats/salvage/__init__.py": ("salvaged",),
     "trajectory/formats/salvage/mcap_scanner.py": ("storage",),
@@ -323,6 +343,14 @@ CONTENTS = {
         "small types": tensors(a={"dtype": "F8_E4M3", "shape": [16], "data_offsets": [0, 16]}),
         "deep header": struct.pack("<Q", DEEP) + b"[" * DEEP,
         "endless header": struct.pack("<Q", 2**63) + b"{}",
+    },
+    ("golden trace",): {
+        "columns of megabytes": ",".join(f"column {i}" for i in range(300_000)) + "\n0\n",
+        "megabytes in a cell": f"step,action_0,action_1,joint_target_0,joint_target_1\n0,{MEGABYTES},0,0,0\n",
+        "long text in a cell": f"step,action_0,action_1,joint_target_0,joint_target_1\n0,{'x' * 100_000},0,0,0\n",
+        "open quotes": 'step,"' + "0,\n" * 100_000,
+        "not text": b"\x80\x81" * 5000,
+        "empty": b"",
     },
     ("progress",): {
         "columns of megabytes": ",".join(f"column {i}" for i in range(300_000)) + "\n0\n",

@@ -2,6 +2,7 @@
 
 import argparse
 import shlex
+from collections import defaultdict
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -198,15 +199,14 @@ def gain_of(policy: Policy, arguments: argparse.Namespace) -> LearningGain:
 def add_reading_options(parser: argparse.ArgumentParser) -> None:
     """Add the options to a parser; `reading_options` takes them from the parsed arguments."""
     group = parser.add_argument_group("reading")
-    for name, flags in FLAGS.items():
-        target = group if len(flags) == 1 else group.add_mutually_exclusive_group()
-        for flag, arguments in flags.items():
-            target.add_argument(flag, dest=name, default=None, **arguments)
+    exclusive: defaultdict[str, Any] = defaultdict(group.add_mutually_exclusive_group)
+    for flag, arguments in FLAGS.items():
+        exclusive[arguments["dest"]].add_argument(flag, default=None, **arguments)
 
 
 def reading_options(args: argparse.Namespace) -> dict[str, Any]:
     """Keyword arguments of `JointTrajectory.load`: the options that were given."""
-    given = {name: getattr(args, name) for name in FLAGS}
+    given = {arguments["dest"]: getattr(args, arguments["dest"]) for arguments in FLAGS.values()}
     return {name: value for name, value in given.items() if value is not None}
 
 

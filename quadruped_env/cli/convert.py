@@ -2,15 +2,18 @@
 
 The format of IN is detected by its content: this project's CSV, any CSV with --columns, the output of
 `ros2 topic echo /joint_states` (YAML, or CSV with --csv), a rosbag2 bag (its directory or its bare .mcap or .db3 file,
-compressed or not), a ROS 1 bag. The format of OUT follows from its name:
+compressed or not), a ROS 1 bag, a CSV whose columns bear the joints' names, a motion clip (JSON with FrameDuration).
+The format of OUT follows from its name:
 
     NAME.csv                this project's CSV
     NAME                    a directory with a rosbag2 bag for Humble and later: /joint_states, and for the robot's
                             joints /robot_description, /tf and /tf_static
     NAME.mcap, NAME.db3     the bare storage file of such a bag
 
-Nothing is guessed: for invalid input the error names the file, the message, the value and the option that fixes it.
-Recordings of any length need little memory, unless --sort, --rate, --start, --stop or --differentiate is given.
+Nothing is guessed: for invalid input the error names the file, the message, the value and the option that fixes it, and
+what no robot can have done is reported with the option that repairs it. Recordings of any length need little memory,
+unless an option changes them as a whole (--sort, --unwrap, --despike, --rate, --start, --stop, --differentiate,
+--map-back).
 
     mini-quadruped convert recorded_bag walk.csv
     mini-quadruped convert results/baseline-tuned.csv walk_bag
@@ -60,6 +63,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         const=0.05,
         help="compute velocities from the positions, filtered over this time in s (default of the time: 0.05)",
     )
+    group.add_argument(
+        "--map-back",
+        type=Path,
+        metavar="MAP.toml",
+        help="write the joints of the robot that the map describes, in its units, from this robot's joints",
+    )
     group = parser.add_argument_group("writing")
     group.add_argument(
         "--storage", choices=["mcap", "sqlite3"], help="format of the storage in a bag's directory (default: mcap)"
@@ -89,9 +98,11 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
             trajectory = trajectory.slice(arguments.start, arguments.stop)
         if arguments.rate is not None:
             trajectory = trajectory.resample(arguments.rate)
-        return trajectory if arguments.differentiate is None else trajectory.differentiate(arguments.differentiate)
+        if arguments.differentiate is not None:
+            trajectory = trajectory.differentiate(arguments.differentiate)
+        return trajectory if arguments.map_back is None else trajectory.retarget(arguments.map_back, back=True)
 
-    changing = (arguments.start, arguments.stop, arguments.rate, arguments.differentiate)
+    changing = (arguments.start, arguments.stop, arguments.rate, arguments.differentiate, arguments.map_back)
     account = convert(
         arguments.source,
         target,

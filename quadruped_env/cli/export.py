@@ -1,12 +1,13 @@
 """Export a policy for deployment: a folder that needs nothing of this package.
 
-It holds the policy as ONNX, from readings in SI units to joint targets; a manifest of joints, gains, limits, command
-and entry pose; a page with results; the policy's own files; and the robot's URDF and MJCF. The graph is compared with
-the policy on ONNX Runtime first. Nothing is uploaded.
+It holds the policy as ONNX, from readings in SI units to joint targets; a golden trace for 'check-export'; a manifest
+of joints, gains, limits, command and entry pose; a page with results; the policy's own files; and the robot's URDF and
+MJCF. The graph is compared with the policy on ONNX Runtime first. Nothing is uploaded.
 
     mini-quadruped export                      the latest run in runs/, or the shipped policy flat
     mini-quadruped export runs/<name>          a run; if it was interrupted, its last checkpoint
     mini-quadruped export flat --film          a shipped policy, with a film
+    mini-quadruped export flat --c             also as C99 for a microcontroller, with a sketch for an ESP32
 """
 
 import argparse
@@ -21,6 +22,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the folder."""
     add_run(parser)
     parser.add_argument("--film", action="store_true", help="also film the robot: film.webp in the folder")
+    parser.add_argument(
+        "--opset",
+        type=int,
+        default=18,
+        metavar="N",
+        help="version of ONNX's operators: ONNX Runtime 1.14 and later run 18 (default: %(default)s)",
+    )
+    form = parser.add_mutually_exclusive_group()
+    for option, weights, text in (
+        ("--c", "float32", "also write the policy as C99, and a sketch of the loop for an ESP32"),
+        ("--c-int8", "int8", "the same with weights of 8 bits, a quarter of the size, and the measured loss"),
+    ):
+        form.add_argument(option, dest="c", action="store_const", const=weights, help=text)
     add_task_file(parser)
     add_overwrite(parser, "replace an earlier export")
     add_output(parser, "DIR", "the folder (default: RUN/export, or results/flat-export)")
@@ -38,12 +52,20 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     default = Path("results", f"{evaluated.name}-export") if shipped else evaluated.output.with_name("export")
     output = arguments.output or default
     check_output(output, arguments.overwrite)
-    export = export_policy(evaluated, output, arguments.film, arguments.overwrite, ProgressLine("filming"))
+    progress = ProgressLine("filming")
+    export = export_policy(
+        evaluated, output, arguments.film, arguments.overwrite, progress, arguments.opset, arguments.c
+    )
     graph = export.manifest["graph"]
     print(
         f"{evaluated.name}: {len(graph['inputs'])} inputs, opset {graph['onnx_opset']}; ONNX Runtime differs from the "
         f"policy by {graph['largest_difference_from_the_policy']:.1g} at most"
     )
+    if loss := export.manifest.get("c", {}).get("loss"):
+        print(
+            f"weights of 8 bits change joint targets by {loss['joint_target_rms_rad']:.2g} rad (RMS), "
+            f"{loss['joint_target_largest_rad']:.2g} rad at most"
+        )
     if export.manifest["evaluation"] is None:
         print("no results are included: evaluate the policy first to export them, too")
     print(f"folder: {export.folder} ({', '.join(export.files)})")

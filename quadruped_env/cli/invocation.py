@@ -17,6 +17,7 @@ SUMMARIES: Final = {
     "compare": "compare several policies on the same episodes",
     "sim2sim": "run a policy in a second physics engine, and measure what it loses there",
     "export": "write a policy as ONNX with a manifest, for a robot or a model hub",
+    "check-export": "compare runtimes, or a program of your own, with an export's golden trace",
     "view": "watch and steer the robot in a browser",
     "live": "run the robot on live ROS 2 topics, without a ROS installation",
     "convert": "convert a recording of joint states to another format",

@@ -15,6 +15,7 @@ import signal
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
+from quadruped_env.viewer.server import add_allow_host
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -44,6 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="ADDRESS",
         help="address to listen on; other addresses allow access from other machines (default: %(default)s)",
     )
+    add_allow_host(parser)
     options.add_task_file(parser)
     options.add_terrain(parser, "that of the first robot's task")
     options.add_randomization(parser, "none, and every episode starts at rest")
@@ -65,6 +67,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         options.named_terrain(arguments),
         arguments.randomization,
         arguments.trust_task,
+        arguments.allow_host,
     )
     return run_show(show, arguments.host, arguments.port, arguments.measure)
 

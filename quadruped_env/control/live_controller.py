@@ -97,7 +97,7 @@ class Measurement(NamedTuple):
     positions: NDArray[np.float64]
     """Joint positions (J,), rad."""
     velocities: NDArray[np.float64]
-    """Joint velocities (J,), rad/s."""
+    """Joint velocities (J,), rad/s; NaN where unknown, if the controller does not need them."""
     orientation: NDArray[np.float64]
     """Unit quaternion wxyz of the base (4,)."""
     angular_velocity: NDArray[np.float64]
@@ -153,6 +153,8 @@ class LiveController:
         self._robot = robot
         self._readings = Readings.of_a_real_robot(robot)
         self._control = ControlInterface(robot, config, fields=OBSERVATIONS if policy is None else policy.fields)
+        self.needs_velocities = policy is not None and self._observes_velocities()
+        """True if the policy observes joint velocities."""
         self._check_observation()
         self._commands = config.commands[:VELOCITY]
         self._defaults = np.array([entry.default for entry in config.commands])
@@ -161,7 +163,10 @@ class LiveController:
         self._step = round(self.period * NS_PER_SECOND)
         self._timestamps = TimestampFilter("/joint_states", self._on_lag_changed)
         self._fresh = 0
-        self._rest = robot.stance
+        self._rest, self._rest_stamp = robot.stance, 0
+        self._obstacle = ""
+        self._stopped = False
+        """True from an emergency stop to its release."""
         self._fallen = False
         """True if the robot went limp because it had fallen."""
         self._upright_since: int | None = None
@@ -201,6 +206,36 @@ class LiveController:
             self._clipped_at = now
         self._command_at = now
 
+    @property
+    def waiting_for(self) -> str:
+        """Condition that is missing before the robot is moved; empty while it is moved."""
+        if self._stopped:
+            return "the release of the emergency stop"
+        return "" if self.mode in (Mode.RAMPING, Mode.WALKING) else self._obstacle or "fresh states"
+
+    def restart(self, why: str) -> None:
+        """Wait for fresh states as at the start, as after the clock was set back; the robot keeps its last targets."""
+        self._timestamps = TimestampFilter("/joint_states", self._on_lag_changed)
+        self._heard = self._command_at = self._clipped_at = -math.inf
+        self._fallen = False
+        self._reset_count()
+        self._enter(Mode.WAITING, why)
+
+    def emergency_stop(self, stopped: bool) -> JointCommand | None:
+        """Let the robot go limp until the stop is released; then wait for fresh states as at the start.
+
+        Returns:
+            Command to send, or None if nothing changes.
+        """
+        if stopped == self._stopped:
+            return None
+        self._stopped = stopped
+        if not stopped:
+            self.restart("emergency stop released")
+            return None
+        self._go_limp("emergency stop")
+        return JointCommand(self._stamp, LIMP)
+
     def moving(self, now: float) -> bool:
         """True if a velocity command is in effect at a time in s."""
         return now - self._command_at <= self.safety.command_timeout
@@ -223,10 +258,11 @@ class LiveController:
             return self._time_out()
         refusal = self._timestamps.refusal(measurement.stamp, now, self._moving)
         if refusal:
+            self._obstacle = f"fresh states: {refusal}"
             raise QuadrupedError(refusal)
         self._heard, self._stamp = now, measurement.stamp
         self._take_in(measurement)
-        if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP):
+        if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP) and not self._stopped:
             self._qualify(measurement, now)
         if self.mode not in (Mode.RAMPING, Mode.WALKING):
             return None
@@ -269,9 +305,11 @@ class LiveController:
 
     def _qualify(self, measurement: Measurement, now: float) -> None:
         if self._fresh == 0:
-            self._rest = measurement.positions
+            self._rest, self._rest_stamp = measurement.positions, measurement.stamp
         self._fresh += 1
         if not self._upright:
+            tilt = math.degrees(math.acos(max(-1.0, float(self._readings.up_b[0, 2]))))
+            self._obstacle = f"an upright robot: tilted by {tilt:.0f} degrees"
             self._fresh, self._upright_since = 0, None
             return
         if self._upright_since is None:
@@ -280,7 +318,11 @@ class LiveController:
         upright_for = (measurement.stamp - self._upright_since) / NS_PER_SECOND
         sinking = not self._fallen and upright_for > self.safety.sinking_after
         tolerance = self.safety.sinking_tolerance if sinking else self.safety.rest_tolerance
-        if np.abs(measurement.positions - self._rest).max() > tolerance:
+        moved = np.abs(measurement.positions - self._rest)
+        if moved.max() > tolerance:
+            joint = int(moved.argmax())
+            speed = moved[joint] * NS_PER_SECOND / (measurement.stamp - self._rest_stamp)
+            self._obstacle = f"a robot at rest: {self._robot.joint_names[joint]} moves at {speed:.1f} rad/s"
             self._fresh = 0
         if self._fresh < self.safety.fresh_states:
             return
@@ -321,6 +363,14 @@ class LiveController:
     @property
     def _upright(self) -> bool:
         return float(self._readings.up_b[0, 2]) > math.cos(self.safety.max_tilt)
+
+    def _observes_velocities(self) -> bool:
+        velocities = self._readings.joint_velocity
+        known = velocities.copy()
+        velocities[:] = np.nan
+        observed = self._control.observe(self._readings)
+        velocities[:] = known
+        return bool(np.isnan(observed).any())
 
     def _check_observation(self) -> None:
         observation = self._control.observe(self._readings)[0]
@@ -371,4 +421,5 @@ class LiveController:
 
     def _enter(self, mode: Mode, why: str) -> None:
         self.mode = mode
+        self._obstacle = ""
         self._say(f"{mode.value}{f' ({why})' if why else ''}")

@@ -21,6 +21,7 @@ from quadruped_env.control.task_file import (
     TASK_FILE,
     TaskFileError,
     execute,
+    kept,
     merged,
     needs_file,
     recorded_file,
@@ -94,13 +95,15 @@ class Terms:
 def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -> Terms:
     """The built-in robot, observations and commands, with those of a user's file added to them or replacing them.
 
+    An observation whose name the file sets to None is left out.
+
     Raises:
         QuadrupedError: as `execute` and `robot_in`.
     """
     file, module = execute(path, expected)
     values = list(vars(module).values())
     return Terms(
-        merged(OBSERVATIONS, [value for value in values if isinstance(value, ObservationField)]),
+        merged(kept(OBSERVATIONS, module), [value for value in values if isinstance(value, ObservationField)]),
         merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
         robot_in(module) or MINI_QUADRUPED,
         file,

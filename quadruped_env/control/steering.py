@@ -5,6 +5,8 @@ from typing import Final
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 
+Velocity = tuple[float, float]
+"""Forward velocity in m/s and yaw rate in rad/s."""
 FORWARD_STEP: Final = 0.1
 """Forward velocity for the built-in robot, m/s per key press."""
 TURN_STEP: Final = 0.2

@@ -135,6 +135,11 @@ def names_of(term: Plain) -> tuple[str, ...]:
     return tuple(term.names) if hasattr(term, "names") else (term.name,)
 
 
+def kept(built_in: Sequence[Term], module: ModuleType) -> tuple[Term, ...]:
+    """The built-in terms without those whose name an executed file sets to None at its top level."""
+    return tuple(term for term in built_in if any(vars(module).get(n, term) is not None for n in names_of(term)))
+
+
 def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
     """The built-in terms followed by a user's terms; a user's term replaces a built-in one of the same name.
 

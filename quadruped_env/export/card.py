@@ -7,7 +7,9 @@ from typing import Any, Final
 
 from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
-from quadruped_env.export.manifest import GRAPH_FILE, MANIFEST_FILE
+from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
+from quadruped_env.export.golden_trace import TRACE_FILE
+from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
 
 CARD_PAGE: Final = "README.md"
@@ -29,6 +31,7 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
         f"# {manifest['name']}\n\n{_introduction(manifest)}",
         "" if film is None else f"![The robot walks.]({film})",
         f"## Use\n\n{_use(interface, manifest)}",
+        f"## Check your loop\n\n{_check(manifest['golden_trace'])}",
         f"## Before it walks\n\n{_entry(manifest)}",
         f"## Results\n\n{_results(manifest['evaluation'])}",
         _learning(manifest["learning"]),
@@ -71,13 +74,17 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
     )
 
 
+def _check(trace: Mapping[str, Any]) -> str:
+    return _filled(
+        f"`{trace['file']}` holds {trace['steps']} steps of readings and all that the loop makes of them, and "
+        f"`{MANIFEST_FILE}` its columns and tolerances. `mini-quadruped check-export` compares the runtimes on a "
+        f"computer, or a file that your own program wrote, and names the first step and field that differ."
+    )
+
+
 def example(interface: PolicyInterface) -> str:
     """Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
-    feedback = {
-        graph_io.LAST_ACTION: "action",
-        graph_io.GAIT_PHASE: graph_io.NEXT_GAIT_PHASE,
-        graph_io.HISTORY: graph_io.NEXT_HISTORY,
-    }
+    feedback = graph_io.FEEDBACK
     own = {entry.name: entry.width for entry in interface.inputs if entry.name in feedback}
     kept_inputs = {entry.name: entry.width for entry in interface.inputs if entry.name in (*feedback, graph_io.COMMAND)}
     values = {graph_io.HISTORY: "np.full((1, {}), np.nan, np.float32)"}
@@ -193,11 +200,16 @@ def _verbatim(text: str) -> str:
 def _files(files: Iterable[str]) -> str:
     meanings = {
         GRAPH_FILE: "the policy: readings to joint targets, ONNX",
+        TRACE_FILE: "readings and all that the loop makes of them, step by step, to compare your own loop with",
         MANIFEST_FILE: "joints, gains, limits, command, entry pose, training, results, and the SHA-256 of every file",
         "policy.json": "the policy for this package: `quadruped_env.policies.load_policy(FOLDER)`",
         "policy.safetensors": "its weights",
         "progress.csv": "the learning curve",
         "film.webp": "the robot walks forwards, turns, and walks backwards",
+        HEADER_FILE: "the policy for a microcontroller: readings and functions",
+        SOURCE_FILE: "its weights and code, C99 without allocation",
+        SKETCH_FILE: "a loop for an ESP32 with a PCA9685 and an MPU-6050; not run on hardware",
+        CONTROLLERS_FILE: "parameters of ros2_control's controllers, for `controller --arrays`",
         "robot.urdf": "the robot, for ROS and other simulators",
         "robot.xml": "the robot, for MuJoCo",
     }

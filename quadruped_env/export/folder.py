@@ -12,14 +12,25 @@ from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
+from quadruped_env.export.c_source import c_files, int8_loss
 from quadruped_env.export.card import CARD_PAGE, card_page
-from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE, RESULTS, manifest
-from quadruped_env.export.onnx_graph import policy_graph
+from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
+from quadruped_env.export.manifest import (
+    CONTROLLERS_FILE,
+    FORMAT,
+    GRAPH_FILE,
+    MANIFEST_FILE,
+    RESULTS,
+    manifest,
+    metadata,
+)
+from quadruped_env.export.onnx_graph import OPSET, policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
 from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.reporting.pages.page import METRICS_FILE, without_nan
 from quadruped_env.reporting.pages.pictures import filmed
+from quadruped_env.robot.ros2_control import controllers_yaml
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import unwritable, whole, write_json
@@ -54,8 +65,10 @@ def export_policy(
     with_film: bool = False,
     overwrite: bool = False,
     progress: Progress | None = None,
+    opset: int = OPSET,
+    c: str | None = None,
 ) -> Export:
-    """Write a policy's folder: ONNX graph, manifest, page, the policy's own files, and the robot's models.
+    """Write a policy's folder: ONNX graph, golden trace, manifest, page, the policy's own files, the robot's models.
 
     The graph is run on ONNX Runtime and compared with the policy before anything is written.
 
@@ -65,6 +78,8 @@ def export_policy(
         with_film: whether to film the robot.
         overwrite: whether to replace an earlier export.
         progress: called with the fraction of the film that is rendered.
+        opset: version of ONNX's operators, one of `OPSETS`.
+        c: type of the weights of a C form of the policy, `float32` or `int8`; None: no C form.
 
     Raises:
         MissingExtraError: if a library of the extra `export`, or with a film of `report`, is not installed.
@@ -73,13 +88,18 @@ def export_policy(
     evaluated.policy.check_is_data("export")
     check_output(output, overwrite)
     policy, interface = evaluated.policy, PolicyInterface(evaluated.policy)
-    graph = policy_graph(interface, policy.robot.name)
+    graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface))
     difference = largest_difference(interface, graph)
-    contents = {GRAPH_FILE: graph, **policy.files()}
+    trace = csv_text(trace_fields(interface), golden_trace(interface))
+    contents = {GRAPH_FILE: graph, TRACE_FILE: trace.encode(), **policy.files()}
     contents |= {"robot.urdf": policy.robot.urdf.encode(), "robot.xml": policy.robot.mjcf.encode()}
+    contents[CONTROLLERS_FILE] = controllers_yaml(policy.robot.joint_names, policy.robot.base_name).encode()
     if evaluated.progress_file is not None:
         contents[PROGRESS_FILE] = evaluated.progress_file.read_bytes()
-    document = manifest(policy, interface, evaluated.name, evaluation_of(evaluated), difference)
+    document = manifest(policy, interface, evaluated.name, evaluation_of(evaluated), difference, opset)
+    if c is not None:
+        contents |= c_files(interface, evaluated.name, int8=c == "int8")
+        document["c"] = {"weights": c, "loss": int8_loss(policy) if c == "int8" else None}
     with whole(output) as part:
         part.mkdir()
         if with_film:
@@ -91,6 +111,7 @@ def export_policy(
         page = card_page(interface, document, FILM_FILE if with_film else None, [*contents, MANIFEST_FILE])
         contents[CARD_PAGE] = page.encode()
         for name, content in contents.items():
+            (part / name).parent.mkdir(exist_ok=True)
             (part / name).write_bytes(content)
         full: dict[str, Any] = without_nan(plain({**document, **_checksums(contents)}))
         write_json(part / MANIFEST_FILE, full)

@@ -1,7 +1,9 @@
 """The manifest of an exported policy: everything that a program needs to run it, as JSON."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Final
+
+import numpy as np
 
 from quadruped_env._version import __version__
 from quadruped_env.control.clock import CommandedFrequency
@@ -9,6 +11,7 @@ from quadruped_env.control.control_config import COMMAND_RATE_UNITS
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
+from quadruped_env.export.golden_trace import trace_document
 from quadruped_env.export.onnx_graph import OPSET
 from quadruped_env.export.onnx_interface import HISTORY, LAST_ACTION, Input, PolicyInterface
 from quadruped_env.policies import Policy
@@ -16,6 +19,7 @@ from quadruped_env.utils.plain import plain
 
 MANIFEST_FILE: Final = "manifest.json"
 GRAPH_FILE: Final = "policy.onnx"
+CONTROLLERS_FILE: Final = "controllers.yaml"
 FORMAT: Final = "mini-quadruped policy"
 FORMAT_VERSION: Final = 1
 
@@ -31,7 +35,12 @@ _TARGET: Final = {
 
 
 def manifest(
-    policy: Policy, interface: PolicyInterface, name: str, evaluation: Mapping[str, Any] | None, difference: float
+    policy: Policy,
+    interface: PolicyInterface,
+    name: str,
+    evaluation: Mapping[str, Any] | None,
+    difference: float,
+    opset: int = OPSET,
 ) -> dict[str, Any]:
     """The manifest without its list of files.
 
@@ -56,13 +65,14 @@ def manifest(
         },
         "graph": {
             "file": GRAPH_FILE,
-            "onnx_opset": OPSET,
+            "onnx_opset": opset,
             "type": "float32",
             "inputs": [_value(entry) for entry in interface.inputs],
             "outputs": [_value(entry) for entry in interface.outputs],
             "symmetric": interface.is_symmetric(),
             "largest_difference_from_the_policy": difference,
         },
+        "golden_trace": trace_document(interface),
         "observation": _observation(interface),
         "command": _command(policy),
         "gait_clock": _clock(interface),
@@ -73,6 +83,34 @@ def manifest(
         "learning": policy.card.get("learning"),
         "evaluation": None if evaluation is None else dict(evaluation),
     }
+
+
+def metadata(policy: Policy, interface: PolicyInterface) -> dict[str, str]:
+    """Entries of the graph's `metadata_props` under the names of mjlab's exporter, and `update_rate` of exploy's.
+
+    A list is one text with commas, one value per joint, observation or command.
+    """
+    robot, fields = policy.robot, interface.layout.document()
+    motors = policy.config.motor.of_joints(robot.joint_kinds)
+    scales = [np.ravel(field["scale"]) for field in fields]
+    values: dict[str, Sequence[Any]] = {
+        "joint_names": robot.joint_names,
+        "default_joint_pos": robot.stance.tolist(),
+        "joint_stiffness": [motor.kp for motor in motors],
+        "joint_damping": [motor.kd for motor in motors],
+        "action_scale": [policy.control.action.scale] * robot.num_joints,
+        "action_mode": [policy.action_mode],
+        "observation_names": [field["name"] for field in fields],
+        # More than one if the columns differ.
+        "observation_scales": [" ".join(f"{number:.9g}" for number in scale) for scale in scales],
+        "observation_history_lengths": [interface.layout.history] * len(fields),
+        "command_names": [entry.name for entry in policy.control.commands],
+    }
+    lists = {
+        key: ",".join(f"{entry:.9g}" if isinstance(entry, float) else str(entry) for entry in entries)
+        for key, entries in values.items()
+    }
+    return {**lists, "update_rate": f"{1.0 / policy.control.timestep:.9g}"}
 
 
 def _joints(policy: Policy) -> list[dict[str, Any]]:

@@ -1,6 +1,7 @@
 """The ONNX graph of a policy: from sensor readings to joint targets, without any code of this package."""
 
 import math
+from collections.abc import Mapping
 from typing import Any, Final
 
 import numpy as np
@@ -9,15 +10,15 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
 from quadruped_env.control.clock import CommandedFrequency
-from quadruped_env.control.velocity_command import moving_threshold
-from quadruped_env.errors import MissingExtraError
+from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
+from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
 
-OPSET: Final = 26
-"""Version of ONNX's operators: the newest that ONNX Runtime 1.31 runs."""
-IR_VERSION: Final = 13
-"""Version of ONNX's file format that belongs to it."""
+OPSET: Final = 18
+"""Version of ONNX's operators by default: ONNX Runtime runs it from 1.14 on."""
+OPSETS: Final = range(10, 27)
+"""Versions that the graph can state: its operators mean the same in all of them, and ONNX Runtime 1.31 runs them."""
 BATCH: Final = "batch"
 """Name of the first axis of all inputs and outputs, of any length."""
 
@@ -28,30 +29,39 @@ _OPERATORS: Final = {
     "tanh": "Tanh",
     "relu": "Relu",
     "leaky_relu": "LeakyRelu",
-    "gelu": "Gelu",
     "softplus": "Softplus",
     "selu": "Selu",
     "sigmoid": "Sigmoid",
-    "mish": "Mish",
 }
-"""Activation function of a policy -> ONNX operator, whose attributes have the same defaults."""
+"""Activation function of a policy -> ONNX operator, whose attributes have the same defaults; see `_activation`."""
 
 
-def policy_graph(interface: PolicyInterface, name: str) -> bytes:
+def policy_graph(
+    interface: PolicyInterface, name: str, opset: int = OPSET, metadata: Mapping[str, str] | None = None
+) -> bytes:
     """The graph of a policy as an ONNX file.
 
     It takes every input of `PolicyInterface.inputs`, computes the observation from them (offset, scale, clipping, gait
     clock), the network's action, and the joint targets, to which in `residual` mode the scripted gait belongs.
 
+    Args:
+        interface: inputs and outputs of the policy.
+        name: name of the graph.
+        opset: version of ONNX's operators, one of `OPSETS`.
+        metadata: entries of the file's `metadata_props`.
+
     Raises:
         MissingExtraError: if onnx is not installed.
+        QuadrupedError: if the opset is not one of `OPSETS`.
     """
+    if opset not in OPSETS:
+        raise QuadrupedError(f"export: --opset: expected a number from {OPSETS[0]} to {OPSETS[-1]}; found {opset}")
     graph = _Graph()
     clock, phase = _clock(graph, interface)
     observation = _with_history(graph, interface, _observation(graph, interface, clock))
     action = _network(graph, interface, observation)
     _joint_target(graph, interface, action, phase)
-    return graph.finish(name, interface.inputs, interface.outputs)
+    return graph.finish(name, interface.inputs, interface.outputs, opset, metadata or {})
 
 
 def _phase_step(graph: "_Graph", interface: PolicyInterface) -> str:
@@ -75,9 +85,10 @@ def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
     if not interface.has_clock:
         return "", ""
     threshold = graph.constant(moving_threshold(interface.policy.robot))
-    excess = graph.add("Sub", graph.add("Abs", graph_io.COMMAND), threshold)
-    largest = graph.add("ReduceMax", excess, graph.integers([1]), keepdims=1)
-    moving = graph.add("Cast", graph.add("Greater", largest, graph.constant(0.0)), to=_FLOAT)
+    fast = graph.add("Cast", graph.add("Greater", graph.add("Abs", graph_io.COMMAND), threshold), to=_FLOAT)
+    # ReduceMax has its axes as attribute or as input, depending on the opset.
+    count = graph.add("MatMul", fast, graph.constant(np.ones((VELOCITY, 1))))
+    moving = graph.add("Min", count, graph.constant(1.0))
     both = graph.add("Concat", graph.add("Sin", graph_io.GAIT_PHASE), graph.add("Cos", graph_io.GAIT_PHASE), axis=1)
     later = graph.add("Add", graph_io.GAIT_PHASE, _phase_step(graph, interface))
     phase = graph.add("Mod", later, graph.constant(math.tau), fmod=1, output=graph_io.NEXT_GAIT_PHASE)
@@ -113,15 +124,24 @@ def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> s
     *inner, last = zip(policy.weights, policy.biases, strict=True)
     x = observation
     for weight, bias in inner:
-        layer = graph.add("Gemm", x, graph.constant(weight), graph.constant(bias))
-        if policy.activation == "silu":  # which ONNX Runtime has not as one operator
-            x = graph.add("Mul", layer, graph.add("Sigmoid", layer))
-        else:
-            x = graph.add(_OPERATORS[policy.activation], layer)
+        x = _activation(graph, policy.activation, graph.add("Gemm", x, graph.constant(weight), graph.constant(bias)))
     x = graph.add("Gemm", x, graph.constant(last[0]), graph.constant(last[1]))
     if policy.output == "tanh":
         return graph.add("Tanh", x, output=graph_io.ACTION)
     return graph.clipped(x, -1.0, 1.0, output=graph_io.ACTION)
+
+
+def _activation(graph: "_Graph", name: str, x: str) -> str:
+    """An activation function, made of operators that all of `OPSETS` have: Gelu came with 20, Mish with 18."""
+    if name == "silu":
+        return graph.add("Mul", x, graph.add("Sigmoid", x))
+    if name == "mish":
+        return graph.add("Mul", x, graph.add("Tanh", graph.add("Softplus", x)))
+    if name == "gelu":
+        share = graph.add("Erf", graph.add("Mul", x, graph.constant(math.sqrt(0.5))))
+        half = graph.add("Mul", x, graph.constant(0.5))
+        return graph.add("Mul", half, graph.add("Add", share, graph.constant(1.0)))
+    return graph.add(_OPERATORS[name], x)
 
 
 def _joint_target(graph: "_Graph", interface: PolicyInterface, action: str, phase: str) -> None:
@@ -208,7 +228,14 @@ class _Graph:
         self._constants.append(self._onnx.numpy_helper.from_array(np.ascontiguousarray(values), name))
         return name
 
-    def finish(self, name: str, inputs: tuple[Input, ...], outputs: tuple[Input, ...]) -> bytes:
+    def finish(
+        self,
+        name: str,
+        inputs: tuple[Input, ...],
+        outputs: tuple[Input, ...],
+        opset: int,
+        metadata: Mapping[str, str],
+    ) -> bytes:
         """The checked graph as a file."""
         helper = self._onnx.helper
         graph = helper.make_graph(
@@ -218,13 +245,15 @@ class _Graph:
             [self._value(entry) for entry in outputs],
             self._constants,
         )
+        opsets = [helper.make_opsetid("", opset)]
         model = helper.make_model(
             graph,
-            opset_imports=[helper.make_opsetid("", OPSET)],
-            ir_version=IR_VERSION,
+            opset_imports=opsets,
+            ir_version=helper.find_min_ir_version_for(opsets),
             producer_name="mini-quadruped",
             producer_version=__version__,
         )
+        helper.set_model_props(model, metadata)
         self._onnx.checker.check_model(model, full_check=True)
         content: bytes = model.SerializeToString(deterministic=True)
         return content

@@ -27,6 +27,11 @@ JOINT_TARGET: Final = "joint_target"
 NEXT_GAIT_PHASE: Final = "next_gait_phase"
 HISTORY: Final = "observation_history"
 NEXT_HISTORY: Final = "next_observation_history"
+OBSERVATION: Final = "observation"
+REQUESTED: Final = "requested_command"
+"""Fields of the golden trace that are neither input nor output of the graph."""
+FEEDBACK: Final = {LAST_ACTION: ACTION, GAIT_PHASE: NEXT_GAIT_PHASE, HISTORY: NEXT_HISTORY}
+"""Inputs that are outputs of the step before."""
 
 _ABSOLUTE: Final = "Joint positions, zero with straight legs; the stance is subtracted in the graph."
 _PHASE: Final = "Phase of the gait clock in [0, 2 pi): 0 at first, then next_gait_phase of the step before."
@@ -68,6 +73,8 @@ class PolicyInterface:
             LAST_ACTION: observations.last_action,
             GAIT_PHASE: None,
             HISTORY: None,
+            OBSERVATION: None,
+            REQUESTED: None,
         }
         for entry in self.policy.fields:
             if entry.name in reserved and entry is not reserved[entry.name]:

@@ -68,7 +68,7 @@ def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Ar
 
 
 def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
-    """Outputs by this package's own observation scaling, network and action interface."""
+    """Outputs, and the observation of one step, by this package's own scaling, network and action interface."""
     policy, layout = interface.policy, interface.layout
     samples = len(next(iter(inputs.values())))
     everything = np.arange(samples)
@@ -84,6 +84,7 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
         axis=1,
     )
     observation = np.clip((readings - interface.offsets) * layout.scale, layout.low, layout.high).astype(np.float32)
+    present = observation
     if graph_io.HISTORY in inputs:
         past = inputs[graph_io.HISTORY]
         past = np.where(np.isnan(past), np.tile(observation, layout.history - 1), past)
@@ -96,7 +97,16 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
         graph_io.NEXT_GAIT_PHASE: control.phase[:, None],
         graph_io.NEXT_HISTORY: observation[:, : interface.history_width],
     }
-    return {entry.name: found[entry.name].astype(np.float32) for entry in interface.outputs}
+    outputs = {entry.name: found[entry.name].astype(np.float32) for entry in interface.outputs}
+    return {graph_io.OBSERVATION: present, **outputs}
+
+
+def difference(name: str, found: NDArray[Any], expected: NDArray[Any]) -> NDArray[np.float64]:
+    """Absolute differences between values of an input or output; a phase just below a whole turn is next to 0."""
+    size = np.abs(found.astype(np.float64) - expected)
+    return (
+        np.minimum(size, np.abs(math.tau - size)) if name in (graph_io.GAIT_PHASE, graph_io.NEXT_GAIT_PHASE) else size
+    )
 
 
 def largest_difference(interface: PolicyInterface, content: bytes, samples: int = SAMPLES) -> float:
@@ -110,12 +120,7 @@ def largest_difference(interface: PolicyInterface, content: bytes, samples: int 
     """
     inputs = random_inputs(interface, samples)
     found, expected = run(session_of(content), inputs), expected_outputs(interface, inputs)
-    differences = {name: np.abs(found[name].astype(np.float64) - expected[name]) for name in expected}
-    if interface.has_clock:
-        # Just below a whole turn is next to just above 0.
-        turn = differences[graph_io.NEXT_GAIT_PHASE]
-        differences[graph_io.NEXT_GAIT_PHASE] = np.minimum(turn, math.tau - turn)
-    largest = max(float(difference.max()) for difference in differences.values())
+    largest = max(float(difference(name, value, expected[name]).max()) for name, value in found.items())
     if not largest <= TOLERANCE:
         raise QuadrupedError(
             f"export: ONNX Runtime differs from the policy by {largest:.2g} on random inputs, and {TOLERANCE:g} is "

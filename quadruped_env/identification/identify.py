@@ -13,7 +13,9 @@ from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES, names_of, quantity, value_of
+from quadruped_env.identification.recording_checks import check
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
+from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.progress import Progress
@@ -230,7 +232,8 @@ def identify(
         robot: robot that was recorded.
 
     Raises:
-        QuadrupedError: if the recordings do not overlap, the commands are constant, or an argument is out of range.
+        QuadrupedError: if the recordings do not overlap, the commands are constant, something in them would spoil the
+            fit (the message says what repairs it), or an argument is out of range.
         MissingExtraError: if MuJoCo's toolbox is not installed.
     """
     if importlib.util.find_spec("tabulate") is None or importlib.util.find_spec("scipy") is None:
@@ -245,9 +248,13 @@ def identify(
     before = start or robot.motors
     measured, commands = measured.in_joint_order(robot), commands.in_joint_order(robot)
     recorded = align(robot, measured, commands, train_share, timestep, without)
-    mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     fit = MotorFit(recorded, base, before, fitted, progress)
+    check(recorded, measured, commands, without)
+    mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     after = fit.run()
+    notes = remarks(recorded, measured, commands)
+    if any(errors.any() for errors in before.servo_errors(robot.joint_kinds)):
+        notes += (f"The fit leaves out the motors' {', '.join(SERVO_ERRORS)}, which stay as they are.",)
     found = Identification(
         measured.source.name,
         commands.source.name,
@@ -258,7 +265,7 @@ def identify(
         after,
         fit.predict(before),
         fit.predict(after),
-        remarks(recorded, measured, commands),
+        notes,
         mismatches,
     )
     estimates = []

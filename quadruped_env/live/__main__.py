@@ -4,6 +4,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
 from quadruped_env.utils.interpreter import COMMAND, pasteable
@@ -43,6 +44,33 @@ def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
             add_common_arguments(node)
 
 
+def without_ros_arguments(typed: Sequence[str]) -> list[str]:
+    """Arguments with those of `--ros-args` in this program's own form.
+
+    Raises:
+        QuadrupedError: if they hold anything but remapping and the parameter use_sim_time.
+    """
+    own: list[str] = []
+    given = iter(typed)
+    for argument in given:
+        if argument != "--ros-args":
+            own.append(argument)
+            continue
+        for flag in given:
+            if flag == "--":
+                break
+            value = next(given, "")
+            if flag in ("-r", "--remap"):
+                own += ["--remap", value]
+            elif flag in ("-p", "--param") and value in ("use_sim_time:=true", "use_sim_time:=false"):
+                own += ["--sim-time"] * (value.endswith("true") and typed[0] == "controller")
+            else:
+                raise QuadrupedError(
+                    f"--ros-args: found {flag} {value}; expected -r FROM:=TO, -p use_sim_time:=true or --"
+                )
+    return own
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the node that the arguments name, or print the help if there is none.
 
@@ -52,7 +80,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     typed = list(sys.argv[1:] if arguments is None else arguments) or ["--help"]
     # Only the node's own module is imported: faster start and less memory on a robot.
     parser = make_parser(only=typed[0] if typed and typed[0] in SUMMARIES else "")
-    args = parser.parse_args(typed)
+    try:
+        args = parser.parse_args(without_ros_arguments(typed))
+    except QuadrupedError as error:
+        parser.error(str(error))
 
     def run() -> int:
         module = node_module(args.node)

@@ -34,7 +34,7 @@ class Listener:
 
     Args:
         session: the session of this process.
-        names: topic names, with or without the leading slash; by default all topics of known types.
+        names: topic names; without the leading slash, in the node's namespace; by default all topics of known types.
         read: returns the `read` function of a topic's subscription; by default messages stay bytes.
     """
 
@@ -43,7 +43,7 @@ class Listener:
     ) -> None:
         self._session = session
         self._read = read
-        self._names = tuple(f"/{name.lstrip('/')}" for name in names)
+        self._names = tuple(session.node.names.full(name) for name in names)
         self._pace = Pace(_UPDATE_PERIOD)
         self.subscriptions: list[Subscription[Any]] = []
         """One subscription per published topic; `topic.qos` is the QoS that its publishers offer."""
@@ -96,7 +96,8 @@ class Listener:
             self._session.say_once(f"skipped: {problem}")
             return
         offered = common_qos([endpoint.qos for endpoint in known], name)
-        topic = Topic(name, known[0].type_name, offered)
+        # The name as it is on the domain.
+        topic = Topic(name, known[0].type_name, offered, is_global=True)
         subscription = self._session.node.subscribe(topic, replace(offered, depth=_DEPTH), read=self._read(topic))
         self.subscriptions.append(subscription)
 

@@ -4,6 +4,7 @@ import functools
 import math
 import time
 from collections import deque
+from pathlib import Path
 from typing import Any, Final
 
 import mujoco
@@ -13,14 +14,17 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.gait.gaits import limit_violations
+from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader, Joints
+from quadruped_env.live.messages.velocity_messages import VelocityPublisher
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
-from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
+from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PAUSE, PUSH, RESET, STEP
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.utils.rotations import rotate
+from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, Offered, ViewedTrace, heading, sample, world_vector
 
 NAME: Final = "live robot"
@@ -54,6 +58,7 @@ class LiveRobot:
         robot: the robot.
         refused: called with the reason for each message that cannot be drawn.
         terrain: the ground to draw, which no message describes.
+        driver: conversion of the driver's joints; None: they are the robot's.
     """
 
     name = NAME
@@ -64,19 +69,31 @@ class LiveRobot:
     term_names: tuple[str, ...] = ()
 
     def __init__(
-        self, node: Node, robot: Robot, refused: Refused = lambda reason: None, terrain: Terrain = flat
+        self,
+        node: Node,
+        robot: Robot,
+        refused: Refused = lambda reason: None,
+        terrain: Terrain = flat,
+        driver: DriverJoints | None = None,
     ) -> None:
         self.robot = robot
-        joints = JointReader(JOINT_STATES.name, robot, ["positions"])
+        self._driver = driver or DriverJoints(robot)
+        joints = JointReader(JOINT_STATES.name, self._driver, states=True)
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
-        self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
+        self._velocities, self._pushes = VelocityPublisher(node), node.publish(PUSH)
         self._gaits = node.publish(GAIT)
+        self._resets, self._pauses, self._single_steps = node.publish(RESET), node.publish(PAUSE), node.publish(STEP)
+        self._pauses_received = node.subscribe(PAUSE, ignore_own=True)
+        self.paused = False
+        """True if a message of this node or another one has paused the simulation."""
         read = functools.partial(read_settings, robot=robot)
         self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read))
         self._settings: GaitSettings | None = None
         self._changed_at = -_SETTINGS_HOLD
-        self._joints = Joints(0, robot.stance, np.zeros(robot.num_joints), None)
+        self._positions, self._joint_velocities, self._efforts = robot.stance, *np.zeros((2, robot.num_joints))
+        self.receives_states = False
+        """True once a joint of the robot has been received."""
         self._pose = robot.resting_pose(robot.stance)
         self._twist = np.zeros(6)
         self._odometry_at = -_ODOMETRY_TIMEOUT
@@ -109,6 +126,19 @@ class LiveRobot:
         self.history.clear()
         self._place()
 
+    def restart(self) -> None:
+        """Send a reset to simulator and controller."""
+        self._resets.send(cdr.message(RESET.type_name))
+
+    def pause(self, paused: bool) -> None:
+        """Pause the simulation, or let it run again."""
+        self.paused = paused
+        self._pauses.send(cdr.message(PAUSE.type_name, data=paused))
+
+    def single_step(self) -> None:
+        """Let the paused simulation perform one control step."""
+        self._single_steps.send(cdr.message(STEP.type_name))
+
     def set_command(self, command: tuple[float, float]) -> None:
         """Set the velocity command: forward velocity in m/s and yaw rate in rad/s. Sent with the next message."""
         self._command = np.array(command)
@@ -126,10 +156,8 @@ class LiveRobot:
         now = time.monotonic()
         self._listen(now)
         self._steer(self._command, now)
-        positions = self._joints.positions
-        assert positions is not None
-        if now - self._odometry_at > _ODOMETRY_TIMEOUT:
-            resting = self.robot.resting_pose(positions)
+        if now - self._odometry_at > _ODOMETRY_TIMEOUT and not self.paused:
+            resting = self.robot.resting_pose(self._positions)
             resting[2] += highest_ground(self._simulation, self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
@@ -137,10 +165,8 @@ class LiveRobot:
 
     def _place(self) -> ViewedTrace:
         """Set the model to the last received state."""
-        positions, velocities, efforts = self._joints.positions, self._joints.velocities, self._joints.efforts
-        assert positions is not None
-        qpos = np.concatenate([self._pose, positions])
-        qvel = np.concatenate([self._twist, np.zeros(self.robot.num_joints) if velocities is None else velocities])
+        qpos = np.concatenate([self._pose, self._positions])
+        qvel = np.concatenate([self._twist, self._joint_velocities])
         self._simulation.reset(_ROW, qpos[None], qvel[None])
         readings = self._simulation.readings
         velocity = np.array([readings.linear_velocity_b[0, 0], readings.angular_velocity_b[0, 2]])
@@ -153,7 +179,7 @@ class LiveRobot:
             time=np.array([self._steps * self.timestep]),
             command=self._command[None],
             smooth_velocity=self._smooth_velocity[None],
-            joint_torque=np.zeros((1, self.robot.num_joints)) if efforts is None else efforts[None],
+            joint_torque=self._efforts[None],
             contact=readings.foot_force > _CONTACT,
             reward_terms=np.zeros((1, 0)),
         )
@@ -181,33 +207,41 @@ class LiveRobot:
         return limit_violations(self.robot, positions.min(axis=0), positions.max(axis=0), speed, _OVERTRAVEL)
 
     def offered(self) -> Offered:
-        """The available controls, those with a subscriber, and readings. No topic pauses or resets a robot."""
+        """The available controls, those with a subscriber, and readings. Only a simulator subscribes to `/step`."""
         return Offered(
             command=bool(self._velocities.readers),
             push=bool(self._pushes.readers),
             force=False,
-            clock=False,
+            clock=bool(self._single_steps.readers),
             sources=False,
             motion=time.monotonic() - self._odometry_at <= _ODOMETRY_TIMEOUT,
         )
 
-    @property
-    def receives_states(self) -> bool:
-        """True once joint states have been received."""
-        return self._states.count > 0
-
     def _listen(self, now: float) -> None:
-        state = self._states.newest(self._refused)
-        if state is not None:
-            self._joints = state[1]
+        for _, joints in self._states.messages(self._refused):
+            self._take(self._driver.to_robot(joints))
         newest = self._odometry.newest(self._refused)
         if newest is not None:
             self._odometry_at = now
             self._pose, self._twist = newest[1]
+        for _, message in self._pauses_received.messages(self._refused):
+            self.paused = message.data
         settings = self._gait_settings.newest(self._refused)
         # While a slider is dragged, received settings are older than the slider.
         if settings is not None and now - self._changed_at > _SETTINGS_HOLD:
             self._settings = settings[1]
+
+    def _take(self, joints: Joints) -> None:
+        """Take a message, which may hold some of the joints only; velocities and torques that it lacks are zero."""
+        assert joints.positions is not None
+        found = np.isfinite(joints.positions)
+        zeros = np.zeros(len(found))
+        velocities = zeros if joints.velocities is None else np.nan_to_num(joints.velocities)
+        efforts = zeros if joints.efforts is None else joints.efforts
+        self._positions = np.where(found, joints.positions, self._positions)
+        self._joint_velocities = np.where(found, velocities, self._joint_velocities)
+        self._efforts = np.where(found, efforts, self._efforts)
+        self.receives_states |= bool(found.any())
 
     def _steer(self, command: NDArray[np.float64], now: float) -> None:
         """Send the viewer's command while it is not zero, and zero for a moment afterwards."""
@@ -216,8 +250,44 @@ class LiveRobot:
         if now - self._commanded_at > _STOP_PERIOD or now - self._sent_at < _COMMAND_PERIOD:
             return
         self._sent_at = now
-        twist = {"linear": {"x": command[0]}, "angular": {"z": command[1]}}
-        self._velocities.send(cdr.message(CMD_VEL.type_name, **twist))
+        self._velocities.send((float(command[0]), float(command[1])))
+
+
+class LiveViewController(ViewController):
+    """A view controller whose pause, step and reset are those of the simulator that the live robot is in.
+
+    Args:
+        robot: the live robot.
+        results: directory of recordings.
+    """
+
+    def __init__(self, robot: LiveRobot, results: Path) -> None:
+        self._live = robot
+        super().__init__({NAME: lambda: robot}, [NAME], results, robot.robot)
+        self.restart_after_fall = False
+
+    @property
+    def paused(self) -> bool:
+        """True if the simulation is paused; the view goes on."""
+        return self._live.paused
+
+    @paused.setter
+    def paused(self, paused: bool) -> None:
+        with self._lock:
+            self._live.pause(paused)
+
+    def reset(self) -> None:
+        """Reset simulator, controller and plots."""
+        with self._lock:
+            super().reset()
+            self._live.restart()
+
+    def step(self) -> None:
+        """Pause, and advance by one control step."""
+        with self._lock:
+            if not self.paused:
+                self.paused = True
+            self._live.single_step()
 
 
 def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

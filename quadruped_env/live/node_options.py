@@ -4,25 +4,28 @@ import argparse
 from typing import TYPE_CHECKING, Final
 
 from quadruped_env.control.task_file import load_robot
+from quadruped_env.live.messages.driver_joints import add_map_argument
 from quadruped_env.robot.robot import Robot
 
 if TYPE_CHECKING:
     from quadruped_env.simulation import Terrain
 
-COMMON: Final = ("domain_id", "subnet", "seconds", "quiet")
+COMMON: Final = ("domain_id", "subnet", "namespace", "remap", "seconds", "quiet")
 """Options of `add_common_arguments`."""
 GROUND: Final = ("seed", "terrain", "level")
 """Options of `add_terrain_arguments`."""
 
 
-def add_robot_argument(parser: argparse.ArgumentParser) -> None:
-    """Add `--task`: the file that defines another robot than the built-in one."""
+def add_robot_argument(parser: argparse.ArgumentParser, joint_map: bool = True) -> None:
+    """Add `--task`, the file that defines another robot than the built-in one, and unless told otherwise `--map`."""
     parser.add_argument(
         "--task",
         metavar="FILE",
         help="Python file that defines your robot or terrain (docs/make-it-yours.md); it is executed (default: the "
         "built-in ones)",
     )
+    if joint_map:
+        add_map_argument(parser)
 
 
 def robot_of(arguments: argparse.Namespace) -> Robot:
@@ -69,6 +72,7 @@ def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:
     found = []
     for name in names:
         value = getattr(arguments, name)
-        if value is not None and value is not False:
-            found += [f"--{name.replace('_', '-')}", *([] if value is True else [str(value)])]
+        for one in value if isinstance(value, list) else [value]:
+            if one is not None and one is not False:
+                found += [f"--{name.replace('_', '-')}", *([] if one is True else [str(one)])]
     return found

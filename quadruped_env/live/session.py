@@ -11,6 +11,7 @@ from typing import Any, Final, Self, TextIO
 
 from quadruped_env.live.middleware import dds_log
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
+from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.node import Node, Publisher, Subscription
 from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
 from quadruped_env.live.refusals import Refusals
@@ -23,6 +24,8 @@ STATUS_PERIOD_LOG: Final = 10.0
 """Time between status lines in a log file, s."""
 PROBLEMS_PERIOD: Final = 1.0
 """Time between checks of the ROS graph for problems, s."""
+WAITING_PERIOD: Final = 1.0
+"""Time between log lines about what a node waits for, s."""
 CLEAR_LINE: Final = "\r\x1b[K"
 """Control sequence that clears the terminal line of the cursor."""
 _SAME_SIGNAL: Final = 0.5
@@ -41,6 +44,19 @@ def add_common_arguments(parser: argparse.ArgumentParser) -> None:
         "--subnet",
         action="store_true",
         help="communicate with other machines of the subnet; without it, with this machine only",
+    )
+    group.add_argument(
+        "--namespace",
+        metavar="NS",
+        help="namespace of the node and its topics, except /tf, /tf_static, /clock and /diagnostics",
+    )
+    group.add_argument(
+        "--remap",
+        action="append",
+        default=[],
+        metavar="FROM:=TO",
+        help="use another topic; __node:=NAME renames the node. ROS's form works too: --ros-args -r FROM:=TO "
+        "-r __ns:=/NS -p use_sim_time:=true",
     )
     group.add_argument("--seconds", type=float, metavar="S", help="end after S seconds (default: with Ctrl-C)")
     group.add_argument("--quiet", action="store_true", help="no status line")
@@ -70,7 +86,8 @@ class Session:
         # Before DDS starts its threads, so that they inherit the priority.
         refusal = request_realtime_priority() if getattr(arguments, "realtime", False) else ""
         with dds_log.captured():
-            self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet))
+            names = Names.of(name, arguments.namespace, tuple(arguments.remap))
+            self.node = Node(name, Network.from_environment(arguments.domain_id, arguments.subnet), names)
         self._log = log or sys.stderr
         self._quiet: bool = arguments.quiet
         self._stopped = False
@@ -78,7 +95,7 @@ class Session:
         self._start = time.monotonic()
         self._end = None if arguments.seconds is None else self._start + arguments.seconds
         self._waiting_for = ""
-        self._waiting_since = self._start
+        self._waiting_since = self._waiting_logged = self._start
         self._said: dict[str, None] = {}
         self.refuse = Refusals(self.say)
         """Counts a refused message, and logs the reason once a second"""
@@ -173,19 +190,25 @@ class Session:
             self.say(text)
 
     def wait_for(self, what: str) -> None:
-        """Log what the node waits for, when that changes.
+        """Log what the node waits for, once per second with the time. On a terminal, the status line has the repeats.
 
         Args:
             what: description of what is missing; empty if nothing is.
         """
-        if what == self._waiting_for:
-            return
-        now = time.monotonic()
-        if what:
+        now, before = time.monotonic(), self._waiting_for
+        self._waiting_for = what
+        if what and not before:
+            self._waiting_since = self._waiting_logged = now
             self.say(f"waiting for {what}")
-        else:
-            self.say(f"found {self._waiting_for} after {now - self._waiting_since:.1f} s")
-        self._waiting_for, self._waiting_since = what, now
+        elif before and not what:
+            self.say(f"waited {now - self._waiting_since:.1f} s for {before}")
+        elif what and now - self._waiting_logged >= WAITING_PERIOD:
+            self._waiting_logged = now
+            if self._quiet or not self._log.isatty():
+                self.say(self._waiting_text(now))
+
+    def _waiting_text(self, now: float) -> str:
+        return f"waiting for {self._waiting_for} ({now - self._waiting_since:.0f} s)"
 
     def report(self, *details: str) -> None:
         """Update the status line, and log problems of the ROS graph. Call this often; it limits its own rate."""
@@ -209,7 +232,7 @@ class Session:
             rate = self._rates.setdefault(one, Rate(since=self._start)).per_second(one.count)
             parts.append(_rate_text(one, rate))
         if self._waiting_for:
-            parts.append(f"waiting for {self._waiting_for}")
+            parts.append(self._waiting_text(time.monotonic()))
         return " | ".join(parts)
 
     def _write_status(self, text: str) -> None:

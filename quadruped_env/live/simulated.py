@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.live.middleware.topics import PUSH
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.motors import servo_target
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.simulation.push_limit import PushLimit
@@ -40,6 +41,8 @@ class SimulatedRobot:
         self.state = self._simulation.readings
         self._generator = np.random.default_rng(seed)
         self._target = robot.stance.copy()
+        self._servo_errors = robot.motors.servo_errors(robot.joint_kinds)
+        self._play = robot.stance[None].copy()
         self.limp = False
         """True if the motors are disabled: they only brake, like motors with shorted windings."""
         self._commanded_for: float | None = None
@@ -62,6 +65,7 @@ class SimulatedRobot:
         """
         self._simulation.reset(_ROW, qpos[None], np.zeros((1, self.robot.num_velocities)))
         self._target = qpos[7:].copy()
+        self._play[:] = qpos[7:]
         self._commanded_for = None
         self.limp = False
 
@@ -101,9 +105,12 @@ class SimulatedRobot:
             watchdog_tripped = not self.limp and self._commanded_for > WATCHDOG
             if watchdog_tripped:
                 self.limp = True
+        position = self.state.joint_position
+        if self.limp:
+            self._play[:] = position
         # With its own position as target, a position servo applies only its damping.
-        target = self.state.joint_position if self.limp else self._target[None]
-        self._simulation.step(target, 1)
+        pursued = position if self.limp else servo_target(self._target, position, self._play, *self._servo_errors)
+        self._simulation.step(pursued, 1)
         return watchdog_tripped
 
     @property

@@ -26,8 +26,8 @@ class SinglePublisherGuard:
 
     def __init__(self, session: Session, topic: Topic = JOINT_STATES) -> None:
         self._session = session
-        self._topic = topic
         self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True, read=bytes)
+        self._topic = self._others.topic
         self._contest_until = 0.0
 
     def check(self) -> None:
@@ -44,7 +44,8 @@ class SinglePublisherGuard:
                 owner = "another process" if other is None else self._session.node.graph.owner(other)
                 raise QuadrupedError(
                     f"{self._topic.name}: {owner} publishes it already on domain "
-                    f"{self._session.node.network.domain_id}; end that first, or take another domain (--domain-id)"
+                    f"{self._session.node.network.domain_id}; end that first, or take another namespace (--namespace) "
+                    f"or domain (--domain-id)"
                 )
         self._contest_until = time.monotonic() + CONTEST
 

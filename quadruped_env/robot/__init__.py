@@ -3,7 +3,7 @@
 from quadruped_env.robot.assets import asset_path
 from quadruped_env.robot.link_transforms import Transform
 from quadruped_env.robot.mini_quadruped import JOINT_NAMES, LEG_NAMES, MINI_QUADRUPED, forward_kinematics
-from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
+from quadruped_env.robot.motors import JOINT_KINDS, MOTOR_PRESETS, JointMotor, MotorConfig
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
 
@@ -12,6 +12,7 @@ __all__ = [
     "JOINT_NAMES",
     "LEG_NAMES",
     "MINI_QUADRUPED",
+    "MOTOR_PRESETS",
     "JointMotor",
     "MotorConfig",
     "QuadrupedDesign",

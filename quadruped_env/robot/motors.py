@@ -1,9 +1,10 @@
 """Motor parameters: those of the model file, or those identified on a robot."""
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
-from typing import Any, Final
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, fields
+from types import MappingProxyType
+from typing import Any, Final, Self
 
 import mujoco
 import numpy as np
@@ -32,6 +33,9 @@ _LINEAR: Final = 1
 """MuJoCo's mode of interpolation between stored commands."""
 _POSITIVE: Final = ("stall_torque", "no_load_speed", "armature")
 
+SERVO_ERRORS: Final = ("target_step", "backlash", "dead_band")
+"""Fields of `JointMotor` that keep a position servo from following its target exactly; see `servo_target`."""
+
 
 @dataclass(frozen=True)
 class JointMotor(PlainFields):
@@ -51,6 +55,45 @@ class JointMotor(PlainFields):
     """Dry friction, N m."""
     armature: float = 0.01
     """Rotor inertia reflected to the joint, kg m^2."""
+    target_step: float = 0.0
+    """Step to which the servo's input rounds the joint target, rad; 0 for none."""
+    backlash: float = 0.0
+    """Play of the gears, rad: after a reversal the target moves this far before the joint follows."""
+    dead_band: float = 0.0
+    """Error of the position, to either side, up to which the servo does not pull, rad."""
+
+    @classmethod
+    def hobby_servo(
+        cls,
+        stall_torque: float,
+        no_load_speed: float,
+        dead_band: float = math.radians(0.5),
+        backlash: float = math.radians(1.0),
+        target_step: float = math.radians(1.0),
+    ) -> Self:
+        """A position-only servo from the numbers of its data sheet, in N m, rad/s and rad.
+
+        A data sheet gives the dead band in microseconds; most servos turn by 0.1 degrees in one. Arduino's
+        `Servo.write` takes whole degrees, and a PCA9685 at 50 Hz has steps of 4.9 us.
+
+        No data sheet gives the rest, which is that of a Feetech STS3215 in proportion to torque and speed: for a stall
+        torque of 3.35 N m, kp = 17.8, armature = 0.028, dry friction 0.052 N m, and a backlash of 1 degree
+        (https://github.com/apirrone/Open_Duck_Playground, identified for its robot). Its motor is driven by a voltage
+        in proportion to the error, less a back-EMF in proportion to the speed: kd = stall torque / no-load speed.
+        """
+        kd = stall_torque / no_load_speed
+        return cls(
+            stall_torque=stall_torque,
+            no_load_speed=no_load_speed,
+            kp=stall_torque * 17.8 / 3.35,
+            kd=kd,
+            damping=0.0,
+            friction_loss=stall_torque * 0.052 / 3.35,
+            armature=kd * 0.028 / 0.60,
+            target_step=target_step,
+            backlash=backlash,
+            dead_band=dead_band,
+        )
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -103,6 +146,17 @@ class MotorConfig(PlainFields):
         """Heat in each joint's winding per squared torque (J,), W/(N m)^2; `kinds` as in `of_joints`."""
         return np.array([motor.joule_coefficient for motor in self.of_joints(kinds)])
 
+    def servo_errors(self, kinds: Sequence[str]) -> list[NDArray[np.float64]]:
+        """The `SERVO_ERRORS` of each joint, (J,) each, rad; `kinds` as in `of_joints`."""
+        return [np.array([getattr(motor, name) for motor in self.of_joints(kinds)]) for name in SERVO_ERRORS]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, with the `SERVO_ERRORS` only of servos that have them."""
+        values = asdict(self)
+        for kind in JOINT_KINDS:
+            values[kind] = {k: v for k, v in values[kind].items() if v or k not in SERVO_ERRORS}
+        return values
+
     def write(self, spec: mujoco.MjSpec, kinds: Sequence[str], max_delay: float | None = None) -> None:
         """Set these motors in a robot's specification.
 
@@ -134,6 +188,35 @@ class MotorConfig(PlainFields):
                 actuator.nsample = math.ceil(max_delay / spec.option.timestep - 1e-9) + 1
 
 
+def servo_target(
+    target: NDArray[np.float64],
+    position: NDArray[np.float64],
+    play: NDArray[np.float64],
+    target_step: NDArray[np.float64],
+    backlash: NDArray[np.float64],
+    dead_band: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Position that a servo's gains pull to, for a joint target; all arrays (N, J) or broadcastable, in rad.
+
+    The target is rounded to a multiple of the step. The joint's end of the gears follows it as a play operator: pushed
+    from either side of the backlash, and else at rest. Within the dead band the servo pulls to where the joint is, and
+    beyond it by the error less the dead band, so that the joint comes to rest up to the dead band away.
+
+    Args:
+        target: joint target.
+        position: position that the servo measures.
+        play: position of the joint's end of the gears; begins at the joint's position, updated in place.
+        target_step: see `JointMotor`.
+        backlash: see `JointMotor`.
+        dead_band: see `JointMotor`.
+    """
+    step = np.where(target_step > 0.0, target_step, 1.0)
+    rounded = np.where(target_step > 0.0, step * np.rint(target / step), target)
+    play[:] = np.minimum(np.maximum(play, rounded - 0.5 * backlash), rounded + 0.5 * backlash)
+    error = play - position
+    return play - np.minimum(np.maximum(error, -dead_band), dead_band)
+
+
 def fill_command_history(
     model: mujoco.MjModel, history: NDArray[np.float64], joint_target: NDArray[np.float64]
 ) -> None:
@@ -156,3 +239,13 @@ def _check(name: str, value: Any, positive: bool = False) -> None:
     if not is_quantity(value, SMALLEST if positive else 0.0):
         rule = f"positive, {SMALLEST:g} or more" if positive else "0 or more"
         raise QuadrupedError(f"motor: {name} must be a number, {rule}, at most {LARGEST:g}; found {short(value)}")
+
+
+_MG996R: Final = JointMotor.hobby_servo(stall_torque=1.08, no_load_speed=math.radians(60.0) / 0.14)
+"""TowerPro's data sheet at 6 V: 11 kgf cm, 60 degrees in 0.14 s, a dead band of 5 us."""
+
+MOTOR_PRESETS: Final[Mapping[str, MotorConfig]] = MappingProxyType(
+    # A pulse every 20 ms, which comes up to so long after its target.
+    {"mg996r": MotorConfig(_MG996R, _MG996R, delay=0.02)}
+)
+"""Motors by name, for `config["motor"]` and a robot's `motors`."""

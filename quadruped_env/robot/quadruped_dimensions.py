@@ -73,8 +73,8 @@ class QuadrupedDimensions(PlainFields):
                 self.hip_offset,
                 "so far out that the legs clear the base: they are not checked to collide",
             )
-        if not isinstance(self.motors, MotorConfig) or self.motors.delay:
-            raise _error("motors", self.motors, "a MotorConfig without delay; set the delay in config.motor")
+        if not isinstance(self.motors, MotorConfig):
+            raise _error("motors", self.motors, "a MotorConfig")
         if not _are_numbers(self.stance_angles, 2):
             raise _error("stance_angles", self.stance_angles, "two numbers (rad)")
         self._check_ranges()

@@ -9,6 +9,9 @@ from typing import Final
 from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE, JointMotor
 from quadruped_env.robot.quadruped_dimensions import QuadrupedDimensions
 
+IMU: Final = "imu"
+"""Name of the IMU in the MJCF and in the URDF's `<ros2_control>`."""
+
 _FRONT_SHARE: Final = 0.1
 """Length of the mark at the front of the base, relative to the base."""
 _PROUD: Final = 0.001
@@ -157,6 +160,7 @@ def urdf(design: QuadrupedDimensions) -> str:
       <plugin>mock_components/GenericSystem</plugin>
     </hardware>
 {_join(_ros2_control_joint(name, _range(design, name), _motor(design, name)) for name in joints)}
+{_ros2_control_imu()}
 {_join(_ros2_control_transmission(name) for name in joints)}
   </ros2_control>
 </robot>
@@ -312,6 +316,18 @@ def _ros2_control_joint(joint: str, limits: tuple[float, float], motor: JointMot
       <param name="kp">{number(motor.kp)}</param>
       <param name="kd">{number(motor.kd)}</param>
     </joint>"""
+
+
+def _ros2_control_imu() -> str:
+    """The ten state interfaces from which `imu_sensor_broadcaster` makes a message."""
+    names = [f"orientation.{axis}" for axis in "xyz"]
+    names += [f"{quantity}.{axis}" for quantity in ("angular_velocity", "linear_acceleration") for axis in "xyz"]
+    return f"""\
+    <sensor name="{IMU}">
+      <!-- With this value, mock hardware is level. -->
+      <state_interface name="orientation.w"><param name="initial_value">1</param></state_interface>
+{_join(f'      <state_interface name="{name}"/>' for name in names)}
+    </sensor>"""
 
 
 def _ros2_control_transmission(joint: str) -> str:

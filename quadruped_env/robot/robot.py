@@ -404,7 +404,7 @@ class Robot:
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""
         return {
-            entry.name: dataclasses.asdict(value) if isinstance(value, MotorConfig) else plain(value)
+            entry.name: value.to_dict() if isinstance(value, MotorConfig) else plain(value)
             for entry, value in self._content()
             if value is not None or entry.name not in _OPTIONAL
         }
@@ -434,11 +434,12 @@ class Robot:
 
     @functools.cached_property
     def sha256(self) -> str:
-        """SHA-256 of the content, without comments and layout of the model files."""
+        """SHA-256 of the content, without comments and layout of the model files, and without the URDF's sensors."""
         values = self.to_dict()
-        for name in ("mjcf", "urdf"):
+        # A URDF's sensors change neither the robot's motion nor what a policy observes.
+        for name, ignored in (("mjcf", ()), ("urdf", ("sensor",))):
             try:
-                values[name] = ElementTree.canonicalize(values[name], strip_text=True)
+                values[name] = ElementTree.canonicalize(values[name], strip_text=True, exclude_tags=ignored)
             except ElementTree.ParseError as error:
                 raise self._error(f"{name} is not XML ({error})") from error
         return hashlib.sha256(json.dumps(values, sort_keys=True).encode()).hexdigest()

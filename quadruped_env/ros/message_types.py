@@ -1,7 +1,7 @@
 """The ROS 2 message types that this package uses, as `rosbags` defines them.
 
-They are the same in every distribution from Humble to Lyrical. A type hash is the digest of a type's definition
-(REP 2016): from Iron on, peers and bags compare it.
+They are the same in every distribution from Humble to Lyrical, but for `Gid`, which is longer in Humble. A type hash is
+the digest of a type's definition (REP 2016): from Iron on, peers and bags compare it.
 """
 
 from dataclasses import dataclass
@@ -11,9 +11,13 @@ from typing import Any, Final
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 
 MESSAGE_TYPES: Final = (
+    "sensor_msgs/msg/JointState",
+    "sensor_msgs/msg/Imu",
     "builtin_interfaces/msg/Time",
     "std_msgs/msg/Header",
     "std_msgs/msg/String",
+    "std_msgs/msg/Bool",
+    "std_msgs/msg/Empty",
     "std_msgs/msg/MultiArrayDimension",
     "std_msgs/msg/MultiArrayLayout",
     "std_msgs/msg/Float64MultiArray",
@@ -28,12 +32,26 @@ MESSAGE_TYPES: Final = (
     "geometry_msgs/msg/TwistWithCovariance",
     "geometry_msgs/msg/TwistStamped",
     "tf2_msgs/msg/TFMessage",
-    "sensor_msgs/msg/JointState",
-    "sensor_msgs/msg/Imu",
     "nav_msgs/msg/Odometry",
     "rosgraph_msgs/msg/Clock",
+    "diagnostic_msgs/msg/KeyValue",
+    "diagnostic_msgs/msg/DiagnosticStatus",
+    "diagnostic_msgs/msg/DiagnosticArray",
+    "rmw_dds_common/msg/Gid",
+    "rmw_dds_common/msg/NodeEntitiesInfo",
+    "rmw_dds_common/msg/ParticipantEntitiesInfo",
 )
 """Names, `package/msg/Type`."""
+_GID: Final = "rmw_dds_common/msg/Gid"
+
+
+_CONTROL_TYPES: Final = {
+    "control_msgs/msg/InterfaceValue": "string[] interface_names\nfloat64[] values\n",
+    "control_msgs/msg/DynamicJointState": (
+        "std_msgs/Header header\nstring[] joint_names\ncontrol_msgs/InterfaceValue[] interface_values\n"
+    ),
+}
+"""Types of recordings that `rosbags` lacks; bags of sqlite3 do not define theirs."""
 
 
 @dataclass(frozen=True)
@@ -70,16 +88,22 @@ class MessageType:
 
 @cache
 def typestore() -> Any:
-    """The message types of ROS 2 Humble, as `rosbags` knows them.
+    """The message types of ROS 2 Humble, as `rosbags` knows them, with the keys of DDS entities of Iron and later.
 
     Raises:
         MissingExtraError: if rosbags is not installed.
     """
     try:
-        from rosbags.typesys import Stores, get_typestore
+        from rosbags.typesys import Stores, get_types_from_msg, get_typestore
     except ImportError as error:
         raise MissingExtraError("reading and writing ROS messages", "ros") from error
-    return get_typestore(Stores.ROS2_HUMBLE)
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    # rosbags has the type of Humble, and registers no second one of that name.
+    del store.fielddefs[_GID], store.types[_GID]
+    store.register(get_types_from_msg("uint8[16] data", _GID))
+    for name, definition in _CONTROL_TYPES.items():
+        store.register(get_types_from_msg(definition, name))
+    return store
 
 
 @cache

@@ -9,6 +9,7 @@ class Qos:
     """One profile: keep the last `depth` messages."""
 
     depth: int
+    """Number of messages that are kept; 0: all."""
     reliable: bool = True
     """False: best effort."""
     transient_local: bool = False

@@ -1,8 +1,8 @@
-"""The messages of which recordings consist: joint states, and the transforms of the robot's links."""
+"""The messages of which recordings consist: joint states in their several types, and the transforms of the links."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,11 @@ from quadruped_env.ros.message_types import typestore
 from quadruped_env.ros.timestamps import NS_PER_SECOND, read_stamp
 
 JOINT_STATE = "sensor_msgs/msg/JointState"
+_DYNAMIC = "control_msgs/msg/DynamicJointState"
+_TRAJECTORY = "trajectory_msgs/msg/JointTrajectory"
+_ARRAY = "std_msgs/msg/Float64MultiArray"
+RECORDED_TYPES: Final = (JOINT_STATE, _DYNAMIC, _TRAJECTORY, _ARRAY)
+"""Types of messages that hold joint positions; where a bag has several, the first is read."""
 
 
 class RawJointState(NamedTuple):
@@ -31,13 +36,65 @@ def read_joint_state(data: bytes) -> RawJointState:
     return _raw(cdr.deserialize(data, JOINT_STATE), len(data))
 
 
-def read_ros1_joint_state(data: bytes) -> RawJointState:
-    """The joint state that bytes of ROS 1 hold. Raises a QuadrupedError if they do not hold one."""
+def read_recorded(
+    data: bytes, type_name: str, time: int, header: bool = True, ros1: bool = False
+) -> list[RawJointState]:
+    """The joint states that a message holds: one, or the points of a `JointTrajectory`.
+
+    Args:
+        data: CDR bytes, or those of ROS 1.
+        type_name: one of `RECORDED_TYPES`.
+        time: of recording, ns: the timestamp of a message that has none.
+        header: whether the header's timestamp counts, where there is one.
+        ros1: whether the bytes are ROS 1's.
+
+    Raises:
+        QuadrupedError: if they do not hold such a message.
+    """
+    store = _ros1_typestore() if ros1 else typestore()
     try:
-        message = _ros1_typestore().deserialize_ros1(data, JOINT_STATE)
+        message = (store.deserialize_ros1 if ros1 else store.deserialize_cdr)(data, type_name)
     except Exception as error:  # rosbags does not document which errors it raises for damaged bytes
-        raise QuadrupedError(f"{len(data)} bytes do not hold a {JOINT_STATE}: {error}") from error
-    return _raw(message, len(data))
+        raise QuadrupedError(f"{len(data)} bytes do not hold a {type_name}: {error}") from error
+    if type_name == _ARRAY:
+        return [RawJointState(time, (), message.data, np.empty(0), np.empty(0))]
+    if type_name == JOINT_STATE:
+        raw = _raw(message, len(data))
+        return [raw if header else raw._replace(stamp=time)]
+    stamp = _checked_stamp(message.header.stamp, type_name, len(data))
+    # A trajectory without a time begins when it arrives.
+    stamp = stamp if header and (stamp or type_name == _DYNAMIC) else time
+    if type_name == _DYNAMIC:
+        values = [(one.interface_names, one.values) for one in message.interface_values]
+        return [dynamic_state(stamp, message.joint_names, values)]
+    return [
+        RawJointState(
+            stamp + read_stamp(point.time_from_start),
+            tuple(message.joint_names),
+            point.positions,
+            point.velocities,
+            point.effort,
+        )
+        for point in message.points
+    ]
+
+
+def dynamic_state(
+    stamp: int, names: Sequence[str], interfaces: Sequence[tuple[Sequence[str], ArrayLike]]
+) -> RawJointState:
+    """The joint state in a `DynamicJointState`: of each joint the names of its interfaces, and their values.
+
+    Raises:
+        QuadrupedError: if the lengths differ.
+    """
+    if len(interfaces) != len(names) or any(len(keys) != np.size(values) for keys, values in interfaces):
+        raise QuadrupedError(f"{len(names)} joints and {len(interfaces)} lists of interfaces, or of unequal lengths")
+    tables = [dict(zip(keys, np.ravel(values), strict=True)) for keys, values in interfaces]
+    arrays = []
+    for kind in ("position", "velocity", "effort"):
+        known = any(kind in table for table in tables)
+        arrays.append(np.array([table.get(kind, np.nan) for table in tables] if known else (), dtype=np.float64))
+    return RawJointState(stamp, tuple(names), *arrays)
 
 
 def joint_state(
@@ -88,6 +145,11 @@ def _header(stamp: int, frame_id: str) -> Any:
     return types["std_msgs/msg/Header"](types["builtin_interfaces/msg/Time"](*cdr.seconds_of(stamp)), frame_id)
 
 
+def ros1_digest(type_name: str) -> str:
+    """The MD5 digest of ROS 1's definition of a message type."""
+    return str(_ros1_typestore().generate_msgdef(type_name)[1])
+
+
 @cache
 def _ros1_typestore() -> Any:
     from rosbags.typesys import Stores, get_typestore
@@ -96,10 +158,14 @@ def _ros1_typestore() -> Any:
 
 
 def _raw(message: Any, size: int) -> RawJointState:
-    time = message.header.stamp
+    stamp = _checked_stamp(message.header.stamp, JOINT_STATE, size)
+    return RawJointState(stamp, tuple(message.name), message.position, message.velocity, message.effort)
+
+
+def _checked_stamp(time: Any, type_name: str, size: int) -> int:
     if time.nanosec >= NS_PER_SECOND:
         raise QuadrupedError(
-            f"{size} bytes do not hold a {JOINT_STATE}: {time.nanosec} ns in a second are too many; the message is "
+            f"{size} bytes do not hold a {type_name}: {time.nanosec} ns in a second are too many; the message is "
             f"damaged"
         )
-    return RawJointState(read_stamp(time), tuple(message.name), message.position, message.velocity, message.effort)
+    return read_stamp(time)

@@ -76,8 +76,7 @@ def _compiled(
     if motors is not None and motors != robot.motors:
         motors.write(spec, robot.joint_kinds)
     motors = motors or robot.motors
-    if max_delay > motors.delay:
-        motors.write_delay(spec, max_delay)
+    motors.write_delay(spec, max(max_delay, motors.delay))
     heights = terrain.heights()
     if heights.any():
         _lay(spec, heights, terrain.extent)

@@ -188,6 +188,7 @@ class Task:
     def place(self, env_ids: EnvIds, qpos: Floats, qvel: Floats) -> None:
         """Set the positions (R, 7 + J) and velocities (R, 6 + J) of some envs (R,), in MuJoCo's order."""
         self.simulation.reset(env_ids, qpos, qvel)
+        self._randomizer.start_servos(env_ids)
         self.context.read()
 
     def set_command(self, env_ids: EnvIds, command: Sequence[float] | Floats) -> None:
@@ -242,9 +243,7 @@ class Task:
     def _move(self, target: Floats, restart: NDArray[np.bool_] | None = None) -> Transition:
         """Simulate one control step, compute its results, and prepare the next step."""
         running = None if restart is None else np.flatnonzero(~restart)
-        sensors = self._randomizer.sensors
-        ctrl = target if sensors is None else sensors.joint_target(target)
-        self.simulation.step(ctrl, self.config.decimation, running)
+        self.simulation.step(self._randomizer.motor_target(target), self.config.decimation, running)
         self.context.update(self.simulation.substeps)
         diverged = self.simulation.diverged()
         terminated = self._terminations(self.context, diverged)
@@ -307,10 +306,11 @@ class Task:
         self.context.read()
 
     def _parts(self) -> dict[str, EpisodeMemory]:
-        sensors = self._randomizer.sensors
+        sensors, servos = self._randomizer.sensors, self._randomizer.servos
         return {
             **({} if self.tiles is None else {"tiles": self.tiles.memory}),
             **({} if sensors is None else {"sensors": sensors.memory}),
+            **({} if servos is None else {"servos": servos.memory}),
             "episode": self._memory,
             "control": self.control.memory,
             "terms": self.context.memory,

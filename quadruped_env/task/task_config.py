@@ -33,7 +33,7 @@ from quadruped_env.control.control_config import (
 )
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot.motors import MotorConfig
+from quadruped_env.robot.motors import MOTOR_PRESETS, MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.robot.units import scale_of, scaled, scaled_values
 from quadruped_env.simulation import build_model
@@ -52,7 +52,7 @@ from quadruped_env.task.config_sections import (
 )
 from quadruped_env.task.randomization.model_fields import ModelField
 from quadruped_env.task.randomization.randomization import ends_of, is_active
-from quadruped_env.task.randomization.randomization_presets import preset_values, with_preset
+from quadruped_env.task.randomization.randomization_presets import PRESET, preset_values, with_preset
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
 from quadruped_env.task.terrain_section import Choice, ground_of, terrain_schema, values_of
 from quadruped_env.utils.parameters import Parameter
@@ -323,7 +323,8 @@ class TaskConfig(PlainFields):
     termination: Section = _OF_THE_DEFINITION
     randomization: Section = _OF_THE_DEFINITION
     motor: MotorConfig = _OF_THE_DEFINITION
-    """Motors of the robot, or those of `mini-quadruped identify`. Default: those of the definition's robot."""
+    """Motors of the robot, those of `mini-quadruped identify`, or the name of one of `MOTOR_PRESETS` in plain values.
+    Default: those of the definition's robot."""
     terrain: Section = _OF_THE_DEFINITION
     """Name, seed and parameters of the ground."""
     definition: TaskDefinition = field(default=BUILT_IN, repr=False)
@@ -535,8 +536,19 @@ def _build(kind: type, values: Plain, path: str, definition: TaskDefinition) -> 
 
 
 def _motor(values: Plain, path: str, definition: TaskDefinition) -> MotorConfig:
-    """Motors whose missing fields are those of the robot."""
-    default = dataclasses.asdict(definition.robot.motors)
+    """Motors whose missing fields are those of the robot, or of the preset that the values name."""
+    base = definition.robot.motors
+    if isinstance(values, str):
+        values = {PRESET: values}
+    if isinstance(values, dict) and PRESET in values:
+        name = values[PRESET]
+        if not isinstance(name, str) or name not in MOTOR_PRESETS:
+            raise QuadrupedError(
+                f"{path}: there is no preset {short(name)}; valid names are {', '.join(MOTOR_PRESETS)}"
+            )
+        base = MOTOR_PRESETS[name]
+        values = {field: value for field, value in values.items() if field != PRESET}
+    default = dataclasses.asdict(base)
     if isinstance(values, dict):
         values = {**default, **values}
         for kind, motor in values.items():

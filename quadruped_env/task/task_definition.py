@@ -10,7 +10,7 @@ from typing import Any, Final, Self
 
 from quadruped_env.control.control_config import COMMANDS, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
-from quadruped_env.control.task_file import execute, merged, names_of, robot_in
+from quadruped_env.control.task_file import execute, kept, merged, names_of, robot_in
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
@@ -66,8 +66,8 @@ class TaskDefinition:
         return scale_of(unit, self.robot) if built_in else 1.0
 
     def own_terms(self) -> dict[str, list[str]]:
-        """Names of what the user's file defines, by kind, as in the lists above."""
-        return {
+        """Names of what the user's file defines or leaves out, by kind, as in the lists above."""
+        own = {
             kind: [
                 name
                 for term in getattr(self, kind)
@@ -76,6 +76,9 @@ class TaskDefinition:
             ]
             for kind in _LISTS
         }
+        here = {entry.name for entry in self.observations}
+        own["observations"] += [entry.name for entry in BUILT_IN.observations if entry.name not in here]
+        return own
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, TaskDefinition) and self._identity == other._identity
@@ -145,6 +148,8 @@ BUILT_IN: Final = TaskDefinition()
 def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = None) -> TaskDefinition:
     """The built-in task, extended by the terms and the robot that a Python file defines at its top level.
 
+    A built-in observation whose name the file sets to None is left out.
+
     The file's code is executed, so load only files that you trust.
 
     Args:
@@ -170,13 +175,14 @@ def _defined(module: ModuleType, file: TaskFile) -> TaskDefinition:
         if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
     ]
     robot = robot_in(module)
-    if not terms and robot is None:
+    observations = kept(BUILT_IN.observations, module)
+    if not terms and robot is None and observations == BUILT_IN.observations:
         raise QuadrupedError(
             f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @privileged, "
             f"@termination or @terrain, or make a Randomization, Command or QuadrupedDesign, at the top level of the "
             f"file (docs/make-it-yours.md)"
         )
-    definition = BUILT_IN if robot is None else BUILT_IN.with_robot(robot)
+    definition = dataclasses.replace(BUILT_IN, robot=robot or BUILT_IN.robot, observations=observations)
     return definition.extended(terms, file, path)
 
 

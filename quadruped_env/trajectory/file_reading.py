@@ -14,6 +14,7 @@ from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.validation import Source
 from quadruped_env.utils.progress import Progress
 
+KEEP: Final = "keep what can be read (--salvage)"
 _MAX_RANGES: Final = 5
 """Ranges of rows that a remark lists."""
 
@@ -66,6 +67,12 @@ class Reading:
         text = cut(text)
         if text not in self.notes:
             self.notes.append(text)
+
+    def damage(self, text: str) -> None:
+        """Add a remark on damage. Raises a QuadrupedError if the options do not ask to salvage."""
+        if not self.options.salvage:
+            raise self.error(None, f"the bag is damaged, cut off, or was not closed: {text}; {KEEP}, or record again")
+        self.note(text)
 
     def count(self, remark: str, number: int = 1) -> None:
         """Count values that a remark applies to."""

@@ -4,7 +4,7 @@ import builtins
 import operator
 import warnings
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Self
@@ -114,8 +114,11 @@ class JointTrajectory:
         joint_map: JointMap | str | Path | None = None,
         names: Sequence[str] | None = None,
         degrees: bool | None = None,
-        stamps: str = "header",
+        stamps: str | float = "header",
         ignore: Sequence[str] = (),
+        unwrap: float | None = None,
+        despike: bool = False,
+        merge: bool = False,
         sort: bool = False,
         drop: bool = False,
         salvage: bool = False,
@@ -124,19 +127,27 @@ class JointTrajectory:
         """Read a trajectory from a file or bag, whose format is recognised by its content.
 
         Formats: this project's CSV (`quadruped_env.trajectory.formats.project_csv`), any CSV with a column map, the
-        output of `ros2 topic echo` (YAML and `--csv`), rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags.
+        output of `ros2 topic echo` (YAML and `--csv`), rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags,
+        CSVs whose columns bear the joints' names, motion clips (JSON with `FrameDuration`). Messages are `JointState`,
+        `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
+
+        What is not plausible is noted (`quadruped_env.trajectory.plausibility`) in `source.notes`, and not changed.
 
         Args:
             path: of the file, or of a bag's directory.
-            topic: topic of the joint states, for a bag that has several.
+            topic: topic of the joint states, for a bag that has several; with `merge`, several with commas between.
             columns: map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`).
             joint_map: map of another robot's joints to this one's, or the path of its TOML file (in the same module).
-            names: names of the joints in their order, for messages without names.
+            names: names of the joints in their order, for messages and motion clips without names; of a CSV without a
+                map, the columns of the positions (default: the built-in robot's joints).
             degrees: True converts positions and velocities from degrees and degrees/s. False takes them as rad and
                 rad/s. None does too, but raises an error if they look like degrees.
             stamps: source of a message's timestamp: `header`, or `log` for the time of recording, for publishers that
-                leave the header's at 0.
+                leave the header's at 0. A number is the time from row to row in s, and replaces all timestamps.
             ignore: `velocity`, `effort` or both: values that are not read.
+            unwrap: angle in rad, such as 2 pi, after which encoders begin again: positions go on there.
+            despike: leave out rows in which a joint is elsewhere, if it is for five rows or fewer.
+            merge: make one row of messages that hold some of the robot's joints each, once all have come again.
             sort: sort the rows by timestamp; otherwise decreasing timestamps are an error.
             drop: leave out rows that cannot be used; otherwise they are an error. These are timestamps that do not
                 increase, numbers that are not finite, messages with other joints or unequal lengths.
@@ -151,19 +162,8 @@ class JointTrajectory:
                 line or message, the field, the value and the fix.
             MissingExtraError: if the format needs libraries that are not installed.
         """
-        options = ReadOptions.of(
-            topic=topic,
-            columns=columns,
-            joint_map=joint_map,
-            names=names,
-            degrees=degrees,
-            stamps=stamps,
-            ignore=ignore,
-            sort=sort,
-            drop=drop,
-            salvage=salvage,
-        )
-        return cls.from_stream(Stream(path, options, progress))
+        given = {name: value for name, value in locals().items() if name not in {"cls", "path", "progress"}}
+        return cls.from_stream(Stream(path, ReadOptions.of(**given), progress))
 
     def save(
         self,
@@ -361,15 +361,20 @@ class JointTrajectory:
             )
         return self._changed(velocities=derivative(self.times, self.positions, window))
 
-    def retarget(self, joint_map: JointMap | str | Path) -> "JointTrajectory":
+    def retarget(self, joint_map: JointMap | str | Path, back: bool = False) -> "JointTrajectory":
         """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.maps`.
 
         Args:
             joint_map: the map, or the path of its TOML file.
+            back: True for the other way: from the map's joints to its sources, in the units of the map.
 
         Raises:
-            QuadrupedError: if the map is invalid, or a joint that it names as a source is missing.
+            QuadrupedError: if the map is invalid, or a joint is missing.
         """
+        if back:
+            found = JointMap.of(joint_map)
+            rows = row_conversion.select(self.to_rows(), tuple(found.rules), self.source.name)
+            return self._of_rows(replace(rows, names=found.sources, values=found.to_sources(rows.values)))
         return self._of_rows(row_conversion.retarget(self.to_rows(), JointMap.of(joint_map), self.source.name))
 
     def from_degrees(self) -> "JointTrajectory":

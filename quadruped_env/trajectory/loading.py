@@ -11,11 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats import recognition
+from quadruped_env.trajectory.plausibility import TURN, Plausibility
 from quadruped_env.trajectory.read_options import ReadOptions
 from quadruped_env.trajectory.row_conversion import from_degrees, retarget
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, joined
+from quadruped_env.trajectory.steps import Steps
 from quadruped_env.trajectory.validation import Source, check_finite, invalid, not_increasing, read_only, validate
 from quadruped_env.utils.progress import Progress
 
@@ -61,10 +64,20 @@ class Stream:
             pieces = recognition.read(reading, stack)
             if reading.options.sort:
                 pieces = _sorted(pieces)
-            for rows in _validated(pieces, reading):
+            if reading.options.period is not None:
+                pieces = _evenly_spaced(pieces, reading.options.period)
+            joint_map = reading.options.joint_map
+            periods = (TURN,) if joint_map is None else joint_map.periods
+            pieces = (_converted(rows, reading) for rows in _validated(pieces, reading))
+            if reading.options.despike or reading.options.unwrap:
+                pieces = _repaired(pieces, reading)
+            check = Plausibility(periods)
+            for rows in check.watch(pieces):
                 if self._first is None:
                     self._first = int(rows.numbers[0])
-                yield _converted(rows, reading)
+                yield rows
+            for finding in check.findings(reading.row_name):
+                reading.note(finding.text)
         if self._first is None:
             raise reading.error(None, f"no row is left; {'; '.join(reading.remarks()) or 'record again'}")
         reading.report_progress(1.0)
@@ -79,10 +92,41 @@ class Stream:
 
 def _sorted(pieces: Iterator[Rows]) -> Iterator[Rows]:
     """All rows in the order of their timestamps; rows with equal timestamps stay in the order of the file."""
+    for rows in _together(pieces):
+        yield rows.take(np.argsort(rows.stamps, kind="stable"))
+
+
+def _together(pieces: Iterator[Rows]) -> Iterator[Rows]:
+    """All rows in one piece, or nothing."""
     first = next(pieces, None)
     if first is not None:
-        rows = joined(chain([first], pieces))
-        yield rows.take(np.argsort(rows.stamps, kind="stable"))
+        yield joined(chain([first], pieces))
+
+
+def _evenly_spaced(pieces: Iterator[Rows], period: float) -> Iterator[Rows]:
+    """The rows, this time in s apart, from the timestamp of the first one on."""
+    start, count = None, 0
+    for piece in pieces:
+        start = max(int(piece.stamps[0]), 0) if start is None else start
+        times = np.rint(np.arange(count, count + len(piece)) * (period * NS_PER_SECOND)).astype(np.int64)
+        count += len(piece)
+        yield replace(piece, stamps=start + times)
+
+
+def _repaired(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:
+    """All rows without spikes and without wraps, as the options say."""
+    options = reading.options
+    for rows in _together(pieces):
+        if options.despike and len(rows) > 2:
+            bad = Steps(rows, (options.unwrap or TURN,)).spikes.any(axis=1)
+            reading.leave_out("a joint is elsewhere for a few rows", int(bad.sum()))
+            rows = rows.take(~bad)  # noqa: PLW2901
+        position = rows.values["position"]
+        if options.unwrap:
+            whole = np.rint(np.diff(position, axis=0) / options.unwrap)
+            reading.count(f"steps of about {options.unwrap:.4g} rad, undone", int(np.count_nonzero(whole)))
+            position = np.concatenate([position[:1], position[1:] - options.unwrap * np.cumsum(whole, axis=0)])
+        yield replace(rows, values=rows.values | {"position": position})
 
 
 def _validated(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:
@@ -154,7 +198,8 @@ def _converted(rows: Rows, reading: Reading) -> Rows:
             mark = f"; if it marks a missing value, add it to the map (missing = {value:g})" if options.columns else ""
             raise QuadrupedError(
                 f"{source.row(row)}, position.{rows.names[column]}: "
-                f"{value:g} rad is more than two turns: these may be degrees. Say so "
-                f'(--degrees, or unit = "deg" in a map) to have them converted, or that they are rad (--radians){mark}'
+                f"{value:g} rad is more than two turns: these may be degrees. Say so (--degrees, or unit = "
+                f'"deg" in a map) to have them converted, or that they are rad (--radians); counts of an encoder need '
+                f"a scale in a map{mark}"
             )
     return rows

@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory.maps import JointMap
@@ -44,7 +43,7 @@ def select(rows: Rows, names: Sequence[str], recording: str) -> Rows:
 
 
 def retarget(rows: Rows, joint_map: JointMap, recording: str) -> Rows:
-    """The rows on the joints of a map; efforts of joints without a source are NaN.
+    """The rows on the joints of a map: see `JointMap.to_joints`.
 
     Args:
         rows: of the other robot.
@@ -54,27 +53,4 @@ def retarget(rows: Rows, joint_map: JointMap, recording: str) -> Rows:
     Raises:
         QuadrupedError: if the recording lacks a joint that the map names as a source.
     """
-    for joint, rule in joint_map.rules.items():
-        if rule.source is not None and rule.source not in rows.names:
-            raise QuadrupedError(
-                f"{joint_map.name}: [joints.{joint}] source: {recording} has no joint {rule.source!r}; "
-                f"it has {', '.join(rows.names)}"
-            )
-    rules = joint_map.rules.values()
-
-    def of_sources(array: NDArray[np.float64], missing: float) -> NDArray[np.float64]:
-        columns = [
-            np.full(len(rows), missing) if rule.source is None else array[:, rows.names.index(rule.source)]
-            for rule in rules
-        ]
-        return np.stack(columns, axis=1)
-
-    def factors(name: str) -> NDArray[np.float64]:
-        return np.array([getattr(rule, name) for rule in rules], dtype=np.float64)
-
-    values = {"position": of_sources(rows.values["position"], 0.0) * factors("factor") + factors("offset_rad")}
-    if "velocity" in rows.values:
-        values["velocity"] = of_sources(rows.values["velocity"], 0.0) * factors("velocity_factor")
-    if "effort" in rows.values:
-        values["effort"] = of_sources(rows.values["effort"], np.nan) / factors("gear")
-    return replace(rows, names=tuple(joint_map.rules), values=values)
+    return replace(rows, names=tuple(joint_map.rules), values=joint_map.to_joints(rows.names, rows.values, recording))

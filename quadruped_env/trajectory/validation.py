@@ -107,7 +107,8 @@ def not_increasing(source: Source, row: int, stamp: int, previous: int) -> Quadr
     """The error for a row whose timestamp is not later than that of the row before."""
     return QuadrupedError(
         f"{source.row(row)}, stamp_ns: {stamp} does not come after {previous} of the row before; sort the rows by time "
-        f"(--sort), and keep one row per timestamp (--drop leaves out the rows that are not later)"
+        f"(--sort), and keep one row per timestamp (--drop leaves out the rows that are not later); or, if the clock "
+        f"was set back or repeats, give the time from row to row in s (--stamps 0.01)"
     )
 
 

@@ -13,6 +13,8 @@ import socket
 from collections.abc import Sequence
 from typing import Final
 
+from quadruped_env.errors import QuadrupedError
+
 _LOOPBACK_NAMES: Final = frozenset({"localhost", "127.0.0.1", "::1"})
 _HOST: Final = re.compile(r"(?:\[(?P<address>[0-9a-f:.]+)\]|(?P<name>[a-z0-9._-]+))(?::(?P<port>[0-9]{1,5}))?")
 _HTTP_PORT: Final = 80
@@ -26,9 +28,17 @@ class AccessRules:
 
     Args:
         host: the address that the server listens on.
+        allowed: further hosts, as browsers address a forwarded port or a proxy: `NAME` or `NAME:PORT`.
+
+    Raises:
+        QuadrupedError: if one of the allowed hosts is not of that form.
     """
 
-    def __init__(self, host: str) -> None:
+    def __init__(self, host: str, allowed: Sequence[str] = ()) -> None:
+        self._allowed = frozenset(one.lower() for one in allowed)
+        for one in self._allowed:
+            if not _HOST.fullmatch(one):
+                raise QuadrupedError(f"--allow-host: expected NAME or NAME:PORT; found {one!r}")
         host = host.lower()
         address = _address(host)
         self._is_local = host == "localhost" or (address is not None and address.is_loopback)
@@ -47,11 +57,15 @@ class AccessRules:
         host = hosts[0].lower() if len(hosts) == 1 else ""
         if not self._accepts_host(host, port):
             return f"Host is {_shown(hosts)}, which is not a name of this server"
-        if origins and [origin.lower() for origin in origins] != [f"http://{host}"]:
+        # A proxy may encrypt the connection to the browser.
+        schemes = ("http", "https") if host in self._allowed else ("http",)
+        if origins and [origin.lower() for origin in origins] not in [[f"{scheme}://{host}"] for scheme in schemes]:
             return f"Origin is {_shown(origins)}: a foreign page"
         return None
 
     def _accepts_host(self, host: str, port: int) -> bool:
+        if host in self._allowed:
+            return True
         match = _HOST.fullmatch(host)
         if match is None or int(match["port"] or _HTTP_PORT) != port:
             return False

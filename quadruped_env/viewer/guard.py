@@ -9,7 +9,7 @@ import asyncio
 import logging
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from http import HTTPStatus
@@ -52,13 +52,14 @@ class Guard:
 
     Args:
         host: the address that the server listens on.
+        allowed: further hosts under which browsers reach it, see `AccessRules`.
     """
 
-    def __init__(self, host: str) -> None:
+    def __init__(self, host: str, allowed: Sequence[str] = ()) -> None:
         self.gui: viser.GuiApi | None = None
         """Controls of the page, set once the server has started."""
         self._host = host
-        self._rules = AccessRules(host)
+        self._rules = AccessRules(host, allowed)
         self._next_log: dict[str, float] = {}
 
     @contextmanager

@@ -1,9 +1,11 @@
 """The web server of the viewer: on this machine only by default, and never shared through viser's public relay."""
 
+import argparse
 import contextlib
 import errno
 import io
 import socket
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
@@ -16,10 +18,11 @@ PORT: Final = 8080
 _PORTS_TRIED: Final = 100
 
 
-def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
+def start_server(host: str = LOOPBACK, port: int = PORT, allowed: Sequence[str] = ()) -> "viser.ViserServer":
     """Start a server on the first free port from `port` on, for this project's page only (see `access` and `guard`).
 
-    Any address other than loopback lets other machines control the viewer. Port 0 is any free port.
+    Any address other than loopback lets other machines control the viewer. Port 0 is any free port. `allowed` are
+    further hosts under which browsers reach it, see `AccessRules`.
 
     Raises:
         MissingExtraError: if viser is not installed.
@@ -29,7 +32,7 @@ def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
     # Imported here because it needs viser.
     from quadruped_env.viewer.guard import Guard
 
-    guard = Guard(host)
+    guard = Guard(host, allowed)
     port = _free_port(host, port)
     # viser prints its own banner.
     with contextlib.redirect_stdout(io.StringIO()), guard.installed():
@@ -37,6 +40,17 @@ def start_server(host: str = LOOPBACK, port: int = PORT) -> "viser.ViserServer":
     guard.gui = server.gui
     server.gui.configure_theme(show_logo=False, show_share_button=False, brand_color=(0, 114, 178))
     return server
+
+
+def add_allow_host(parser: argparse.ArgumentParser) -> None:
+    """Add `--allow-host`."""
+    parser.add_argument(
+        "--allow-host",
+        action="append",
+        default=[],
+        metavar="NAME[:PORT]",
+        help="accept browsers that address the page by this name too, as through a forwarded port or a proxy",
+    )
 
 
 def stop_server(server: "viser.ViserServer") -> None:

@@ -56,11 +56,13 @@ class Pace:
 class Show:
     """A running viewer of a controller, which `close` also closes; arguments and errors as in `open_show`."""
 
-    def __init__(self, controller: ViewController, host: str = LOOPBACK, port: int = PORT) -> None:
+    def __init__(
+        self, controller: ViewController, host: str = LOOPBACK, port: int = PORT, allowed_hosts: Sequence[str] = ()
+    ) -> None:
         self.controller = controller
         self._host = host
         self._stop = threading.Event()
-        self._server = start_server(host, port)
+        self._server = start_server(host, port, allowed_hosts)
         self._scene = Scene(self._server, controller.model(), controller.robot, controller.terrain)
         self.panel = Panel(self._server, controller, self._scene)
         self._plots = Plots(self._server, controller.command_ranges, controller.robot, controller.available.sources)
@@ -146,6 +148,7 @@ def open_show(
     terrain: str | Terrain | None = None,
     randomization: str | None = None,
     trust_task: bool = False,
+    allowed_hosts: Sequence[str] = (),
 ) -> Show:
     """Open a show of the requested sources, ready to run.
 
@@ -161,6 +164,7 @@ def open_show(
         terrain: a terrain, or the name of one, built-in or of that file; None: that of the first robot's task.
         randomization: preset of the episodes' randomization; None: every episode starts at rest in the stance.
         trust_task: execute the copies of such files that these runs keep, in place of `task_file`.
+        allowed_hosts: further hosts under which browsers reach the page, such as `localhost:9000` for a forwarded port.
 
     Raises:
         MissingExtraError: if viser or mjviser is not installed.
@@ -184,7 +188,7 @@ def open_show(
         if outside := out_of_range(command, entries):
             raise QuadrupedError(f"--command: {outside}; give a command in this range")
         controller.set_command(*command)
-        return Show(controller, host, port)
+        return Show(controller, host, port, allowed_hosts)
     except BaseException:
         controller.close()
         raise

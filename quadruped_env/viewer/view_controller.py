@@ -223,8 +223,8 @@ class ViewController:
     def toggle_pause(self) -> bool:
         """Pause or resume playback. Returns True if it is now paused."""
         with self._lock:
-            self.paused = not self._paused
-            return self._paused
+            self.paused = not self.paused
+            return self.paused
 
     def reset(self) -> None:
         """Reset all robots and the clock."""
@@ -327,7 +327,7 @@ class ViewController:
         with self._lock:
             return View(
                 self._time,
-                self._paused,
+                self.paused,
                 self._speed,
                 tuple(
                     robot_view(slot.robot, name, slot.scratch)

@@ -21,6 +21,7 @@ from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES
 NAME = "mini_quadruped_sim"
 PACKAGE = ROOT / "assets" / "ros2" / NAME
 SUBSCRIBER = Path(ros2_peers.__file__).parent / "print_joint_states.py"
+SETTER = Path(ros2_peers.__file__).parent / "set_parameters.py"
 COUNT = 60
 
 pytestmark = pytest.mark.slow
@@ -74,8 +75,8 @@ def run_node(workspace, ros2, sourced):
         output_of(process)
 
 
-def messages_of(ros2, count=COUNT):
-    with ros2.start(SUBSCRIBER, count) as process:
+def messages_of(ros2, count=COUNT, *arguments):
+    with ros2.start(SUBSCRIBER, count, *arguments) as process:
         output, _ = output_of(process)
     return [json.loads(line) for line in output.splitlines() if line.startswith("{")]
 
@@ -135,6 +136,29 @@ def test_built_node_with_parameters_publishes_another_gait(ros2, run_node):
     # A sinusoid and its derivative: the ellipse has the angular frequency as the ratio of its axes.
     ellipse = ((positions[:, 1::2] + 0.3) / 0.3) ** 2 + (velocities[:, 1::2] / (4.0 * 0.3)) ** 2
     np.testing.assert_allclose(ellipse, 1, atol=1e-9)
+
+
+def test_running_node_changes_its_gait_by_parameters_in_its_namespace(ros2, run_node):
+    node = run_node("--ros-args", "-r", "__ns:=/r1", "-p", "rate:=40.0")
+    topic = "--ros-args", "-r", "/joint_states:=/r1/joint_states"
+    messages_of(ros2, 1, *topic)
+    changes = {"angular_frequency": 4.0, "hip_amplitude": 0.1, "phases": [0.0] * 8, "knee_amplitude": float("nan")}
+    with ros2.start(SETTER, "/r1/joint_state_publisher", json.dumps(changes)) as process:
+        output, _ = output_of(process)
+    assert json.loads(output.splitlines()[-1]) == {
+        **dict.fromkeys(changes, ""),
+        "knee_amplitude": "knee_amplitude: expected a finite number; found nan",
+    }
+    messages = messages_of(ros2, COUNT, *topic)
+    assert node.poll() is None
+    ticks = ticks_of(messages, 25_000_000)
+    positions = np.array([message["position"] for message in messages])
+    velocities = np.array([message["velocity"] for message in messages])
+    assert (positions == np.tile(positions[:, :2], 4)).all()
+    # The preset's knees, with the new frequency and phase; the hips a quarter of a cycle behind.
+    phase = np.unwrap(np.arctan2(-velocities[:, 1] / (4.0 * 0.3), (positions[:, 1] + 0.3) / 0.3))
+    np.testing.assert_allclose(phase - phase[0], 4.0 * 0.025 * ticks, atol=1e-6)
+    np.testing.assert_allclose(positions[:, 0], 0.1 * np.sin(phase), atol=1e-9)
 
 
 def test_walk_launch_in_a_sourced_terminal_starts_a_robot_that_is_controlled(workspace, sourced, nodes):

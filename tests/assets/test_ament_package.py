@@ -95,7 +95,7 @@ def test_setup_installs_every_file_where_ros_looks_for_it(setup_arguments):
     installed = dict(setup_arguments["data_files"])
     assert installed.pop("share/ament_index/resource_index/packages") == [f"resource/{NAME}"]
     assert installed.pop(f"share/{NAME}") == ["package.xml"]
-    folders = {"launch", "rviz", "urdf"}
+    folders = {"config", "launch", "rviz", "urdf"}
     assert installed == {
         f"share/{NAME}/{folder}": sorted(
             f"{folder}/{path.name}" for path in (PACKAGE / folder).iterdir() if path.is_file()

@@ -3,6 +3,7 @@
 import argparse
 import dataclasses
 import inspect
+import math
 
 import pytest
 
@@ -20,6 +21,9 @@ GIVEN = {
     "degrees": True,
     "stamps": "log",
     "ignore": ["effort"],
+    "unwrap": 3.0,
+    "despike": True,
+    "merge": True,
     "sort": True,
     "drop": True,
     "salvage": True,
@@ -38,7 +42,7 @@ def test_load_has_the_keywords_and_defaults_of_the_table():
     keywords = {one.name: one.default for one in parameters if one.kind is inspect.Parameter.KEYWORD_ONLY}
     assert keywords.pop("progress") is None
     assert keywords == {name: field.default for name, field in FIELDS.items()}
-    assert list(FLAGS) == list(FIELDS)
+    assert list(dict.fromkeys(arguments["dest"] for arguments in FLAGS.values())) == list(FIELDS)
 
 
 def test_load_passes_every_option_on(monkeypatch):
@@ -64,6 +68,11 @@ def test_load_passes_every_option_on(monkeypatch):
         (["--radians"], {"degrees": False}),
         (["--stamps", "log"], {"stamps": "log"}),
         (["--ignore", "velocity", "--ignore", "effort"], {"ignore": ("velocity", "effort")}),
+        (["--stamps", "0.02"], {"stamps": "0.02"}),
+        (["--unwrap"], {"unwrap": 2 * math.pi}),
+        (["--unwrap", "3"], {"unwrap": 3.0}),
+        (["--despike"], {"despike": True}),
+        (["--merge"], {"merge": True}),
         (["--sort"], {"sort": True}),
         (["--drop"], {"drop": True}),
         (["--salvage"], {"salvage": True}),

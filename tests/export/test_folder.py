@@ -23,8 +23,9 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_poli
 from quadruped_env.evaluation.learning_gain import learning_gain
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
+from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.folder import export_policy
-from quadruped_env.export.manifest import manifest
+from quadruped_env.export.manifest import manifest, metadata
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies import Policy, load_policy
@@ -34,7 +35,8 @@ from quadruped_env.task import ActionConfig, TaskConfig
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
 
-FILES = {"README.md", "manifest.json", "policy.json", "policy.onnx", "policy.safetensors", "robot.urdf", "robot.xml"}
+FILES = {"README.md", "controllers.yaml", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx"}
+FILES |= {"policy.safetensors", "robot.urdf", "robot.xml"}
 
 WALK = """
 import json, re, sys
@@ -391,7 +393,10 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     named = {name for cell in first_cells for name in re.findall(r"`(.*?)`", cell)}
     of_history = {"observation_history", "next_observation_history"}
     of_graph = {entry["name"] for entry in graph["inputs"] + graph["outputs"]}
-    assert named == of_graph | of_history | set(flat.files) | {"film.webp"}
+    policy = load_policy("flat")
+    of_metadata = metadata(policy, PolicyInterface(policy)).keys()
+    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE}
+    assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
 
@@ -411,6 +416,7 @@ def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_p
     assert (document["residual_gait"] is None) == (mode == "position")
     assert {joint["kp_n_m_rad"] for joint in document["joints"]} == {70.0, 60.0}
     assert (folder / "robot.urdf").read_text() == second_robot.ROBOT.urdf
+    assert 'joints:  # in the order of the arrays\n      - "RH_hip_joint"' in (folder / "controllers.yaml").read_text()
     assert "70 N m/rad and 1.5 N m s/rad" in (folder / "README.md").read_text()
 
 

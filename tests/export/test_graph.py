@@ -16,7 +16,8 @@ from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import ENV_ID
 from quadruped_env.export import PolicyInterface, runtime
-from quadruped_env.export.onnx_graph import IR_VERSION, OPSET, policy_graph
+from quadruped_env.export.manifest import metadata
+from quadruped_env.export.onnx_graph import OPSETS, policy_graph
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.policies.sb3_policies import MODULES
 from quadruped_env.robot.readings import Readings
@@ -161,11 +162,54 @@ def test_onnx_runtime_numpy_and_torch_agree(name):
     assert np.median(np.ptp(action, axis=0)) > 0.1
 
 
-def test_graph_takes_any_batch_and_states_its_version():
+@pytest.mark.parametrize("opset", [OPSETS[0], OPSETS[-1]])
+@pytest.mark.parametrize("name", ["shipped", "gelu", "mish", "silu", "clock that follows, residual"])
+def test_graph_is_the_same_in_every_opset(name, opset):
+    interface = PolicyInterface(POLICIES[name]())
+    model = onnx.load_from_string(policy_graph(interface, "test", opset))
+    assert [(entry.domain, entry.version) for entry in model.opset_import] == [("", opset)]
+    assert model.graph == onnx.load_from_string(policy_graph(interface, "test")).graph
+    assert runtime.largest_difference(interface, model.SerializeToString(), 1000) < TOLERANCE
+
+
+def test_opset_that_lacks_an_operator_or_is_too_new_is_refused():
+    for opset in (OPSETS[0] - 1, OPSETS[-1] + 1):
+        with pytest.raises(QuadrupedError, match=rf"export: --opset: expected a number from 10 to 26; found {opset}"):
+            policy_graph(PolicyInterface(load_policy("flat")), "flat", opset)
+
+
+def test_metadata_are_read_as_those_of_other_exporters(tmp_path):
+    task = TaskConfig(action=ActionConfig(mode="position"), decimation=5).for_robot(second_robot.ROBOT)
+    policy = random_policy("position")
+    policy = Policy.for_task(policy.weights, policy.biases, policy.activation, task, {})
+    interface, robot = PolicyInterface(policy), second_robot.ROBOT
+    content = policy_graph(interface, "test", metadata=metadata(policy, interface))
+    found = onnxruntime.InferenceSession(content, providers=["CPUExecutionProvider"]).get_modelmeta()
+    lists = {name: text.split(",") for name, text in found.custom_metadata_map.items()}
+    scales = [np.float64(text.split()) for text in lists.pop("observation_scales")]
+    numbers = {
+        "default_joint_pos": robot.stance,
+        "joint_stiffness": [70.0 if "hip" in name else 60.0 for name in robot.joint_names],
+        "joint_damping": [motor.kd for motor in robot.motors.of_joints(robot.joint_kinds)],
+        "action_scale": [task.action.scale] * 8,
+        "update_rate": [1.0 / task.control_timestep],
+    }
+    for name, expected in numbers.items():
+        assert np.float64(lists.pop(name)) == pytest.approx(np.array(expected)), name
+    for entry, scale in zip(policy.fields, scales, strict=True):
+        assert scale == pytest.approx(np.unique(interface.layout.scale[interface.layout.slices[entry.name]]))
+    assert lists == {
+        "joint_names": list(robot.joint_names),
+        "observation_names": [entry.name for entry in policy.fields],
+        "observation_history_lengths": ["3"] * 7,
+        "command_names": ["forward_velocity", "yaw_rate"],
+        "action_mode": ["position"],
+    }
+
+
+def test_graph_takes_any_batch():
     content = policy_graph(PolicyInterface(load_policy("flat")), "flat")
-    model = onnx.load_from_string(content)
-    assert [(entry.domain, entry.version) for entry in model.opset_import] == [("", OPSET)]
-    assert model.ir_version == IR_VERSION
+    assert onnx.load_from_string(content).ir_version == 8
     session = onnxruntime.InferenceSession(content, providers=["CPUExecutionProvider"])
     policy = load_policy("flat")
     inputs = graph_inputs(*random_states(policy, 7))

@@ -23,7 +23,7 @@ def _motor(motor: JointMotor) -> JointMotor:
     )
 
 
-ROBOT = QuadrupedDesign(
+DESIGN = QuadrupedDesign(
     name="half",
     base_size=tuple(SIZE * x for x in _FULL.base_size),
     hip_offset=tuple(SIZE * x for x in _FULL.hip_offset),
@@ -35,4 +35,5 @@ ROBOT = QuadrupedDesign(
     hip_mass=SIZE**3 * _FULL.hip_mass,
     leg_mass=SIZE**3 * _FULL.leg_mass,
     motors=MotorConfig(_motor(_FULL.motors.hip), _motor(_FULL.motors.knee)),
-).robot()
+)
+ROBOT = DESIGN.robot()

@@ -14,7 +14,7 @@ def filled(type_name, rng):
             return filled(field.base, rng)
         if field.base == "string":
             return "some text é"[: rng.integers(0, 12)]
-        return rng.normal() if field.base == "float64" else int(rng.integers(0, 10**9))
+        return rng.normal() if field.base == "float64" else int(rng.integers(0, 2 if field.base == "bool" else 100))
 
     fields = {}
     for field in kind.fields:

@@ -25,6 +25,7 @@ from quadruped_env.identification.fitted_parameters import (
     with_values,
 )
 from quadruped_env.identification.identification_report import save
+from quadruped_env.identification.recording_checks import check
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, asset_path
@@ -152,6 +153,71 @@ class TestRecorded:
             with pytest.raises(QuadrupedError, match=message):
                 identify(commands, commands, **arguments)
 
+    def test_servos_without_feedback_are_named_with_what_they_do_not_tell(self):
+        """A driver that repeats the target, at once or later and rounded to 0.01 degrees, or that reports nothing."""
+        commands = commanded(4.0)
+        stamps = np.arange(60_000_000, 4_000_000_000, 12_345_678)
+
+        def targets_at(when):
+            return commands.positions[np.searchsorted(commands.stamps, when, side="right") - 1]
+
+        rounded = np.radians(np.degrees(targets_at(stamps - 40_000_000)).round(2))
+        late = JointTrajectory(stamps, JOINT_NAMES, rounded)
+        constant = JointTrajectory(stamps, JOINT_NAMES, np.tile(STANCE, (len(stamps), 1)))
+        real = measured(commands, TRUTH)
+        positions = np.where(np.arange(8) % 2, targets_at(real.stamps), real.positions)
+        mixed = JointTrajectory(real.stamps, JOINT_NAMES, positions)
+        unknown = r"so stall_torque, .*, delay, target_step, backlash, dead_band cannot be identified.*--without"
+        for recording, message in (
+            (commands, rf"positions of {', '.join(JOINT_NAMES)} are their targets, 0 s later: .*{unknown}"),
+            (late, rf"are their targets, 0\.0(3|4)\d s later.*{unknown}"),
+            (constant, r"LF_hip_joint does not move .* its servo reports no position.*--without"),
+            (mixed, rf"positions of {', '.join(JOINT_NAMES[1::2])} are their targets"),
+        ):
+            with pytest.raises(QuadrupedError, match=message):
+                identify(recording, commands)
+
+
+class TestRefusals:
+    """A recording that would spoil the fit is refused, with the reason and the repair."""
+
+    @pytest.mark.parametrize(
+        ("lie", "message"),
+        [
+            ("q[100, 2] -= 2.0", r"jump away and back .* RF_hip_joint, .*\(row 100\).*--despike"),
+            ("q[:, 0] = q[0, 0]", r"positions freeze .* in LF_hip_joint"),
+            ("v *= 180 / np.pi", r"velocities .* 5\d.* times"),
+            ("e[:] = 0.0", r"efforts .* are 0 in every row"),
+            ("e *= -1", r"the effort of LF_hip_joint pulls away .*effort_scale"),
+            ("s += 500_000_000", r"come 0\.5\d s after the commands, so .* different clocks"),
+            ("v = e = None; q[:, 2] *= -1", r"RF_hip_joint moves against its command: .*sign = -1"),
+            ("v = e = None; q[:, :2] = q[:, [1, 0]]", r"LF_hip_joint follows that of LF_knee_joint: .*swapped"),
+            ("v = e = None; q[:, 3] += 0.9", r"RF_knee_joint is \+0\.\d+ rad from its command on average.*offset"),
+            ("v = e = None; q[:, 2] *= 6", r"RF_hip_joint moves \d\.\d+ times as far as it is commanded.*unit"),
+            ("v = e = None; q[:, 3] = 0.3", r"RF_knee_joint does not move .*--without RF_knee_joint"),
+        ],
+    )
+    def test_lie_is_named(self, short, lie, message):
+        commands, recording = short
+        with pytest.raises(QuadrupedError, match=rf"would spoil the fit.*: .*{message}"):
+            identify(self.changed(recording, lie), commands)
+
+    @staticmethod
+    def changed(recording, lie):
+        """The recording after statements have changed timestamps s, positions q, velocities v, efforts e."""
+        arrays = recording.stamps, recording.positions, recording.velocities, recording.efforts
+        names = {"np": np, **{name: array.copy() for name, array in zip("sqve", arrays, strict=True)}}
+        exec(lie, names)  # noqa: S102
+        return JointTrajectory(names["s"], JOINT_NAMES, names["q"], names["v"], names["e"])
+
+    def test_joints_that_are_left_out_and_time_without_commands_do_not_matter(self, short):
+        commands, recording = short
+        lying = self.changed(recording, "q[50, 2] -= 2.0")
+        recorded = align(MINI_QUADRUPED, lying, commands, 0.7, 0.005)
+        check(recorded, lying, commands, ["RF_hip_joint"])
+        later = commands.slice(0.7)
+        check(align(MINI_QUADRUPED, lying, later, 0.5, 0.005), lying, later, [])
+
 
 class TestCoordinates:
     def test_conversion_there_and_back_gives_the_same_values(self):
@@ -244,14 +310,15 @@ class TestIdentify:
         assert json.loads((tmp_path / "identification.json").read_text())["assumed"] == list(found.assumed)
         assert words in html.unescape((tmp_path / "report.html").read_text())
 
-    def test_joint_that_does_not_follow_its_commands_is_named_and_can_be_left_out(self, short):
+    def test_joint_that_hardly_follows_its_commands_is_named_and_can_be_left_out(self, short):
         commands, recording = short
-        positions = recording.positions.copy()
-        positions[:, 2] = positions[0, 2]
-        broken = JointTrajectory(recording.stamps, JOINT_NAMES, positions, recording.velocities, recording.efforts)
+        positions, velocities = recording.positions.copy(), recording.velocities.copy()
+        positions[:, 2] = positions[0, 2] + 0.1 * (positions[:, 2] - positions[0, 2])
+        velocities[:, 2] *= 0.1
+        broken = JointTrajectory(recording.stamps, JOINT_NAMES, positions, velocities, recording.efforts)
         start = with_values(TRUTH, {"hip.kp": 40.0})
         whole = identify(broken, commands, start=start, fitted=["kp"])
-        assert "RF_hip_joint moved 0.000 rad where" in whole.table()
+        assert "RF_hip_joint moved 0." in whole.table()
         assert "--without RF_hip_joint" in whole.table()
         part = identify(broken, commands, start=start, fitted=["kp"], without=["RF_hip_joint"])
         assert part.after.hip.kp == pytest.approx(32.0, rel=0.02)

@@ -18,6 +18,7 @@ from quadruped_env import JOINT_NAMES, QuadrupedError, asset_path, forward_kinem
 from quadruped_env.live import TOPICS, Network, Node, Topic
 from quadruped_env.live.__main__ import main
 from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.middleware.node import _dds_topic
 from quadruped_env.live.middleware.topics import JOINT_STATES, ROBOT_DESCRIPTION, TF, TF_STATIC
 from quadruped_env.live.pace import Pace
 from quadruped_env.robot import MINI_QUADRUPED
@@ -86,6 +87,29 @@ def test_incompatible_qos_is_reported_in_words(nodes, offered, requested, words)
         assert us in problem
         assert problem.startswith("/joint_states, from ")
     assert publisher.readers == subscription.writers == 0
+
+
+def test_deadline_and_liveliness_that_do_not_match_are_reported_in_words(nodes):
+    """A plain DDS subscription that requests what no node here offers."""
+    from cyclonedds.core import Policy
+    from cyclonedds.core import Qos as DdsQos
+    from cyclonedds.sub import DataReader
+
+    node, other = nodes("node"), nodes("other")
+    publisher = node.publish(JOINT_STATES)
+    topic = _dds_topic(other._participant, JOINT_STATES)
+    qos = DdsQos(Policy.Deadline(10**8), Policy.Liveliness.ManualByTopic(2 * 10**9))
+    reader = DataReader(other._participant, topic, qos=qos)
+    wait_until(node.graph.problems)
+    (problem,) = node.graph.problems()
+    for name, requested, offered in (
+        ("a deadline of", "0.1 s", "none"),
+        ("a liveliness lease of", "2 s", "none"),
+        ("liveliness", "ManualByTopic", "Automatic"),
+    ):
+        assert f"the reader requests {name} {requested}, the writer offers {offered}" in problem
+    assert publisher.readers == 0
+    assert reader.take(1) == []
 
 
 def test_compatible_pair_is_not_a_problem(nodes):

@@ -12,7 +12,7 @@ from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.node import Received
-from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.middleware.topics import ESTOP, JOINT_COMMANDS, JOINT_STATES, RESET
 from quadruped_env.live.nodes import node_module
 from quadruped_env.live.session import Session
 from quadruped_env.robot import MINI_QUADRUPED
@@ -41,7 +41,7 @@ def damaged(rng, topic):
     if kind == 4:
         # Counts of sequences and lengths of texts beyond the end.
         data = bytearray(example)
-        at = 4 * rng.integers(1, len(data) // 4)
+        at = 4 * rng.integers(1, max(2, len(data) // 4))
         data[at : at + 4] = int(rng.choice([0, 1, 7, 9, 2**16, 2**31 - 1, 2**32 - 1])).to_bytes(4, "little")
         return bytes(data)
     data = bytearray(example)
@@ -65,7 +65,8 @@ class FloodedSession(Session):
 
     def _subscribe(self, topic, *rest, **options):
         subscription = self._real_subscribe(topic, *rest, **options)
-        if options.get("ignore_own"):
+        # Resets and stops would leave nothing else to do.
+        if options.get("ignore_own") or topic in (RESET, ESTOP):
             return subscription
 
         def take():

@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-ON_A_ROBOT = ("controller", "echo", "gait", "hz", "list", "record", "sim", "state", "teleop")
+ON_A_ROBOT = ("calibrate", "controller", "echo", "gait", "hz", "list", "record", "sim", "state", "teleop")
 PROGRAM = """
 import contextlib, sys
 from quadruped_env.live.__main__ import main

@@ -2,7 +2,6 @@
 
 import io
 import re
-import threading
 import time
 
 import pytest
@@ -156,7 +155,7 @@ def test_refusals_with_ever_different_reasons_stay_few_and_short():
     assert len(refuse._counts) <= MAX_REASONS
 
 
-def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, monkeypatch):
+def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, run_node, monkeypatch):
     """The states that come meanwhile get the time when they are taken, so none of the later ones is late."""
     read, twists = cdr.deserialize, []
 
@@ -171,21 +170,14 @@ def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, monk
     monkeypatch.setattr(cdr, "deserialize", slow)
     robot = nodes("robot")
     states, attitudes, velocities = robot.publish(JOINT_STATES), robot.publish(IMU), robot.publish(CMD_VEL)
-    args, log = make_parser().parse_args(["controller"]), io.StringIO()
+    log = run_node("controller")
 
     def drive():
         for publisher in (velocities, attitudes, states):
             publisher.send_bytes(usable(publisher.topic))
         return "going to the stance" in log.getvalue()
 
-    with Session("controller", args, log) as session:
-        thread = threading.Thread(target=node_module("controller").run, args=(session, args))
-        thread.start()
-        try:
-            wait_until(drive, log.getvalue, interval=0.01)
-        finally:
-            session.stop()
-            thread.join()
+    wait_until(drive, log.getvalue, interval=0.01)
     assert len(twists) > 2
 
 

@@ -1,8 +1,6 @@
 """The simulated robot with the live controller, without a network; its messages; its display in the viewer."""
 
-import io
 import itertools
-import threading
 
 import numpy as np
 import pytest
@@ -16,13 +14,10 @@ from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live import Node
-from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.messages.sensor_messages import Sensors
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
-from quadruped_env.live.nodes import node_module
-from quadruped_env.live.session import Session
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
 from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
@@ -155,27 +150,20 @@ def test_pushes_that_add_up_are_refused_and_the_robot_stays_whole():
     robot.push(np.array([0.0, 3.0, 4.0]))
 
 
-def test_simulator_publishes_no_diverged_state(nodes, monkeypatch):
+def test_simulator_publishes_no_diverged_state(nodes, run_node, monkeypatch):
     """Without the limit on pushes, as after any other cause."""
     monkeypatch.setattr("quadruped_env.simulation.push_limit.MAX_PUSH", 1e3)
     node, found = nodes(), []
     states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
     pushes = node.publish(PUSH)
-    args, log = make_parser().parse_args(["sim"]), io.StringIO()
+    log = run_node("sim")
 
     def diverged():
         pushes.send(cdr.message(PUSH.type_name, x=20.0, y=10.0, z=-10.0))
         found.extend(joints.positions for _, joints in states.messages(pytest.fail))
         return "the simulation diverged; the robot is back at its start" in log.getvalue()
 
-    with Session("sim", args, log) as session:
-        thread = threading.Thread(target=node_module("sim").run, args=(session, args))
-        thread.start()
-        try:
-            wait_until(diverged, log.getvalue, interval=0.2)
-        finally:
-            session.stop()
-            thread.join()
+    wait_until(diverged, log.getvalue, interval=0.2)
     found.extend(joints.positions for _, joints in states.messages(pytest.fail))
     assert len(found) > 10
     assert np.max(found - np.array(MINI_QUADRUPED.joint_position_high)) < 0.5

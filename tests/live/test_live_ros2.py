@@ -12,10 +12,16 @@ from waiting import output_of, status_of, wait_until
 from quadruped_env import asset_path
 from quadruped_env.live import TOPICS, Topic
 from quadruped_env.live.messages.message_text import plain
-from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION, TF_STATIC
-from quadruped_env.live.middleware.type_information import withhold_type_information
+from quadruped_env.live.middleware.topics import (
+    CMD_VEL,
+    CMD_VEL_STAMPED,
+    JOINT_STATES,
+    ODOMETRY,
+    ROBOT_DESCRIPTION,
+    TF_STATIC,
+)
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.ros import Qos, cdr, message_type
+from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr, message_type
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -202,52 +208,32 @@ def test_rclpy_node_drives_as_far_as_teleop(nodes, start, ros2):
         wait_until(lambda: track.over(10.0) > 0.9 * asked, lambda: f"walked {track.over(10.0)} m", peer.process)
         by_rclpy = track.over(10.0)
     assert by_rclpy == pytest.approx(by_teleop, rel=0.1)
+    wait_until(lambda: abs(track.over(1.0)) < 0.05, lambda: f"walks on: {track.over(1.0)} m")
+    with ros2.node() as peer:
+        # As Nav2 since Kilted, and with the quality of service of sensors.
+        peer.publish(CMD_VEL_STAMPED, SENSOR_DATA_QOS)
+        wait_until(lambda: peer.matched(CMD_VEL_STAMPED), peer.state, peer.process)
+        peer.ask(drive=CMD_VEL.name, message={"twist": {"linear": {"x": 0.5}}}, period=0.1)
+        wait_until(lambda: track.over(3.0) > 0.9 * 1.5, lambda: f"walked {track.over(3.0)} m", peer.process)
 
 
-def test_ros_discovery_info_is_read_without_errors(nodes, ros2, capfd):
-    """rclpy reads the graph with these nodes in it, which send no ros_discovery_info; these nodes read rclpy's."""
-    from cyclonedds.core import Policy
-    from cyclonedds.core import Qos as DdsQos
-    from cyclonedds.idl import annotations, make_idl_struct, types
-    from cyclonedds.sub import DataReader
-    from cyclonedds.topic import Topic as DdsTopic
-
-    def struct(name, **fields):
-        scoped = f"rmw_dds_common.msg.dds_.{name}_"
-        return annotations.final(make_idl_struct(f"{name}_", scoped, fields))
-
-    gid = struct("Gid", data=types.array[types.uint8, 16])
-    entities = struct(
-        "NodeEntitiesInfo",
-        node_namespace=str,
-        node_name=str,
-        reader_gid_seq=types.sequence[gid],
-        writer_gid_seq=types.sequence[gid],
-    )
-    info = struct("ParticipantEntitiesInfo", gid=gid, node_entities_info_seq=types.sequence[entities])
-
-    node = nodes("reader")
-    node.publish(JOINT_STATES)
-    topic = DdsTopic(node._participant, "ros_discovery_info", info)
-    withhold_type_information(topic)
-    qos = DdsQos(Policy.Reliability.Reliable(10**8), Policy.Durability.TransientLocal, Policy.History.KeepAll)
-    reader = DataReader(node._participant, topic, qos=qos)
-    names = []
-
-    def read():
-        names.extend(one.node_name for sample in reader.take(10) for one in sample.node_entities_info_seq)
-        return "ros_peer" in names
-
+def test_rclpy_attributes_publishers_to_their_node(nodes, ros2, capfd):
+    nodes("reader").publish(JOINT_STATES)
+    # Kilted attributes endpoints to nodes of rmw only, although it lists the node and its topics.
+    node = "reader" if ros2.name == "jazzy" else "_CREATED_BY_BARE_DDS_APP_"
     with ros2.node("ros_peer") as peer:
         peer.subscribe(JOINT_STATES)
-        wait_until(read, lambda: str(names), peer.process)
         wait_until(lambda: peer.matched(JOINT_STATES), peer.state, peer.process)
-        peer.ask(endpoints=JOINT_STATES.name)
-        wait_until(lambda: peer.said("endpoints"), peer.state, peer.process)
-    found = {one.pop("kind"): one for one in peer.said("endpoints")[0]["found"]}
-    # Kilted and Jazzy have different words for a participant that sends no ros_discovery_info.
-    assert found["PUBLISHER"].pop("node") in {"_CREATED_BY_BARE_DDS_APP_", "_NODE_NAME_UNKNOWN_"}
+
+        def attributed():
+            peer.ask(endpoints=JOINT_STATES.name)
+            wait_until(lambda: peer.said("endpoints"), peer.state, peer.process)
+            return {node, "ros_peer"} == {one["node"] for one in peer.said("endpoints")[-1]["found"]}
+
+        wait_until(attributed, peer.state, peer.process, interval=0.2)
+    found = {one.pop("kind"): one for one in peer.said("endpoints")[-1]["found"]}
     assert found["PUBLISHER"] == {
+        "node": node,
         "type": JOINT_STATES.type_name,
         "hash": JOINT_STATES.type.type_hash,
         "reliable": True,

@@ -5,6 +5,7 @@ import pty
 import re
 import select
 import signal
+import struct
 import subprocess
 import sys
 import time
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from live_nodes import STAMP, joint_state, started
+from live_nodes import STAMP, joint_state, received_from, started
 from paths import ROOT
 from trajectories import assert_same, random_trajectory
 from waiting import DEADLINE, output_of, wait_until
@@ -21,12 +22,13 @@ from waiting import DEADLINE, output_of, wait_until
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, asset_path
 from quadruped_env.live import Network, Topic
 from quadruped_env.live.__main__ import main
+from quadruped_env.live.gamepad import Gamepad
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
 from quadruped_env.live.listener import common_qos
 from quadruped_env.live.message_recorder import Recorder
 from quadruped_env.live.messages.message_text import as_csv, as_yaml, field_at, plain
 from quadruped_env.live.middleware.dds import open_participant
-from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ROBOT_DESCRIPTION, TF
+from quadruped_env.live.middleware.topics import CMD_VEL, ESTOP, JOINT_STATES, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.nodes.hz import rate_text
 from quadruped_env.live.nodes.teleop import after
 from quadruped_env.replay.replay import replay
@@ -297,7 +299,7 @@ def test_record_refuses_a_type_that_is_not_known(domain_id, tmp_path, capsys):
     writer = DataWriter(participant, DdsTopic(participant, "rt/strange", Strange))
     assert main(["record", "strange", "-o", str(tmp_path / "bag")]) == 2
     assert writer is not None
-    words = "error: /strange: has the unknown type Strange; known types: builtin_interfaces/msg/Time"
+    words = "error: /strange: has the unknown type Strange; known types: sensor_msgs/msg/JointState"
     assert words in capsys.readouterr().err
 
 
@@ -351,6 +353,58 @@ def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes):
     assert commands == [(0.0, 0.0), (0.1, 0.0), (0.2, -0.2), (0.0, 0.0)]
     os.close(ours)
     os.close(terminal)
+
+
+@pytest.fixture
+def pad(tmp_path):
+    """A pipe in place of the device `js0`, to which a test writes the events of Linux's joystick interface."""
+    os.mkfifo(tmp_path / "js0")
+    pad = os.open(tmp_path / "js0", os.O_RDWR)
+    yield pad
+    os.close(pad)
+
+
+def test_gamepad_sends_commands_while_it_is_enabled_and_stops(pad, nodes, run_node, tmp_path):
+    def event(kind, number, value):
+        return struct.pack("=IhBB", 0, value, kind, number)
+
+    robot = nodes()
+    velocities, stops = robot.subscribe(CMD_VEL, DEEP), robot.subscribe(ESTOP)
+    log = run_node("gamepad", "--device", str(tmp_path / "js0"))
+    wait_until(lambda: velocities.writers and stops.writers)
+    sent = []
+
+    def until(forward, turn):
+        def sends():
+            sent.extend(velocities.decode(one) for one in velocities.take())
+            return sent and (sent[-1].linear.x, sent[-1].angular.z) == pytest.approx((forward, turn))
+
+        wait_until(sends, log.getvalue)
+
+    # The states at the start, the second event in two parts; sticks fully forward and half to the right.
+    start = event(0x82, 1, -32767) + event(0x82, 3, 16384)
+    os.write(pad, start[:11])
+    os.write(pad, start[11:] + event(0x01, 4, 1))
+    until(0.6, -0.8 * 16384 / 32767)
+    assert len(sent) < 100
+    os.write(pad, event(0x02, 1, 32767) + event(0x02, 3, -3000))
+    until(-0.3, 0.0)
+    os.write(pad, event(0x01, 4, 0))
+    until(0.0, 0.0)
+    os.write(pad, event(0x01, 1, 1))
+    assert stops.decode(received_from(stops, 1)[0]).data
+    os.write(pad, event(0x01, 1, 0) + event(0x01, 7, 1))
+    assert not stops.decode(received_from(stops, 1)[0]).data
+    assert not velocities.take()
+
+
+def test_gamepad_that_is_missing_is_an_error(domain_id, tmp_path, capsys):
+    assert main(["gamepad", "--device", str(tmp_path / "js0")]) == 2
+    assert "cannot read" in capsys.readouterr().err
+    os.mkfifo(tmp_path / "js1")
+    # Without a writer, as a device after it was unplugged.
+    with Gamepad(tmp_path / "js1") as gamepad, pytest.raises(QuadrupedError, match="js1: was unplugged"):
+        gamepad.update()
 
 
 def test_teleop_needs_a_terminal(domain_id, capsys, monkeypatch):

@@ -125,6 +125,7 @@ NAMES = re.compile(
 """Definitions of classes, functions and constants whose names do not say what they are."""
 
 ALLOWED: dict[tuple[str, str], str] = {
+    ("quadruped_env/trajectory/formats/mapped_csv.py", "stamp"): "a key of the column maps, in an error",
     ("quadruped_env/trajectory/maps.py", "stamp"): "a key of the column maps, in the examples of the docstring",
     ("tests/cli/test_convert.py", "100 rows"): "rows of a recording, in the program's output",
     ("tests/trajectory/test_echo.py", "stamp"): "a key of the column maps, in their TOML",

@@ -92,7 +92,12 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
     names = zipfile.ZipFile(wheel).namelist()
     assert {name.split("/")[-1] for name in names if "/licenses/" in name} == {"LICENSE", "NOTICE"}
     assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
-    for part in ("assets/mini_quadruped/scene.xml", "control/shipped/flat/policy.safetensors", "py.typed"):
+    for part in (
+        "assets/mini_quadruped/scene.xml",
+        "control/shipped/flat/policy.safetensors",
+        "export/firmware/firmware.ino",
+        "py.typed",
+    ):
         assert f"quadruped_env/{part}" in names
     assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
 

@@ -29,6 +29,7 @@ ENTRY_POINTS = {
     "simulation/single_simulation.py": "default of a public class",
     "task/task_definition.py": "robot of the built-in task",
     "task/randomization/randomization_presets.py": "the robot for which the presets' ranges are",
+    "trajectory/formats/mapped_csv.py": "names of the columns of a CSV without a map",
     "trajectory/joint_trajectory.py": "default of public methods",
     "trajectory/saving.py": "default of public options",
     "viewer/view_controller.py": "default of a public class",
@@ -36,7 +37,7 @@ ENTRY_POINTS = {
 """Modules that name the built-in robot, and why."""
 
 # Constants of the package `robot` that hold neither numbers nor names of a robot.
-NEUTRAL = {"JOINT_KINDS", "MAX_DELAY", "ODOMETRY_FRAME"}
+NEUTRAL = {"JOINT_KINDS", "MAX_DELAY", "MOTOR_PRESETS", "ODOMETRY_FRAME", "SERVO_ERRORS"}
 
 # Position of the robot among the arguments.
 NEEDS_ROBOT = {

@@ -179,7 +179,6 @@ class TestDesign:
             ({"hip_offset": (0.15, 0.08)}, "clear the base"),
             ({"stance_angles": (0.6, 0.1)}, "stance_angles must be within knee_range"),
             ({"hip_range": (1.0, -1.0)}, "hip_range must be a pair"),
-            ({"motors": MotorConfig(delay=0.01)}, "a MotorConfig without delay"),
         ],
     )
     def test_dimensions_that_make_no_robot_are_refused(self, change, message):

@@ -38,6 +38,8 @@ RANGES = {
     "action_latency": [0.01, 0.06],
     "observation_latency": [0.0, 0.02],
 }
+SERVOS = {"target_step": [0.01, 0.03], "backlash": [0.0, 0.02], "dead_band": [0.0, 0.01]}
+RANGES |= SERVOS
 ENVS, EPISODES = 16, 96
 
 
@@ -101,6 +103,9 @@ def starts():
         record["imu_mounting"] = np.array(
             [mounting(*pair) for pair in zip(first, (e.data for e in singles), strict=True)]
         )
+        states = [env.get_state()["servos"] for env in singles]
+        record |= {name: np.array([state[name] for state in states]) for name in SERVOS}
+        record["target_step"] = record["target_step"][:, :1]  # one for all joints
         episodes.append({name: as_shares(name, entry) for name, entry in record.items()})
     return {
         name: values
@@ -110,7 +115,7 @@ def starts():
 
 
 def test_starts_every_quantity_follows_its_law_over_its_whole_range(starts):
-    assert len(starts) == 83
+    assert len(starts) == 83 + 17
     assert_uniform(starts)
 
 

@@ -18,13 +18,15 @@ from quadruped_env.task import BUILT_IN, RewardConfig, TaskConfig, load_task_fil
 
 PAGE = ROOT / "docs" / "make-it-yours.md"
 EXAMPLES = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S)
+SERVOS = next(example for example in EXAMPLES if "hobby_servo" in example)
+"""A whole task file, with a robot of its own."""
 
 
 @pytest.fixture
 def my_task(tmp_path):
-    """All examples of the page in one file."""
+    """All other examples of the page in one file."""
     file = tmp_path / "my_task.py"
-    file.write_text("\n\n".join(EXAMPLES))
+    file.write_text("\n\n".join(example for example in EXAMPLES if example is not SERVOS))
     return file
 
 
@@ -261,6 +263,37 @@ def test_run_with_own_robot_is_trained_and_requires_its_file(my_task, tmp_path):
     my_task.write_text(my_task.read_text().replace("leg_length=0.2", "leg_length=0.21"))
     with pytest.raises(QuadrupedError, match=r"another version of the robot 'long_legs'"):
         load_policy(directory, my_task)
+
+
+def test_policy_of_position_only_servos_does_without_joint_feedback(tmp_path):
+    pytest.importorskip("stable_baselines3")
+    from quadruped_env.control.controllers import PolicyController
+    from quadruped_env.control.live_controller import LiveController
+    from quadruped_env.training import TrainConfig
+    from quadruped_env.training.train import train
+
+    file = write(tmp_path, SERVOS)
+    ranges = json.loads(re.search(r'( {4}{"randomization": {"preset".*?}}\n)', PAGE.read_text(), re.S)[1])
+    small = {"num_envs": 8, "n_steps": 8, "batch_size": 32, "timesteps": 64, "hidden": (8,)}
+    config = TrainConfig(task=ranges, **small)
+    directory, _ = train(config, tmp_path / "runs", "train", task_file=file)
+    policy = load_policy(directory, file)
+    expected = ["projected_gravity", "angular_velocity", "last_action", "command", "gait_clock"]
+    assert [entry.name for entry in policy.fields] == expected
+    LiveController(PolicyController(policy), robot=policy.robot)
+    env = policy.make_env()
+    observation, info = env.reset(seed=0)
+    assert observation.shape == (3 * (34 - 2 * 8),)
+    assert info["joint_position"].shape == (8,)
+    motors = env.unwrapped.task.config.motor
+    assert motors.hip.backlash == pytest.approx(np.radians(1.0))
+    assert motors.delay == 0.02
+    # The layout is the file's, so a policy of the built-in robot needs the file, too.
+    file = write(tmp_path, "joint_position = joint_velocity = None\n")
+    directory, _ = train(TrainConfig(**small), tmp_path / "runs", "train", task_file=file)
+    with pytest.raises(QuadrupedError, match=r"has the observation joint_position, joint_velocity from .own\.py."):
+        load_policy(directory)
+    assert load_policy(directory, file).fields == load_terms(file).observations
 
 
 def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):

@@ -36,7 +36,9 @@ def small(rows=12):
 
 def parse_csv(path):
     """This project's CSV."""
-    lines = [line.rstrip("\r").split(",") for line in path.read_bytes().decode("utf-8-sig").split("\n")[:-1]]
+    lines = [
+        line.rstrip("\r").split(",") for line in path.read_bytes().decode("utf-8-sig").removesuffix("\n").split("\n")
+    ]
     header, rows = lines[0], lines[1:]
     names = [title.removeprefix("position.") for title in header if title.startswith("position.")]
     columns = {
@@ -96,13 +98,17 @@ def parse_echo(path):
     """Echoed CSV whose joints are two."""
     rows = [
         line.split(",")
-        for line in path.read_text(encoding="utf-8-sig").split("\n")[:-1]
+        for line in path.read_text(encoding="utf-8-sig").removesuffix("\n").split("\n")
         if not line.startswith(("A message was lost!!!", "\t"))
     ]
     names = rows[0][3:5]
     groups = [[row[5:7] for row in rows], [row[7:9] for row in rows], [row[9:11] for row in rows]]
     order = [[row[3:5].index(name) for name in names] for row in rows]
-    arrays = [np.array([[float(g[i]) for i in o] for g, o in zip(group, order, strict=True)]) for group in groups]
+    arrays = [
+        # A file that is cut off after the velocities of its only line has no efforts.
+        None if group == [[""]] else np.array([[float(g[i]) for i in o] for g, o in zip(group, order, strict=True)])
+        for group in groups
+    ]
     return built([int(row[0]) * 10**9 + int(row[1]) for row in rows], names, *arrays)
 
 

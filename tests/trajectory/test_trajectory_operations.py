@@ -156,12 +156,6 @@ class TestRetarget:
         np.testing.assert_allclose(target.positions, [[-np.pi / 2]])
         np.testing.assert_allclose(target.velocities, [[-factor]])
 
-    def test_power_is_kept(self):
-        rng = np.random.default_rng(3)
-        source = JointTrajectory([0, 1], ["a"], np.zeros((2, 1)), rng.normal(size=(2, 1)), rng.normal(size=(2, 1)))
-        target = source.retarget(JointMap({"b": JointRule("a", sign=-1, scale=0.7)}))
-        np.testing.assert_allclose(target.velocities * target.efforts, source.velocities * source.efforts)
-
     @pytest.mark.parametrize(
         ("text", "message"),
         [
@@ -173,6 +167,10 @@ class TestRetarget:
             ("[joints.a]\nsource = 'b'\nscale = 0", r"\[joints\.a\] scale: expected a number above 0; found 0"),
             ("[joints.a]\nsource = 'b'\noffset = nan", r"\[joints\.a\] offset: expected a number; found nan"),
             ("[joints.a]\nsource = 'b'\nunit = 'grad'", r"\[joints\.a\] unit: expected 'rad' or 'deg'; found 'grad'"),
+            ("[joints.a]\nsource = 'b'\nsources = {c = 1}", r"\[joints\.a\] sources: expected .* in place of source"),
+            ("[joints.a]\nsources = {c = 0}", r"\[joints\.a\] sources: expected .* factors other than 0"),
+            ("[joints.a]\nsources = {}", r"\[joints\.a\] sources: expected a table joint = factor"),
+            ("[joints.a]\nsource = 'b'\neffort_scale = 0", r"\[joints\.a\] effort_scale: expected .* other than 0"),
             ("[joints.a", r"not valid TOML: .*; fix it"),
             ("[joints.a]\nsource = 'gone'", r"\[joints\.a\] source: JointTrajectory has no joint 'gone'; it has a, b"),
         ],
@@ -182,6 +180,67 @@ class TestRetarget:
         path.write_text(text)
         with pytest.raises(QuadrupedError, match=f"^{re.escape(str(path))}: {message}"):
             trajectory_of(np.sin, [0.0]).retarget(path)
+
+    FIVE_BAR = """
+[joints.extension]
+sources = { m0 = 0.5, m1 = 0.5 }
+offset = 10
+unit = "deg"
+
+[joints.swing]
+sources = { m1 = -0.5, m0 = 0.5 }
+sign = -1
+unit = "deg"
+effort_scale = 2.0
+
+[joints.wheel]
+source = "m7"
+scale = 4
+
+[joints.fixed]
+offset = 0.25
+"""
+
+    def test_joint_that_several_motors_move_both_ways(self, tmp_path):
+        (tmp_path / "map.toml").write_text(self.FIVE_BAR)
+        joint_map = JointMap.load(tmp_path / "map.toml")
+        names = ["m1", "other", "m7", "m0"]
+        motors = {
+            "position": np.array([[[20.0, 9.0, 0.5, 40.0]], [[-30.0, 9.0, 0.0, 10.0]]]),
+            "velocity": np.array([[[1.0, 9.0, 2.0, 3.0]], [[0.0, 9.0, 1.0, -2.0]]]),
+            "effort": np.array([[[3.0, 9.0, 8.0, 5.0]], [[np.nan, 9.0, 4.0, 1.0]]]),
+        }
+        joints = joint_map.to_joints(names, motors)
+        degrees = [[[40.0, -10.0]], [[0.0, -20.0]]]
+        np.testing.assert_allclose(np.degrees(joints["position"][..., :2]), degrees, atol=1e-12)
+        np.testing.assert_array_equal(joints["position"][..., 2:], [[[2.0, 0.25]], [[0.0, 0.25]]])
+        np.testing.assert_allclose(joints["velocity"][0], [[np.radians(2.0), np.radians(-1.0), 8.0, 0.0]])
+        # Extension and swing turn the motors by m0 = extension - swing and m1 = extension + swing.
+        np.testing.assert_allclose(joints["effort"][0], [[3.0 + 5.0, 2.0 * (3.0 - 5.0), 2.0, np.nan]])
+        np.testing.assert_array_equal(joints["effort"][1], [[np.nan, np.nan, 1.0, np.nan]])
+        assert joint_map.sources == ("m0", "m1", "m7")
+        back = joint_map.to_sources(joints)
+        for kind, array in motors.items():
+            np.testing.assert_allclose(back[kind], array[..., [3, 0, 2]] + 0.0 * back[kind], atol=1e-12)
+        (tmp_path / "again.toml").write_text(joint_map.text())
+        assert JointMap.load(tmp_path / "again.toml").rules == joint_map.rules
+
+    def test_power_is_kept(self):
+        rng = np.random.default_rng(0)
+        gears = rng.normal(size=(3, 3))
+        rules = {f"q{i}": JointRule(sources={f"m{k}": float(gears[i, k]) for k in range(3)}) for i in range(3)}
+        speed, torque = rng.normal(size=(2, 50, 3))
+        joints = JointMap(rules).to_joints(["m0", "m1", "m2"], {"velocity": speed, "effort": torque})
+        np.testing.assert_allclose((joints["velocity"] * joints["effort"]).sum(axis=1), (speed * torque).sum(axis=1))
+
+    def test_joints_that_do_not_determine_the_motors_cannot_be_sent_back(self):
+        for rules in (
+            {"a": JointRule(sources={"m0": 0.5, "m1": 0.5})},
+            {"a": JointRule("m0"), "b": JointRule("m0")},
+            {"a": JointRule(sources={"m0": 1.0, "m1": 1.0}), "b": JointRule(sources={"m0": 2.0, "m1": 2.0})},
+        ):
+            with pytest.raises(QuadrupedError, match=r"do not determine the \d sources m0.*nothing can be sent back"):
+                JointMap(rules).to_sources({"position": np.zeros(len(rules))})
 
     def test_a_missing_file_is_named(self, tmp_path):
         with pytest.raises(QuadrupedError, match=r"gone\.toml: there is no such file"):

@@ -4,6 +4,7 @@ import socket
 
 import pytest
 
+from quadruped_env import QuadrupedError
 from quadruped_env.viewer.access import AccessRules, page_address
 
 EVERYWHERE = "0.0.0.0"  # noqa: S104
@@ -48,6 +49,24 @@ def test_access_rules_accept_this_servers_names_and_its_own_page(listening, host
 
 def test_access_rules_on_the_port_of_http_accept_hosts_without_one():
     assert AccessRules("127.0.0.1").refusal(80, ["localhost"], ["http://localhost"]) is None
+
+
+@pytest.mark.parametrize(
+    ("host", "origin", "kind"),
+    [
+        ("localhost:9000", ["http://localhost:9000"], None),
+        ("robot.example", ["https://robot.example"], None),
+        ("robot.example", ["https://evil.example"], "Origin"),
+        ("localhost:9001", [], "Host"),
+        ("robot.example:9000", [], "Host"),
+        ("127.0.0.1:8080", ["https://127.0.0.1:8080"], "Origin"),
+    ],
+)
+def test_access_rules_accept_allowed_hosts_as_they_are_given(host, origin, kind):
+    refusal = AccessRules("127.0.0.1", ["LocalHost:9000", "robot.example"]).refusal(8080, [host], origin)
+    assert (refusal and refusal.split()[0]) == kind
+    with pytest.raises(QuadrupedError, match="--allow-host: expected NAME or NAME:PORT; found 'http://a'"):
+        AccessRules("127.0.0.1", ["http://a"])
 
 
 @pytest.mark.parametrize("hosts", [[], ["127.0.0.1:8080", "127.0.0.1:8080"]])

@@ -14,6 +14,7 @@ from quadruped_env.evaluation.confidence import bootstrap_mean, proportion
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Recovery, Release
 from quadruped_env.robot import Robot
+from quadruped_env.robot.motors import servo_target
 from quadruped_env.robot.units import scale_of
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import BatchSimulation
@@ -92,6 +93,7 @@ def recover(
     readings = simulation.readings
     limp = np.ones(len(starts), dtype=np.bool_)
     targets = starts[:, 7:].copy()
+    play, servo_errors = targets.copy(), config.motor.servo_errors(robot.joint_kinds)
     on_feet_since = np.full(len(starts), np.nan)
     recovered = np.full(len(starts), np.nan)
     wait, steps = round(part.limp_seconds / dt), round((part.limp_seconds + part.seconds) / dt)
@@ -99,8 +101,11 @@ def recover(
         if step >= wait:
             _act(robots, simulation, part.command, step, dt, limp, targets)
         for _ in range(substeps):
+            position = readings.joint_position
+            np.copyto(play, position, where=limp[:, None])
+            pursued = servo_target(targets, position, play, *servo_errors)
             # With its own position as target, a position servo applies only its damping, as a limp motor does.
-            simulation.step(np.where(limp[:, None], readings.joint_position, targets), 1)
+            simulation.step(np.where(limp[:, None], position, pursued), 1)
         if step < wait:
             continue
         now = (step - wait + 1) * dt

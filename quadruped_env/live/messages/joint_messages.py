@@ -1,20 +1,44 @@
-"""Joint states and joint commands, validated and in the robot's joint order."""
+"""Joint states and joint commands, validated and in the joint order of the robot or its driver."""
 
-from collections.abc import Sequence
-from typing import Any, Final, NamedTuple
+import itertools
+import statistics
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import Any, Final, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
-from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS
-from quadruped_env.robot.robot import Robot
+from quadruped_env.control.timestamp_filter import MAX_AGE
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.ros import cdr
 from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_joint_state
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 MAX_VALUE: Final = 1e3
 """Largest accepted position or velocity, rad or rad/s. Larger values indicate corrupt data and would lead to NaN."""
+_REMEMBERED: Final = 16
+"""Number of lists of names whose order is remembered."""
+_SHOWN: Final = 4
+"""Number of names shown in a message."""
+_VELOCITY_FILTER: Final = 0.01
+"""Time constant of the filter of computed velocities, half a control step, s."""
+_STAMPS: Final = 10
+"""Number of timestamps from which a period is computed."""
+_PERIODS: Final = 1.5
+_MIN_TOLERANCE: Final = 0.02
+"""A control step: faster streams are paired within it, since their transport may take longer than their period, s."""
+
+
+class Jointed(Protocol):
+    """A robot, or its driver, whose messages may name other joints (`DriverJoints`)."""
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Names of the joints (J,)."""
+        ...
 
 
 class Joints(NamedTuple):
@@ -23,11 +47,13 @@ class Joints(NamedTuple):
     stamp: int
     """Timestamp, ns."""
     positions: NDArray[np.float64] | None
-    """Joint positions (J,), rad."""
+    """Joint positions (J,), rad; NaN for joints that are not in the message."""
     velocities: NDArray[np.float64] | None
-    """Joint velocities (J,), rad/s."""
+    """Joint velocities (J,), rad/s; NaN means unknown."""
     efforts: NDArray[np.float64] | None
     """Joint torques (J,), N m; NaN means unknown."""
+    others: tuple[str, ...] = ()
+    """Names in the message that are not joints of the robot."""
 
 
 class JointReader:
@@ -36,65 +62,186 @@ class JointReader:
     Args:
         topic: topic name for error messages.
         robot: robot whose joints the messages contain.
-        needs: fields of `Joints` that every message must contain.
+        states: True for measured states: a message may hold some of the robot's joints and other joints, velocities
+            may be NaN, and positions and a timestamp are needed. False for commands, which name each joint once.
     """
 
-    def __init__(self, topic: str, robot: Robot, needs: Sequence[str] = ()) -> None:
+    def __init__(self, topic: str, robot: Jointed, states: bool = False) -> None:
         self._topic = topic
         self._joints = robot.joint_names
-        self._needs = tuple(needs)
-        self._names: tuple[str, ...] | None = None
-        self._order = np.empty(0, dtype=np.intp)
+        self._states = states
+        self._columns: dict[tuple[str, ...], _Columns] = {}
 
     def __call__(self, data: bytes) -> Joints:
         """Decode the CDR bytes of a JointState.
 
         Raises:
-            QuadrupedError: if the bytes are corrupt, the names are not this robot's, the numbers of values and names
-                differ, a position or velocity is not finite or exceeds `MAX_VALUE`, or a needed field is missing.
+            QuadrupedError: if the bytes are corrupt, the names do not fit the robot, the numbers of values and names
+                differ, a position or velocity is invalid or exceeds `MAX_VALUE`, or positions or timestamp are missing.
         """
         try:
-            raw = read_joint_state(data)
-            if raw.names != self._names:
-                self._order = _order(raw.names, self._joints)
-                self._names = raw.names
-            joints = Joints(
-                raw.stamp,
-                self._values(raw, "position"),
-                self._values(raw, "velocity"),
-                self._values(raw, "effort", finite=False),
-            )
-            if any(getattr(joints, field) is None for field in self._needs):
-                raise QuadrupedError(f"needs {' and '.join(self._needs)}; send one value per joint")
-            return joints
+            return self._read(read_joint_state(data))
         except QuadrupedError as error:
             raise QuadrupedError(f"{self._topic}: {error}") from error
 
-    def _values(self, raw: RawJointState, field: str, finite: bool = True) -> NDArray[np.float64] | None:
+    def _read(self, raw: RawJointState) -> Joints:
+        columns = self._columns.get(raw.names)
+        if columns is None:
+            if len(self._columns) >= _REMEMBERED:
+                self._columns.clear()
+            columns = self._columns[raw.names] = _columns(raw.names, self._joints, whole=not self._states)
+        if self._states and raw.names and not len(columns.joints):
+            return Joints(raw.stamp, np.full(len(self._joints), np.nan), None, None, columns.others)
+        joints = Joints(
+            raw.stamp,
+            self._values(raw, "position", columns),
+            self._values(raw, "velocity", columns, nan=self._states),
+            self._values(raw, "effort", columns, limited=False),
+            columns.others,
+        )
+        if self._states and joints.positions is None:
+            raise QuadrupedError("holds no positions; send one per joint (servos that report none: their last targets)")
+        if self._states and raw.stamp == 0:
+            raise QuadrupedError("the timestamp is empty; have the publisher fill header.stamp")
+        return joints
+
+    def _values(
+        self, raw: RawJointState, field: str, columns: "_Columns", nan: bool = False, limited: bool = True
+    ) -> NDArray[np.float64] | None:
         given = getattr(raw, field)
         if not len(given):
             return None
         if len(given) != len(raw.names):
             raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one per joint")
-        values: NDArray[np.float64] = given[self._order]
-        if finite and not (np.abs(values) <= MAX_VALUE).all():
-            wrong = int(np.flatnonzero(~(np.abs(values) <= MAX_VALUE))[0])
+        values = np.full(len(self._joints), np.nan)
+        values[columns.joints] = found = given[columns.places]
+        invalid = ~(np.abs(found) <= MAX_VALUE) & ~(np.isnan(found) & nan)
+        if limited and invalid.any():
+            joint = columns.joints[np.flatnonzero(invalid)[0]]
             raise QuadrupedError(
-                f"{field} of {self._joints[wrong]} is {values[wrong]}; send finite numbers of at most {MAX_VALUE:g}"
+                f"{field} of {self._joints[joint]} is {values[joint]}; send finite numbers of at most {MAX_VALUE:g}"
             )
         return values
 
 
-def command_message(robot: Robot, stamp: int, target: Target) -> bytes:
+class JointMerger:
+    """Merges messages that each hold some of the robot's joints into states, and computes velocities that are missing.
+
+    A state is complete when every joint has been measured since the last one. Its timestamp is the newest of its
+    joints; the oldest may be older by the tolerance of `Period`.
+
+    Args:
+        robot: the robot, or its driver.
+        velocities: True if states need velocities: missing ones are then the differences of positions, filtered.
+        say: called with one line when velocities are computed for the first time.
+        rates: velocity of each joint, in its unit, per unit of position and second (J,).
+    """
+
+    def __init__(
+        self,
+        robot: Jointed,
+        velocities: bool,
+        say: Callable[[str], None] = lambda text: None,
+        rates: NDArray[np.float64] | float = 1.0,
+    ) -> None:
+        self.period = Period()
+        """Period of complete states."""
+        self._names = robot.joint_names
+        self._needed = velocities
+        self._say = say
+        self._rates = rates
+        self._stamps = np.zeros(len(self._names), dtype=np.int64)
+        """Timestamp of each joint's last position, ns; 0 before the first."""
+        self._positions, self._velocities = np.full((2, len(self._names)), np.nan)
+        self._fresh = np.zeros(len(self._names), dtype=bool)
+        self._others: tuple[str, ...] = ()
+        self._computed = False
+
+    def add(self, joints: Joints) -> Joints | None:
+        """Take a message with positions. Returns the state if it is complete, otherwise None."""
+        assert joints.positions is not None
+        self._others = joints.others
+        found = np.isfinite(joints.positions)
+        measured = np.full(len(found), np.nan) if joints.velocities is None else joints.velocities
+        unknown = found & np.isnan(measured)
+        if self._needed and unknown.any():
+            measured = np.where(unknown, self._differentiated(joints), measured)
+        self._positions = np.where(found, joints.positions, self._positions)
+        self._velocities = np.where(found, measured, self._velocities)
+        self._stamps[found] = joints.stamp
+        self._fresh |= found
+        if not self._fresh.all():
+            return None
+        self._fresh[:] = False
+        stamp = int(self._stamps.max())
+        self.period.add(stamp)
+        if self.missing or (self._needed and np.isnan(self._velocities).any()):
+            return None
+        return Joints(stamp, self._positions, self._velocities, None)
+
+    @property
+    def missing(self) -> str:
+        """Description of the joints without a state, or with one that is too old; empty if there are none."""
+        unseen = [name for name, stamp in zip(self._names, self._stamps.tolist(), strict=True) if not stamp]
+        if unseen:
+            return missing_joints(unseen, self._others)
+        oldest, newest = int(self._stamps.argmin()), int(self._stamps.argmax())
+        lag = float(self._stamps[newest] - self._stamps[oldest]) / NS_PER_SECOND
+        if lag <= self.period.tolerance:
+            return ""
+        return f"{self._names[oldest]} on {JOINT_STATES.name}: {lag:.2f} s older than {self._names[newest]}"
+
+    def _differentiated(self, joints: Joints) -> NDArray[np.float64]:
+        """Velocities (J,) from the joints' last positions and a message, through a first-order low-pass filter."""
+        if not self._computed:
+            self._computed = True
+            self._say(
+                f"{JOINT_STATES.name}: no velocities; they are computed from the positions, with a low-pass filter of "
+                f"{1e3 * _VELOCITY_FILTER:g} ms"
+            )
+        elapsed = np.where(self._stamps > 0, (joints.stamp - self._stamps) / NS_PER_SECOND, 0.0)
+        later = elapsed > 0.0
+        slope = self._rates * (joints.positions - self._positions) / np.where(later, elapsed, np.nan)
+        gain = -np.expm1(-elapsed / _VELOCITY_FILTER)
+        filtered = self._velocities + gain * (slope - self._velocities)
+        return np.where(later, np.where(np.isnan(self._velocities), slope, filtered), self._velocities)
+
+
+def missing_joints(joints: Sequence[str], others: Sequence[str]) -> str:
+    """Description of joints that `/joint_states` does not hold, and of other ones that it holds."""
+    more = f" and {len(joints) - 1} more" if len(joints) > 1 else ""
+    held = f", which holds {', '.join(map(short, others[:_SHOWN]))}{', ...' * (len(others) > _SHOWN)}"
+    return f"{joints[0]}{more} on {JOINT_STATES.name}{held if others else ''}"
+
+
+class Period:
+    """Period of a stream of timestamps, and the tolerance within which its messages are paired with another's."""
+
+    def __init__(self) -> None:
+        self._stamps: deque[int] = deque(maxlen=_STAMPS)
+
+    def add(self, stamp: int) -> None:
+        """Take the timestamp of a message, ns."""
+        self._stamps.append(stamp)
+
+    @property
+    def tolerance(self) -> float:
+        """1.5 periods (median of the last ones), but at least 0.02 s, as before the second message, at most 0.2 s."""
+        steps = [later - earlier for earlier, later in itertools.pairwise(self._stamps) if later > earlier]
+        period = statistics.median(steps) / NS_PER_SECOND if steps else 0.0
+        return min(max(_PERIODS * period, _MIN_TOLERANCE), MAX_AGE)
+
+
+def command_message(robot: Jointed, stamp: int, target: Target) -> bytes:
     """The CDR bytes of a `/joint_commands` message.
 
     Args:
-        robot: robot that is commanded.
+        robot: the robot that is commanded, or its driver.
         stamp: timestamp of the state that the target was computed from, ns.
         target: joint targets in rad (J,), or `LIMP`.
     """
     if target is LIMP:
-        return joint_state(stamp, robot.joint_names, effort=np.zeros(robot.num_joints))
+        return joint_state(stamp, robot.joint_names, effort=np.zeros(len(robot.joint_names)))
     return joint_state(stamp, robot.joint_names, target)
 
 
@@ -122,15 +269,15 @@ def positions_message(target: NDArray[np.float64]) -> Any:
     return cdr.message(JOINT_POSITIONS.type_name, data=target)
 
 
-def read_positions(message: Any, robot: Robot) -> NDArray[np.float64]:
+def read_positions(message: Any, robot: Jointed) -> NDArray[np.float64]:
     """The joint targets of a `/forward_position_controller/commands` message, rad (J,).
 
     Raises:
         QuadrupedError: if it does not hold a finite number for each joint.
     """
     positions = np.array(message.data, dtype=np.float64)
-    if positions.shape != (robot.num_joints,) or not np.isfinite(positions).all():
-        found = positions.tolist() if positions.size <= robot.num_joints else f"{positions.size} numbers"
+    if positions.shape != (len(robot.joint_names),) or not np.isfinite(positions).all():
+        found = positions.tolist() if positions.size <= len(robot.joint_names) else f"{positions.size} numbers"
         raise QuadrupedError(
             f"{JOINT_POSITIONS.name}: holds {found}; send a finite number of rad for each of "
             f"{', '.join(robot.joint_names)}"
@@ -138,16 +285,28 @@ def read_positions(message: Any, robot: Robot) -> NDArray[np.float64]:
     return positions
 
 
-def _order(names: tuple[str, ...], joints: tuple[str, ...]) -> NDArray[np.intp]:
-    """Index of each of the robot's joints in a list of names."""
-    if sorted(names) != sorted(joints):
-        unknown = [name for name in names if name not in joints]
-        missing = [name for name in joints if name not in names]
-        if unknown or missing:
-            what = f"unknown {unknown[0]!r}" if unknown else f"{missing[0]} is missing"
-        else:
-            what = "one comes twice"
+class _Columns(NamedTuple):
+    """Where a list of names holds the robot's joints."""
+
+    joints: NDArray[np.intp]
+    """Indices of the joints that are in the list (K,)."""
+    places: NDArray[np.intp]
+    """Their places in the list (K,)."""
+    others: tuple[str, ...]
+    """Names in the list that are no joints of the robot."""
+
+
+def _columns(names: tuple[str, ...], joints: tuple[str, ...], whole: bool) -> _Columns:
+    """Where a list of names holds the joints; with `whole`, each of them once and nothing else."""
+    others = tuple(name for name in names if name not in joints)
+    found = [i for i, joint in enumerate(joints) if joint in names]
+    twice = len(names) - len(others) > len(found)
+    if twice or (whole and (others or len(found) < len(joints))):
+        missing = [joint for joint in joints if joint not in names]
+        what = "one comes twice" if twice else f"unknown {others[0]!r}" if others else f"{missing[0]} is missing"
+        once = "each of" if whole else "some of"
         raise QuadrupedError(
-            f"the names are not this robot's: {what} among {len(names)}; expected each of {', '.join(joints)} once"
+            f"the names are not this robot's: {what} among {len(names)}; expected {once} {', '.join(joints)} once"
         )
-    return np.array([names.index(name) for name in joints])
+    places = [names.index(joints[i]) for i in found]
+    return _Columns(np.array(found, dtype=np.intp), np.array(places, dtype=np.intp), others)

@@ -9,11 +9,16 @@ from quadruped_env.ros import message_type
 _WIDTH: Final = 2**31 - 1
 """Maximum line width in characters: the largest that the YAML library accepts, so that no line is broken."""
 
+_PLACEHOLDER: Final = "structure_needs_at_least_one_member"
+"""Field of a type that has none."""
+
 
 def plain(message: Any) -> dict[str, Any]:
     """A message of `quadruped_env.ros.cdr` as dicts, lists, numbers and strings, in the field order of its type."""
     values = {}
     for field in message_type(message.__msgtype__).fields:
+        if field.name == _PLACEHOLDER:
+            continue
         value = getattr(message, field.name)
         if field.is_message:
             value = [plain(one) for one in value] if field.many else plain(value)

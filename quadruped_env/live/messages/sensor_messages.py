@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
 from quadruped_env.robot.link_transforms import ODOMETRY_FRAME, Transform
@@ -21,13 +22,15 @@ class Sensors:
     Args:
         node: the publishing node.
         robot: robot whose readings are sent.
+        driver: conversion to the driver's joints; None: they are the robot's.
     """
 
-    def __init__(self, node: Node, robot: Robot) -> None:
+    def __init__(self, node: Node, robot: Robot, driver: DriverJoints | None = None) -> None:
         base = robot.base_name
         self._clock, self._imu, self._odometry = node.publish(CLOCK), node.publish(IMU), node.publish(ODOMETRY)
         self._tf, self._joints = node.publish(TF), node.publish(JOINT_STATES)
         self._robot = robot
+        self._driver = driver or DriverJoints(robot)
         self._time = cdr.message("rosgraph_msgs/msg/Clock")
         self._attitude = cdr.message("sensor_msgs/msg/Imu", header=cdr.header(0, base))
         self._odom = cdr.message("nav_msgs/msg/Odometry", header=cdr.header(0, ODOMETRY_FRAME), child_frame_id=base)
@@ -53,8 +56,8 @@ class Sensors:
         self._imu.send(imu)
 
         # After the IMU message, since a controller uses both; before the others, since the controller waits for it.
-        joints = state.joint_position[0], state.joint_velocity[0], state.joint_torque[0]
-        self._joints.send_bytes(joint_state(stamp, self._robot.joint_names, *joints))
+        joints = self._driver.to_driver(state.joint_position[0], state.joint_velocity[0], state.joint_torque[0])
+        self._joints.send_bytes(joint_state(stamp, self._driver.joint_names, *joints))
 
         odom = self._odom
         write_stamp(odom.header.stamp, stamp)

@@ -16,8 +16,9 @@ from typing import Any, Final, Generic, NamedTuple, TypeVar, overload
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.middleware.dds import Network, open_participant
+from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.ros_graph import Graph
-from quadruped_env.live.middleware.topics import Topic
+from quadruped_env.live.middleware.topics import DISCOVERY_INFO, Topic
 from quadruped_env.live.middleware.type_information import withhold_type_information
 from quadruped_env.live.middleware.wire import wire_type
 from quadruped_env.ros import MessageType, Qos, cdr
@@ -27,6 +28,7 @@ _TAKEN: Final = 256
 _BLOCKING: Final = 100_000_000
 """Maximum time that a reliable writer blocks on a slow reader, the DDS default, ns."""
 _LATENCIES: Final = 1000
+_ALL_NODES: Final = Qos(depth=0, transient_local=True)
 
 T = TypeVar("T")
 """Type that the messages of a subscription are decoded to."""
@@ -59,7 +61,8 @@ class Publisher:
         self.count = 0
         """Number of messages sent."""
         self._wire = wire_type(topic.type_name)
-        self._writer = DataWriter(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type))
+        self.entity = DataWriter(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type))
+        """The writer on DDS."""
 
     def send(self, message: Any) -> None:
         """Send a message of `quadruped_env.ros.cdr`. Raises a QuadrupedError if it is of another type."""
@@ -78,7 +81,7 @@ class Publisher:
         from cyclonedds.core import DDSException
 
         try:
-            self._writer.write(self._wire(data))
+            self.entity.write(self._wire(data))
         except DDSException as error:
             raise QuadrupedError(
                 f"{self.topic.name}: {len(data)} bytes could not be sent as a {self.topic.type_name}: {error}"
@@ -88,12 +91,12 @@ class Publisher:
     @property
     def readers(self) -> int:
         """Number of matched subscriptions."""
-        return len(self._writer.get_matched_subscriptions())
+        return len(self.entity.get_matched_subscriptions())
 
     def wait_until_read(self, seconds: float) -> bool:
         """Wait until every reliable reader has acknowledged all messages. Returns False on timeout."""
         try:
-            return bool(self._writer.wait_for_acks(round(seconds * NS_PER_SECOND)))
+            return bool(self.entity.wait_for_acks(round(seconds * NS_PER_SECOND)))
         except AttributeError:
             # cyclonedds 11.0.1 fails with this error on a timeout: it looks up the return code in the wrong class.
             return False
@@ -107,20 +110,20 @@ class Subscription(Generic[T]):
         from cyclonedds.sub import DataReader
 
         self.topic = topic
+        self.constant_name = topic.name
+        """The topic's name without namespace and remapping, with which a `read` may begin its errors."""
         self.count = 0
         """Number of messages received."""
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
         """Latencies from sending to taking of the last messages, s. Between machines they include the clock offset."""
         self._read = read
-        self._reader = DataReader(
-            participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own)
-        )
-        self.condition = ReadCondition(self._reader, ViewState.Any | InstanceState.Any | SampleState.NotRead)
+        self.entity = DataReader(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own))
+        self.condition = ReadCondition(self.entity, ViewState.Any | InstanceState.Any | SampleState.NotRead)
 
     def take(self) -> list[Received]:
         """All messages received since the last call, in order of arrival."""
         taken: list[Received] = []
-        while samples := self._reader.take(_TAKEN):
+        while samples := self.entity.take(_TAKEN):
             # Read the clock after the call, which may have been delayed, so that no message seems younger than it is.
             now, at = time.time_ns(), time.monotonic()
             for sample in samples:
@@ -171,13 +174,12 @@ class Subscription(Generic[T]):
         # The bytes are untrusted, and a reader may fail on them with any exception.
         except Exception as error:
             reason = f"{len(received.data)} bytes cannot be read: {type(error).__name__}: {error}"
-        prefix = f"{self.topic.name}: "
-        raise QuadrupedError(reason if reason.startswith(prefix) else f"{prefix}{reason}")
+        raise QuadrupedError(f"{self.topic.name}: {reason.removeprefix(f'{self.constant_name}: ')}")
 
     @property
     def writers(self) -> int:
         """Number of matched publishers."""
-        return len(self._reader.get_matched_publications())
+        return len(self.entity.get_matched_publications())
 
     @property
     def latency(self) -> float | None:
@@ -191,27 +193,35 @@ class Node:
     Args:
         name: the node's name, visible to other processes.
         network: the domain and network; by default ROS_DOMAIN_ID on this machine only.
+        names: names of the node and its topics, in place of `name`.
 
     Raises:
         MissingExtraError: if cyclonedds is not installed.
         QuadrupedError: if the domain cannot be joined.
     """
 
-    def __init__(self, name: str, network: Network | None = None) -> None:
-        self.name = name
+    def __init__(self, name: str, network: Network | None = None, names: Names | None = None) -> None:
+        self.names = names or Names(name)
+        self.name = name = self.names.node
         self.network = network or Network.from_environment()
         self._participant = open_participant(self.network, name)
         from cyclonedds.core import WaitSet
 
-        self.graph = Graph(self._participant)
+        info = Subscription(
+            self._participant, DISCOVERY_INFO, _ALL_NODES, message_reader(DISCOVERY_INFO, lambda it: it)
+        )
+        self.graph = Graph(self._participant, lambda: info.messages(lambda reason: None))
+        self._info = Publisher(self._participant, DISCOVERY_INFO, DISCOVERY_INFO.qos)
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription[Any]] = []
         self._waitset = WaitSet(self._participant)
+        self._announce()
 
     def publish(self, topic: Topic, qos: Qos | None = None) -> Publisher:
         """Create a publisher of a topic; `qos` replaces the topic's quality of service."""
-        publisher = Publisher(self._participant, topic, qos or topic.qos)
+        publisher = Publisher(self._participant, self.names.resolved(topic), qos or topic.qos)
         self.publishers.append(publisher)
+        self._announce()
         return publisher
 
     @overload
@@ -235,10 +245,37 @@ class Node:
         """
         if read is None:
             read = message_reader(topic, lambda message: message)
-        subscription = Subscription(self._participant, topic, qos or topic.qos, read, ignore_own)
+        subscription = Subscription(self._participant, self.names.resolved(topic), qos or topic.qos, read, ignore_own)
+        subscription.constant_name = topic.name
         self.subscriptions.append(subscription)
         self._waitset.attach(subscription.condition)
+        self._announce()
         return subscription
+
+    def remove(self, end: Publisher | Subscription[Any]) -> None:
+        """Delete a publisher or subscription of this node."""
+        if isinstance(end, Publisher):
+            self.publishers.remove(end)
+        else:
+            self._waitset.detach(end.condition)
+            self.subscriptions.remove(end)
+        end.entity._delete(end.entity._ref)
+        self._announce()
+
+    def _announce(self) -> None:
+        """Send the node's name and its publishers and subscriptions, as ROS 2's middleware does."""
+
+        def gid(entity: Any) -> dict[str, Any]:
+            return {"data": [*entity.guid.bytes]}
+
+        info = {
+            "node_namespace": self.names.namespace,
+            "node_name": self.name,
+            "reader_gid_seq": [gid(one.entity) for one in self.subscriptions],
+            "writer_gid_seq": [gid(one.entity) for one in self.publishers],
+        }
+        process = gid(self._participant)
+        self._info.send(cdr.message(DISCOVERY_INFO.type_name, gid=process, node_entities_info_seq=[info]))
 
     def wait(self, seconds: float) -> bool:
         """Wait for a message, with a timeout in s. Returns True if a message is available."""
@@ -269,7 +306,7 @@ def _dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
     return DdsQos(
         Policy.Reliability.Reliable(_BLOCKING) if qos.reliable else Policy.Reliability.BestEffort,
         Policy.Durability.TransientLocal if qos.transient_local else Policy.Durability.Volatile,
-        Policy.History.KeepLast(qos.depth),
+        Policy.History.KeepLast(qos.depth) if qos.depth else Policy.History.KeepAll,
         Policy.IgnoreLocal.Participant if ignore_own else Policy.IgnoreLocal.Nothing,
         Policy.Userdata(f"typehash={kind.type_hash};".encode()),
     )

@@ -1,14 +1,20 @@
 """The ROS graph of a domain: all publishers and subscriptions, and why some of them do not match."""
 
 import itertools
-from collections.abc import Iterator
+import math
+import uuid
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Final
 
 from quadruped_env.live.middleware.topics import ros_name
 from quadruped_env.ros import Qos
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _TAKEN: Final = 256
+_LIVELINESS: Final = ("Automatic", "ManualByParticipant", "ManualByTopic")
+"""Kinds of liveliness; a request for one is met by that one and the later ones."""
+_NAMELESS: Final = "a process that gives no name"
 
 
 @dataclass(frozen=True)
@@ -27,6 +33,14 @@ class Endpoint:
     """Instance handle, equal to `Received.writer` of the messages that it sends."""
     participant: str
     """Key of the participant that owns it."""
+    key: str = ""
+    """Key of the endpoint, under which its process announces the node that it belongs to."""
+    deadline: float = math.inf
+    """Maximum time between messages, s."""
+    lease: float = math.inf
+    """Time after which a publisher that does not assert its liveliness counts as gone, s."""
+    liveliness: int = 0
+    """Index in `_LIVELINESS`."""
     structure: str = ""
     """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
@@ -41,9 +55,10 @@ class Graph:
 
     Args:
         participant: a `cyclonedds` participant.
+        announced: returns the messages of `ros_discovery_info` since the last call.
     """
 
-    def __init__(self, participant: Any) -> None:
+    def __init__(self, participant: Any, announced: Callable[[], Iterable[tuple[Any, Any]]] = lambda: ()) -> None:
         from cyclonedds import builtin
 
         self.participant = str(participant.guid)
@@ -55,6 +70,9 @@ class Graph:
         self._participants = builtin.BuiltinDataReader(participant, builtin.BuiltinTopicDcpsParticipant)
         self._endpoints: dict[str, Endpoint] = {}
         self._names: dict[str, str] = {}
+        self._announced = announced
+        self._nodes: dict[str, dict[str, list[str]]] = {}
+        """Participant -> node -> keys of its endpoints."""
 
     def endpoints(self, topic: str | None = None) -> list[Endpoint]:
         """All current endpoints, or those of one topic, including this process's own."""
@@ -67,9 +85,19 @@ class Graph:
         return endpoint.participant == self.participant
 
     def owner(self, endpoint: Endpoint) -> str:
-        """Name, process ID and machine of the process that owns an endpoint, as far as announced."""
+        """Name of the node that owns an endpoint, or of its process; process ID and machine, as far as announced."""
         self._update()
-        return self._names.get(endpoint.participant, "a process that gives no name")
+        name = self._names.get(endpoint.participant, _NAMELESS)
+        for node, keys in self._nodes.get(endpoint.participant, {}).items():
+            if endpoint.key in keys:
+                shown = node.removeprefix("/") if node.count("/") == 1 else node
+                return f"{shown}{name[name.find(' (') :] if ' (' in name else ''}"
+        return name
+
+    def nodes(self) -> list[str]:
+        """Full names of all nodes that processes have announced, this one's included."""
+        self._update()
+        return sorted(node for participant in self._names for node in self._nodes.get(participant, ()))
 
     def problems(self, all_processes: bool = False) -> list[str]:
         """Reasons why publishers and subscriptions of the same topic do not match, without repetition.
@@ -101,7 +129,7 @@ class Graph:
                 f"{writer.structure} and {reader.structure}), and Fast DDS 3 (ROS 2 Kilted) and Cyclone DDS cannot "
                 f"compare them; set the property fastdds.type_propagation=disabled for the participant of Fast DDS"
             )
-        reason = _incompatible(writer.qos, reader.qos)
+        reason = _incompatible(writer, reader)
         if reason:
             yield f"{where}: no message will arrive; {reason}"
 
@@ -111,12 +139,22 @@ class Graph:
     def _update(self) -> None:
         from cyclonedds.core import InstanceState
 
-        for participant in _taken(self._participants):
-            key = str(participant.key)
-            if participant.sample_info.instance_state == InstanceState.Alive:
-                self._names[key] = _name(participant.qos)
+        for process in _taken(self._participants):
+            key = str(process.key)
+            if process.sample_info.instance_state == InstanceState.Alive:
+                self._names[key] = _name(process.qos)
             else:
                 self._names.pop(key, None)
+                self._nodes.pop(key, None)
+        for _, info in self._announced():
+            if (participant := _key(info.gid)) not in self._names:
+                continue
+            self._nodes[participant] = {
+                f"{one.node_namespace.rstrip('/')}/{one.node_name}": [
+                    _key(gid) for gid in (*one.reader_gid_seq, *one.writer_gid_seq)
+                ]
+                for one in info.node_entities_info_seq
+            }
         for writes, reader in self._readers.items():
             for one in _taken(reader):
                 key = str(one.key)
@@ -131,8 +169,14 @@ class Graph:
                         _read_type_hash(one.qos),
                         one.sample_info.instance_handle,
                         str(one.participant_key),
+                        key,
+                        *_read_timing(one.qos),
                         _structure(one.type_id),
                     )
+
+
+def _key(gid: Any) -> str:
+    return str(uuid.UUID(bytes=bytes(gid.data)))
 
 
 def _read_qos(qos: Any) -> Qos:
@@ -158,14 +202,40 @@ def _read_type_hash(qos: Any) -> str:
     return ""
 
 
-def _incompatible(offered: Qos, requested: Qos) -> str:
-    """The reason why a reader receives nothing from a writer; empty if the profiles are compatible."""
-    reasons = []
-    if requested.reliable and not offered.reliable:
-        reasons.append("the reader requests reliable delivery, the writer offers best effort")
-    if requested.transient_local and not offered.transient_local:
-        reasons.append("the reader requests transient local (latched), the writer offers volatile")
-    return " and ".join(reasons)
+def _read_timing(qos: Any) -> tuple[float, float, int]:
+    """Deadline, lease and liveliness of a discovered endpoint."""
+    from cyclonedds.util import duration
+
+    def seconds(nanoseconds: int) -> float:
+        return math.inf if nanoseconds >= duration(infinite=True) else nanoseconds / NS_PER_SECOND
+
+    deadline, lease, liveliness = math.inf, math.inf, 0
+    for policy in qos:
+        if policy.__scope__ == "Deadline":
+            deadline = seconds(policy.deadline)
+        elif policy.__scope__ == "Liveliness":
+            liveliness = _LIVELINESS.index(type(policy).__name__.rpartition(".")[2])
+            lease = seconds(policy.lease_duration)
+    return deadline, lease, liveliness
+
+
+def _incompatible(writer: Endpoint, reader: Endpoint) -> str:
+    """The reason why a reader receives nothing from a writer; empty if their QoS is compatible."""
+    kinds = [_LIVELINESS[one.liveliness] for one in (reader, writer)]
+    checks = [
+        (reader.qos.reliable > writer.qos.reliable, "reliable delivery", "best effort"),
+        (reader.qos.transient_local > writer.qos.transient_local, "transient local (latched)", "volatile"),
+        (reader.deadline < writer.deadline, f"a deadline of {reader.deadline:g} s", _seconds(writer.deadline)),
+        (reader.lease < writer.lease, f"a liveliness lease of {reader.lease:g} s", _seconds(writer.lease)),
+        (reader.liveliness > writer.liveliness, f"liveliness {kinds[0]}", kinds[1]),
+    ]
+    return " and ".join(
+        f"the reader requests {requested}, the writer offers {offered}" for fails, requested, offered in checks if fails
+    )
+
+
+def _seconds(time: float) -> str:
+    return "none" if math.isinf(time) else f"{time:g} s"
 
 
 def _taken(reader: Any) -> Iterator[Any]:
@@ -197,4 +267,4 @@ def _name(qos: Any) -> str:
     process = properties.get("__Pid")
     where = f"process {process} on {properties.get('__Hostname', 'some machine')}" if process else ""
     name = properties.get("name") or properties.get("__ProcessName", "")
-    return f"{name} ({where})" if name and where else name or where or "a process that gives no name"
+    return f"{name} ({where})" if name and where else name or where or _NAMELESS

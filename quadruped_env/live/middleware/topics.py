@@ -14,11 +14,13 @@ class Topic:
     type_name: str
     qos: Qos
     """Quality of service that publishers offer, and that subscriptions request by default."""
+    is_global: bool = False
+    """True if a node's namespace does not apply to the name."""
 
     @property
     def dds_name(self) -> str:
-        """The topic's name on DDS."""
-        return f"rt{self.name}"
+        """The topic's name on DDS; a name without a slash is that of DDS itself."""
+        return f"rt{self.name}" if self.name.startswith("/") else self.name
 
     @property
     def type(self) -> MessageType:
@@ -35,20 +37,33 @@ _DEFAULT: Final = Qos(depth=10)
 """Default of rclcpp and `ros2 topic pub`."""
 _LATEST: Final = Qos(depth=1)
 
+DISCOVERY_INFO: Final = Topic("ros_discovery_info", "rmw_dds_common/msg/ParticipantEntitiesInfo", LATCHED_QOS, True)
+"""Nodes of each process and their publishers and subscriptions, from which ROS 2 makes its graph."""
 JOINT_STATES: Final = Topic("/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
 IMU: Final = Topic("/imu/data", "sensor_msgs/msg/Imu", _DEFAULT)
 ODOMETRY: Final = Topic("/odom", "nav_msgs/msg/Odometry", _DEFAULT)
-TF: Final = Topic("/tf", "tf2_msgs/msg/TFMessage", TF_QOS)
-TF_STATIC: Final = Topic("/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS)
-CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=False))
+TF: Final = Topic("/tf", "tf2_msgs/msg/TFMessage", TF_QOS, is_global=True)
+TF_STATIC: Final = Topic("/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS, is_global=True)
+CLOCK: Final = Topic("/clock", "rosgraph_msgs/msg/Clock", Qos(depth=1, reliable=False), is_global=True)
+DIAGNOSTICS: Final = Topic("/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", _DEFAULT, is_global=True)
 ROBOT_DESCRIPTION: Final = Topic("/robot_description", "std_msgs/msg/String", LATCHED_QOS)
 CMD_VEL: Final = Topic("/cmd_vel", "geometry_msgs/msg/Twist", _DEFAULT)
+CMD_VEL_STAMPED: Final = Topic("/cmd_vel", "geometry_msgs/msg/TwistStamped", _DEFAULT)
+"""The default of Nav2 since Kilted; see `messages.velocity_messages`."""
 JOINT_COMMANDS: Final = Topic("/joint_commands", "sensor_msgs/msg/JointState", _LATEST)
 """Joint targets: names with positions in rad. Names with efforts of zero and no positions let the robot go limp."""
 JOINT_POSITIONS: Final = Topic("/forward_position_controller/commands", "std_msgs/msg/Float64MultiArray", _LATEST)
 """Joint targets for the `forward_position_controller` of ros2_control: rad, in the order of `JOINT_NAMES`."""
 PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT)
 """To `sim`: velocity in the world frame, m/s, that is added to the base's."""
+RESET: Final = Topic("/reset", "std_msgs/msg/Empty", _DEFAULT)
+"""To `sim` and `controller`: start again."""
+PAUSE: Final = Topic("/pause", "std_msgs/msg/Bool", _DEFAULT)
+"""To `sim` and `controller`: true stops simulated time, false lets it run again."""
+STEP: Final = Topic("/step", "std_msgs/msg/Empty", _DEFAULT)
+"""To `sim`: one control step of a paused simulation."""
+ESTOP: Final = Topic("/estop", "std_msgs/msg/Bool", _DEFAULT)
+"""Emergency stop, to `sim` and `controller`: limp from true to false."""
 GAIT: Final = Topic("/gait", "std_msgs/msg/Float64MultiArray", _LATEST)
 """To `gait`: amplitude as a multiple of the preset's, frequency in Hz, phases of LF, RF, LH and RH in cycles."""
 GAIT_SETTINGS: Final = Topic("/gait/settings", "std_msgs/msg/Float64MultiArray", LATCHED_QOS)
@@ -63,11 +78,16 @@ TOPICS: Final = {
         TF,
         TF_STATIC,
         CLOCK,
+        DIAGNOSTICS,
         ROBOT_DESCRIPTION,
         CMD_VEL,
         JOINT_COMMANDS,
         JOINT_POSITIONS,
         PUSH,
+        RESET,
+        PAUSE,
+        STEP,
+        ESTOP,
         GAIT,
         GAIT_SETTINGS,
     )

@@ -4,41 +4,44 @@
     mini-quadruped live controller runs/latest  the policy of a training run
     mini-quadruped live controller tuned        the scripted gait that follows /cmd_vel
     mini-quadruped live controller --arrays     for a robot with ros2_control
+    mini-quadruped live controller --map my_robot.toml    for motors with other names, signs, zeros or units
 
 Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
 a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
 after 1 s or after a fall; then it waits for fresh states again. Joint targets keep to the joints' range and speed.
-States with NaN, wrong names or counts, or old or repeated timestamps are refused and logged; while the robot is limp,
-states that are all late are accepted after 0.5 s. Each command has the timestamp of the state it answers.
+States may come in several messages and with other joints; velocities that they lack are computed from the positions if
+the policy needs them. States with NaN or wrong counts, and with old, repeated or empty timestamps, are refused and
+logged; while the robot is limp, states that are all late are accepted after 0.5 s. Each command has the timestamp of
+the state that it answers.
 """
 
 import argparse
 import functools
-import time
-from typing import Any, Final
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.control.by_name import find_controller
-from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.kept_task_file import kept_file
-from quadruped_env.control.live_controller import JointCommand, LiveController, Measurement, Mode
+from quadruped_env.control.live_controller import JointCommand, LiveController, Mode
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED, Terms, load_terms, policy_directory, read_policy
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
-from quadruped_env.live.messages.imu_messages import Imu, read_imu
-from quadruped_env.live.messages.joint_messages import JointReader, Joints, command_message, positions_message
-from quadruped_env.live.middleware.node import Subscription, message_reader
-from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
+from quadruped_env.live.command_publisher import CommandPublisher
+from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
+from quadruped_env.live.controller_inputs import Measurements, VelocityCommands
+from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
+from quadruped_env.live.messages.driver_joints import DriverJoints, add_map_argument
+from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_POSITIONS, TF_STATIC
 from quadruped_env.live.session import Session, add_realtime_argument
+from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
-from quadruped_env.robot.robot import Robot
-from quadruped_env.ros import SENSOR_DATA_QOS
-from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
-_NEEDED: Final = ("positions", "velocities")
 _POLL_PERIOD: Final = 0.01
 """Time between checks for missing states, s."""
-_IMU_AGE: Final = 0.02
-"""Maximum difference between the timestamps of orientation and joint states, s."""
+_SET_BACK: Final = "the clock was set back"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -54,10 +57,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--arrays",
         action="store_true",
         help=f"send the targets in the format of ros2_control on {JOINT_POSITIONS.name}: one number per joint, in the "
-        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or in that of the robot of --task. This format has no limp "
-        "command: "
-        "the node stops sending, and the driver has to disable the motors",
+        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or in that of the robot of --task, or with --map in that "
+        "of the log. This format has no limp command: the node stops sending, and the driver has to disable the "
+        "motors",
     )
+    add_map_argument(parser)
     parser.add_argument(
         "--task",
         metavar="FILE",
@@ -66,6 +70,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--trust-task", action="store_true", help="execute the copy of that file that the run keeps, in place of --task"
+    )
+    parser.add_argument(
+        "--imu-mount",
+        nargs=3,
+        type=float,
+        metavar=("ROLL", "PITCH", "YAW"),
+        help=f"orientation of the IMU in the base frame, rad, as rpy in a URDF (default: looked up on {TF_STATIC.name} "
+        f"by the frame_id of {IMU.name})",
+    )
+    parser.add_argument(
+        "--sim-time",
+        action="store_true",
+        help=f"the time is that of {CLOCK.name}, or of the states' timestamps where nothing publishes it: for a "
+        "simulator that does not run at real time, pauses or starts again (ROS's use_sim_time)",
     )
     add_realtime_argument(parser)
 
@@ -79,29 +97,54 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
     )
     node = session.node
-    outbox = _Outbox(session, arguments.arrays, robot)
-    # Drivers of real robots may offer only best-effort delivery.
-    states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=JointReader(JOINT_STATES.name, robot, _NEEDED))
-    attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
-    velocities = node.subscribe(CMD_VEL)
-    inbox = _Inbox(session, states, attitudes)
+    driver = DriverJoints.load(arguments.map, robot)
+    if arguments.map is not None:
+        session.say(f"--map: drives {', '.join(driver.joint_names)}")
+    publisher = CommandPublisher(node, driver, arguments.arrays)
+
+    def send(answer: JointCommand | None) -> None:
+        if answer is not None:
+            publisher.send(answer.stamp, driver.target_to_driver(answer.target))
+
+    commands = VelocityCommands(session, live_controller)
+    clock: ControlTime = SimTime(node) if arguments.sim_time else SystemTime()
+    simulator = SimulatorCommands(session)
+    inbox = Measurements(session, robot, driver, live_controller.needs_velocities, _mount(arguments))
+    diagnostics = Diagnostics(node, robot.name)
     while session.running:
         session.wait(_POLL_PERIOD)
-        _take_command(session, live_controller, velocities)
-        received = inbox.measurement()
+        simulator.take()
+        clock.pause(simulator.paused)
+        if simulator.reset:
+            live_controller.restart("reset")
+        if clock.set_back(session.refuse):
+            live_controller.restart(_SET_BACK)
+        send(live_controller.emergency_stop(simulator.stopped))
+        commands.take(clock)
         answer = None
-        if received is not None:
-            try:
-                answer = live_controller.measured(*received)
-            except QuadrupedError as error:
-                session.refuse(str(error))
-        now = time.monotonic()
-        outbox.send(answer or live_controller.silent(now))
-        session.wait_for(_missing(live_controller, states, attitudes))
-        session.report(
-            "" if live_controller.mode is not Mode.WALKING or live_controller.moving(now) else "standing: no /cmd_vel"
+        try:
+            if received := inbox.newest():
+                measurement, taken = received
+                at, back = clock.state(measurement.stamp, taken)
+                if back:
+                    live_controller.restart(_SET_BACK)
+                answer = live_controller.measured(measurement, at)
+        except QuadrupedError as error:
+            session.refuse(str(error))
+        now = clock.now
+        send(answer or live_controller.silent(now))
+        waiting = live_controller.waiting_for
+        if waiting and not simulator.stopped:
+            waiting = inbox.missing() or waiting
+        session.wait_for(waiting)
+        mode, moving = live_controller.mode, live_controller.moving(now)
+        session.report("" if mode is not Mode.WALKING or moving else "standing: no /cmd_vel")
+        diagnostics.send(
+            ERROR if mode is Mode.LIMP else WARN if waiting else OK,
+            f"{mode.value}{f'; waits for {waiting}' if waiting else ''}",
+            {"policy": arguments.policy, "velocity command": moving, "refused messages": session.refuse.count},
         )
-    outbox.let_go()
+    publisher.let_go()
     return 0
 
 
@@ -115,81 +158,11 @@ def _terms(arguments: argparse.Namespace) -> Terms:
     return Terms() if kept is None else load_terms(*kept)
 
 
-class _Inbox:
-    """Combines joint states and orientations into measurements."""
-
-    def __init__(self, session: Session, states: Subscription[Joints], attitudes: Subscription[Imu]) -> None:
-        self._session = session
-        self._states = states
-        self._attitudes = attitudes
-        self._imu: Imu | None = None
-
-    def measurement(self) -> tuple[Measurement, float] | None:
-        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None."""
-        # Joint states first: an orientation sent before a joint state has then arrived as well.
-        states = list(self._states.messages(self._session.refuse))
-        attitude = self._attitudes.newest(self._session.refuse)
-        if attitude is not None:
-            self._imu = attitude[1]
-        if not states or self._imu is None:
-            return None
-        received, newest = max(states, key=lambda state: state[1].stamp)
-        if abs(newest.stamp - self._imu.stamp) > _IMU_AGE * NS_PER_SECOND:
-            self._session.refuse(f"{IMU.name} and {JOINT_STATES.name} have timestamps more than {_IMU_AGE:g} s apart")
-            return None
-        assert newest.positions is not None
-        assert newest.velocities is not None
-        measurement = Measurement(
-            newest.stamp, newest.positions, newest.velocities, self._imu.orientation, self._imu.angular_velocity
-        )
-        return measurement, received.taken
-
-
-def _take_command(session: Session, live_controller: LiveController, velocities: Subscription[Any]) -> None:
-    newest = velocities.newest(session.refuse)
-    if newest is None:
-        return
-    received, twist = newest
-    try:
-        live_controller.command(twist.linear.x, twist.angular.z, received.taken)
-    except QuadrupedError as error:
-        session.refuse(str(error))
-
-
-class _Outbox:
-    """Sends the controller's commands.
-
-    Args:
-        session: the session of this process.
-        arrays: True for the format of ros2_control.
-        robot: robot that is commanded.
-    """
-
-    def __init__(self, session: Session, arrays: bool, robot: Robot) -> None:
-        self._arrays = arrays
-        self._commands = session.node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
-        self._robot = robot
-        self._stamp = 0
-
-    def send(self, answer: JointCommand | None) -> None:
-        """Send a command, if there is one."""
-        if answer is None:
-            return
-        self._stamp = answer.stamp
-        if not self._arrays:
-            self._commands.send_bytes(command_message(self._robot, answer.stamp, answer.target))
-        elif answer.target is not LIMP:
-            self._commands.send(positions_message(answer.target))
-
-    def let_go(self) -> None:
-        """Let the robot go limp if it was ever commanded, and wait for the acknowledgement."""
-        if self._stamp:
-            self.send(JointCommand(self._stamp, LIMP))
-            self._commands.wait_until_read(0.5)
-
-
-def _missing(live_controller: LiveController, states: Subscription[Joints], attitudes: Subscription[Imu]) -> str:
-    if live_controller.mode is not Mode.WAITING:
-        return ""
-    silent = [one.topic.name for one in (states, attitudes) if not one.writers]
-    return f"a publisher of {' and of '.join(silent)}" if silent else "fresh states"
+def _mount(arguments: argparse.Namespace) -> NDArray[np.float64] | None:
+    """The quaternion of `--imu-mount`."""
+    angles = arguments.imu_mount
+    if angles is None:
+        return None
+    if not np.isfinite(angles).all():
+        raise QuadrupedError(f"--imu-mount: expected three finite angles in rad; found {angles}")
+    return from_roll_pitch_yaw(angles)

@@ -9,6 +9,7 @@ from quadruped_env.gait import PRESETS
 from quadruped_env.live.node_launch import launch
 from quadruped_env.live.node_options import COMMON, add_robot_argument, passed_on
 from quadruped_env.viewer import PORT
+from quadruped_env.viewer.server import add_allow_host
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -16,10 +17,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_robot_argument(parser)
     parser.add_argument("--preset", choices=PRESETS, default="article", help="gait preset (default: %(default)s)")
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
+    add_allow_host(parser)
 
 
 def start(arguments: argparse.Namespace) -> int:
     """Run the three nodes until one ends."""
-    shared = passed_on(arguments, "task", *COMMON)
-    gait, view = passed_on(arguments, "preset"), passed_on(arguments, "port")
+    shared = passed_on(arguments, "task", "map", *COMMON)
+    gait, view = passed_on(arguments, "preset"), passed_on(arguments, "port", "allow_host")
     return launch([["gait", *gait, *shared], ["state", *shared], ["view", *view, *shared]], status="gait")

@@ -25,8 +25,9 @@ from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
+from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
-from quadruped_env.live.messages.joint_messages import JointReader, command_message
+from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, command_message
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.live.node_options import add_robot_argument, robot_of
@@ -60,16 +61,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Publish until the session ends."""
-    gait = _RemoteGait(session, arguments.preset, robot_of(arguments))
+    robot = robot_of(arguments)
+    driver = DriverJoints.load(arguments.map, robot)
+    gait = _RemoteGait(session, arguments.preset, robot)
     rate = arguments.rate or (COMMAND_RATE if arguments.commands else RATE)
     if not 0.1 <= rate <= 1000.0:
         raise QuadrupedError(f"--rate: expected 0.1 to 1000 Hz; found {rate:g}")
     for complaint in gait.violations():
         session.say(f"beyond the robot's limits: {complaint}")
     if arguments.commands:
-        _send_commands(session, gait, 1.0 / rate)
+        _send_commands(session, gait, driver, 1.0 / rate)
     else:
-        _send_states(session, gait, 1.0 / rate)
+        _send_states(session, gait, driver, 1.0 / rate)
     return 0
 
 
@@ -132,11 +135,11 @@ class _RemoteGait(AdjustableGait):
         self._session.report(f"beyond the robot's limits: {complaints[0]}" if complaints else "")
 
 
-def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
+def _send_states(session: Session, gait: _RemoteGait, driver: DriverJoints, period: float) -> None:
     guard = SinglePublisherGuard(session)
     guard.check()
     states = session.node.publish(JOINT_STATES)
-    names, efforts = gait.robot.joint_names, np.zeros(gait.robot.num_joints)
+    efforts = np.zeros(gait.robot.num_joints)
     start, pace = time.time_ns(), Pace(period)
     while session.running:
         session.wait(pace.remaining)
@@ -145,21 +148,22 @@ def _send_states(session: Session, gait: _RemoteGait, period: float) -> None:
         gait.take(t)
         if pace.tick():
             stamp = start + round(t * NS_PER_SECOND)
-            states.send_bytes(joint_state(stamp, names, gait.positions(t), gait.velocities(t), efforts))
+            values = driver.to_driver(gait.positions(t), gait.velocities(t), efforts)
+            states.send_bytes(joint_state(stamp, driver.joint_names, *values))
         gait.report()
 
 
-def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
+def _send_commands(session: Session, gait: _RemoteGait, driver: DriverJoints, period: float) -> None:
     commands = session.node.publish(JOINT_COMMANDS)
-    reader = JointReader(JOINT_STATES.name, gait.robot, ["positions"])
+    reader, merger = JointReader(JOINT_STATES.name, driver, states=True), JointMerger(driver, velocities=False)
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
     first: NDArray[np.float64] | None = None
     while session.running and first is None:
-        session.wait_for(JOINT_STATES.name)
+        session.wait_for(merger.missing if states.count else JOINT_STATES.name)
         session.wait()
-        newest = states.newest(session.refuse)
-        if newest is not None:
-            first = newest[1].positions
+        for _, joints in states.messages(session.refuse):
+            if whole := merger.add(joints):
+                first = driver.to_robot(whole).positions
         gait.take(0.0)
         session.report()
     if first is None:
@@ -174,7 +178,8 @@ def _send_commands(session: Session, gait: _RemoteGait, period: float) -> None:
         if pace.tick():
             share = min(t / FADE, 1.0)
             last = limited(gait.robot, first + share * (gait.positions(t) - first), last, period)
-            commands.send_bytes(command_message(gait.robot, start + round(t * NS_PER_SECOND), last))
+            stamp = start + round(t * NS_PER_SECOND)
+            commands.send_bytes(command_message(driver, stamp, driver.target_to_driver(last)))
         gait.report()
-    commands.send_bytes(command_message(gait.robot, time.time_ns(), LIMP))
+    commands.send_bytes(command_message(driver, time.time_ns(), LIMP))
     commands.wait_until_read(0.5)

@@ -17,6 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-v", "--verbose", action="store_true", help="also list publishers and subscriptions, with QoS and type hash"
     )
+    parser.add_argument("--nodes", action="store_true", help="list the nodes instead, like 'ros2 node list'")
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
@@ -25,6 +26,9 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     while session.running and session.elapsed < listen:
         session.wait()
     graph = session.node.graph
+    if arguments.nodes:
+        print("\n".join(graph.nodes()))
+        return 0
     endpoints = graph.endpoints()
     for name, group in itertools.groupby(endpoints, key=lambda one: one.topic):
         ends = list(group)

@@ -10,16 +10,14 @@ program ends or is killed, the controller makes the robot stand.
 """
 
 import argparse
-from typing import Any
 
 from quadruped_env.control.control_config import COMMANDS
-from quadruped_env.control.steering import FORWARD_STEP, TURN_STEP, next_step
+from quadruped_env.control.steering import FORWARD_STEP, TURN_STEP, Velocity, next_step
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
-from quadruped_env.live.middleware.node import Publisher
+from quadruped_env.live.messages.velocity_messages import VelocityPublisher
 from quadruped_env.live.middleware.topics import CMD_VEL
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.ros import cdr
 
 PERIOD = 0.1
 """Time between messages, s."""
@@ -28,18 +26,14 @@ STEPS = {UP: (1, 0), "w": (1, 0), DOWN: (-1, 0), "s": (-1, 0), LEFT: (0, 1), "a"
 """Key -> steps (forward, left)."""
 
 
-Command = tuple[float, float]
-"""Forward velocity in m/s and yaw rate in rad/s."""
-
-
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add nothing: this node has no arguments of its own."""
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Read keys until the session ends, then make the robot stand."""
-    publisher = session.node.publish(CMD_VEL)
-    command: Command = (0.0, 0.0)
+    publisher = VelocityPublisher(session.node)
+    command: Velocity = (0.0, 0.0)
     pace = Pace(PERIOD)
     with Keyboard() as keyboard:
         session.say("arrows or w a s d: walk and turn; space: stand; q: end")
@@ -53,14 +47,14 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             if command != before:
                 session.say(f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s")
             if pace.tick() or command != before:
-                publisher.send(twist(command))
+                publisher.send(command)
             session.wait_for("" if publisher.readers else f"a subscription to {CMD_VEL.name}")
             session.report(f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s")
     _stand(publisher)
     return 0
 
 
-def after(command: Command, key: str) -> Command:
+def after(command: Velocity, key: str) -> Velocity:
     """The command after a key press, clipped to the range that policies are trained for."""
     if key in (STOP, END):
         return 0.0, 0.0
@@ -75,11 +69,6 @@ def after(command: Command, key: str) -> Command:
     return forward, left
 
 
-def twist(command: Command) -> Any:
-    """The `/cmd_vel` message of a command."""
-    return cdr.message("geometry_msgs/msg/Twist", linear={"x": command[0]}, angular={"z": command[1]})
-
-
-def _stand(publisher: Publisher) -> None:
-    publisher.send(twist((0.0, 0.0)))
-    publisher.wait_until_read(0.5)
+def _stand(publisher: VelocityPublisher) -> None:
+    publisher.send((0.0, 0.0))
+    publisher.publisher.wait_until_read(0.5)

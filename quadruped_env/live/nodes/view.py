@@ -9,29 +9,32 @@ The page accepts browsers on this machine only; the log prints its address.
 import argparse
 import time
 
-from quadruped_env.live.live_robot import NAME, LiveRobot
+from quadruped_env.live.live_robot import LiveRobot, LiveViewController
+from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.node_options import add_robot_argument, add_terrain_arguments, chosen_terrain, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.viewer import PORT, RESULTS, Show, ViewController
-from quadruped_env.viewer.server import import_viser
+from quadruped_env.viewer import PORT, RESULTS, Show
+from quadruped_env.viewer.server import add_allow_host, import_viser
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the viewer's port, the ground and the robot."""
+    """Add the viewer's port, the ground, the robot and the map of its driver's joints."""
     add_robot_argument(parser)
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
+    add_allow_host(parser)
     add_terrain_arguments(parser, "seed of the terrain")
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Show until the session ends."""
     import_viser()
-    robot = LiveRobot(session.node, robot_of(arguments), session.refuse, chosen_terrain(arguments))
-    controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS, robot.robot)
-    controller.restart_after_fall = False
+    chosen = robot_of(arguments)
+    driver = DriverJoints.load(arguments.map, chosen, commands=False)
+    robot = LiveRobot(session.node, chosen, session.refuse, chosen_terrain(arguments), driver)
+    controller = LiveViewController(robot, RESULTS)
     controller.available = robot.offered()
-    show = Show(controller, port=arguments.port)
+    show = Show(controller, port=arguments.port, allowed_hosts=arguments.allow_host)
     try:
         session.say(f"the live robot: {show.address}")
         while session.running:

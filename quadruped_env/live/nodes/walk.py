@@ -20,6 +20,7 @@ from quadruped_env.live.node_options import (
     passed_on,
 )
 from quadruped_env.viewer import PORT
+from quadruped_env.viewer.server import add_allow_host
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -29,14 +30,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "policy", nargs="?", default=DEFAULT, metavar="POLICY", help="as for 'controller' (default: %(default)s)"
     )
     parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
+    add_allow_host(parser)
     add_terrain_arguments(parser, "as for 'sim'")
 
 
 def start(arguments: argparse.Namespace) -> int:
     """Run all nodes until one ends."""
     chosen_terrain(arguments)  # an unknown terrain is an error before any node starts
-    common, robot = passed_on(arguments, *COMMON), passed_on(arguments, "task", *COMMON)
-    ground, port = passed_on(arguments, *GROUND), passed_on(arguments, "port")
+    common, robot = passed_on(arguments, *COMMON), passed_on(arguments, "task", "map", *COMMON)
+    ground, port = passed_on(arguments, *GROUND), passed_on(arguments, "port", "allow_host")
     nodes = [
         ["sim", *ground, "--pick-up", "3", *robot],
         ["controller", arguments.policy, *robot],

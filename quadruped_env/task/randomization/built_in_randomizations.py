@@ -1,6 +1,7 @@
 """Built-in randomizations: what is drawn, by which law, in which unit, and what the ranges of the presets rest on."""
 
 import math
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -17,6 +18,7 @@ Floats = NDArray[np.float64]
 
 _FACTOR: Final = Parameter.positive()
 _NOT_NEGATIVE: Final = 0.0
+_SMALL_ANGLE: Final = Parameter("rad", 0.0, 0.2)
 
 _MINITAUR: Final = "Tan et al. 2018, arXiv:1804.10332"
 _ANYMAL: Final = "Hwangbo et al. 2019, arXiv:1901.08652"
@@ -75,6 +77,11 @@ def _rotating_push(event: Event, values: Floats) -> None:
 
 def _force(event: Event, values: Floats) -> None:
     event.simulation.set_force(event.env_ids, _horizontal(values))
+
+
+def _worsen_servos(quantity: str, event: Event, values: Floats) -> None:
+    assert event.servos is not None
+    event.servos.add(quantity, event.env_ids, values)
 
 
 def _horizontal(values: Floats) -> Floats:
@@ -289,6 +296,35 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         valid=Parameter("rad", -0.5, 0.5),
         description="roll, pitch and yaw of the IMU in the base; it turns gravity and gyroscope readings",
         source="1 mm under one end of a board of 40 mm is 0.025 rad",
+    ),
+    Randomization(
+        "target_step",
+        partial(_worsen_servos, "target_step"),
+        None,
+        "rad",
+        valid=_SMALL_ANGLE,
+        description="step to which servos round the joint target, added to that of the motors",
+        source="whole degrees of Arduino's `Servo.write`: 0.017 rad; a PCA9685 at 50 Hz: 0.009 rad",
+    ),
+    Randomization(
+        "backlash",
+        partial(_worsen_servos, "backlash"),
+        None,
+        "rad",
+        "joints",
+        valid=_SMALL_ANGLE,
+        description="play of each joint's gears, added to that of the motors",
+        source="1 degree in a bus servo for hobbyists: Open Duck Mini; more in a worn one",
+    ),
+    Randomization(
+        "dead_band",
+        partial(_worsen_servos, "dead_band"),
+        None,
+        "rad",
+        "joints",
+        valid=_SMALL_ANGLE,
+        description="error up to which each servo does not pull, added to that of the motors",
+        source="2 to 10 us in data sheets of hobby servos, which turn by about 0.1 degrees in 1 us: 0.003 to 0.017 rad",
     ),
     Randomization(
         "action_latency",

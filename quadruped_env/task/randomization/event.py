@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.sensor_errors import Sensors
+from quadruped_env.task.randomization.servo_errors import ServoErrors
 
 Floats = NDArray[np.float64]
 
@@ -29,6 +30,8 @@ class Event:
     """Initial roll, pitch and heading of the base (R, 3), rad."""
     sensors: Sensors | None = None
     """Errors of the sensors; None if no randomization of the task sets any."""
+    servos: ServoErrors | None = None
+    """Errors of the servos; None if the motors have none and no randomization sets any."""
     payload_position: Floats = field(default_factory=lambda: np.zeros((1, 3)))
     """Position of the payload relative to the centre of mass of the base, in its frame, (R, 3) or (1, 3), m."""
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.command_sampling import CommandSampler
 from quadruped_env.task.randomization.draws import Draws, Purposes
@@ -23,6 +24,7 @@ from quadruped_env.task.randomization.randomization import (
 )
 from quadruped_env.task.randomization.recurring import Recurring
 from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
+from quadruped_env.task.randomization.servo_errors import ServoErrors
 from quadruped_env.task.randomization.starts import Starts
 from quadruped_env.task.task_config import TaskConfig
 from quadruped_env.utils.arrays import frozen
@@ -50,6 +52,8 @@ class Randomizer:
         starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
         self.sensors = _sensors(simulation, config, active)
         """Errors of the sensors; None if they have none."""
+        self.servos = _servos(simulation, config, active)
+        """Errors of the servos; None if they have none."""
         self._check(starting)
         self.memory = EpisodeMemory(control.num_envs, control.phase)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
@@ -70,6 +74,7 @@ class Randomizer:
             [self._bound(r) for r in starting],
             {entry.name: entry.interval for entry in self._recurring},
             self.sensors,
+            self.servos,
             config.control_timestep,
         )
         amplitudes, layout = config.randomization.noise_amplitude, control.layout
@@ -109,17 +114,35 @@ class Randomizer:
         simulation.restore_model_fields(env_ids)
         if sensors is not None:
             sensors.memory.clear(env_ids)
+        if self.servos is not None:
+            self.servos.clear(env_ids)
         start = self._starts.of(env_ids, place)
         if sensors is not None:
             sensors.before_start(env_ids)
         simulation.reset(env_ids, start.qpos, start.qvel)
         if sensors is not None:
             sensors.after_start(env_ids)
+        self.start_servos(env_ids)
         self.memory.clear(env_ids)
         for i, entry in enumerate(self._recurring):
             entry.due[env_ids] = start.waits[:, i]
         self.command_due[env_ids] = start.waits[:, -1]
         self._control.reset(env_ids, start.phase, start.command if command is None else command)
+
+    def start_servos(self, env_ids: EnvIds) -> None:
+        """Let the gears of some envs' servos (R,) begin where their joints are."""
+        if self.servos is not None:
+            self.servos.start(env_ids, self._encoder_position()[env_ids])
+
+    def motor_target(self, target: Floats) -> Floats:
+        """Joint positions (N, J) that the motors pull to, for joint targets (N, J); both in rad."""
+        if self.servos is not None:
+            target = self.servos.joint_target(target, self._encoder_position())
+        return target if self.sensors is None else self.sensors.joint_target(target)
+
+    def _encoder_position(self) -> Floats:
+        """Present joint positions (N, J) in rad as the servos measure them."""
+        return self._simulation.readings.joint_position if self.sensors is None else self.sensors.encoder_position()
 
     def next_command(self, env_ids: EnvIds) -> Floats:
         """New commands (R, C) for some envs (R,) in the middle of their episodes."""
@@ -135,7 +158,8 @@ class Randomizer:
 
     def _event(self, env_ids: EnvIds) -> Event:
         """Some envs (R,) within their episodes."""
-        return Event(self._simulation, self._control.robot, env_ids, _NO_STATE, _NO_STATE, _NO_STATE, self.sensors)
+        start = _NO_STATE, _NO_STATE, _NO_STATE
+        return Event(self._simulation, self._control.robot, env_ids, *start, self.sensors, self.servos)
 
     def observation_noise(self) -> Floats:
         """Noise on the unscaled readings (N, width), the same at the same step; overwritten by the next call."""
@@ -152,3 +176,10 @@ def _sensors(simulation: Simulation, config: TaskConfig, active: Sequence[Random
             quantity, ends = randomization.apply.quantity, ends_of(config.randomization[randomization.name])
             largest[quantity] = max(largest.get(quantity, 0.0), *ends)
     return Sensors(simulation, config.control_timestep, largest) if largest else None
+
+
+def _servos(simulation: Simulation, config: TaskConfig, active: Sequence[Randomization]) -> ServoErrors | None:
+    """Errors of the servos, of the motors or of an active built-in randomization; None if there are none."""
+    of_motors = any(errors.any() for errors in config.motor.servo_errors(config.robot.joint_kinds))
+    randomized = any(randomization.name in SERVO_ERRORS for randomization in active)
+    return ServoErrors(simulation, config.motor) if of_motors or randomized else None

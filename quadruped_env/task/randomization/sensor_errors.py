@@ -120,6 +120,10 @@ class Sensors:
         for columns, true in zip(self._columns, self._true, strict=True):
             self._measured[:, columns] = true
 
+    def encoder_position(self) -> Floats:
+        """Present joint positions (N, J) in rad as the encoders show them."""
+        return self._simulation.readings.joint_position + self.encoder_offset
+
     def joint_target(self, target: Floats) -> Floats:
         """Joint positions (N, J) in rad at which the encoders show the targets (N, J)."""
         return target - self.encoder_offset if "encoder_offset" in self._randomized else target

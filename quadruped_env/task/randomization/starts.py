@@ -15,6 +15,7 @@ from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.randomization import Active, between, in_steps
 from quadruped_env.task.randomization.sensor_errors import Sensors
+from quadruped_env.task.randomization.servo_errors import ServoErrors
 from quadruped_env.utils import rotations
 
 Floats = NDArray[np.float64]
@@ -51,6 +52,7 @@ class Starts:
         randomizations: randomizations of a start, in the order in which they apply.
         intervals: range of the time between two applications of each recurring randomization, by its name, s.
         sensors: errors of the sensors; None if they have none.
+        servos: errors of the servos; None if they have none.
         timestep: control step, s.
     """
 
@@ -62,9 +64,10 @@ class Starts:
         randomizations: Sequence[Active],
         intervals: dict[str, Range],
         sensors: Sensors | None,
+        servos: ServoErrors | None,
         timestep: float,
     ) -> None:
-        self._simulation, self._draws, self._sensors = simulation, draws, sensors
+        self._simulation, self._draws, self._sensors, self._servos = simulation, draws, sensors, servos
         self._commands, self._randomizations, self._intervals = commands, randomizations, list(intervals.values())
         self._timestep = timestep
         robot = simulation.robot
@@ -98,6 +101,7 @@ class Starts:
             qvel=np.zeros((rows, robot.num_velocities), like=draws),
             tilt=np.zeros((rows, 3), like=draws),
             sensors=self._sensors,
+            servos=self._servos,
         )
         event.qpos[:, 2] = self._height
         event.qpos[:, 7:] = robot.stance

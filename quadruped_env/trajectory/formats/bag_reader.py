@@ -5,82 +5,89 @@ were recorded. Their timestamps are those of the headers unless the options say 
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path, PurePath
 from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.robot_messages import RawJointState, read_joint_state, read_ros1_joint_state
-from quadruped_env.trajectory.file_reading import Reading
+from quadruped_env.ros.robot_messages import RawJointState, read_recorded, ros1_digest
+from quadruped_env.trajectory.file_reading import KEEP, Reading
 from quadruped_env.trajectory.formats import salvage
 from quadruped_env.trajectory.formats.echo_text import yaml_module
 from quadruped_env.trajectory.formats.message_rows import assembled
-from quadruped_env.trajectory.formats.salvage import DIRECTORY, MCAP, ROS1, SQLITE3, choose_topic
+from quadruped_env.trajectory.formats.salvage import DIRECTORY, ROS1, choose_topics
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
 from quadruped_env.trajectory.formats.salvage.sqlite3_scanner import unapplied
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import MAX_DEPTH
 
-ROS1_DIGEST: Final = "3066dcd76a6cfaef579bd0f34173e9fd"
-"""MD5 digest of ROS 1's definition of the message."""
 METADATA_FILE: Final = "metadata.yaml"
 _MAX_METADATA: Final = 1_000_000
 """Maximum characters of the metadata: enough for thousands of files or topics."""
 _MESSAGES_PER_UPDATE: Final = 1000
 
 
-def read_rosbag2(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a rosbag2 directory, not validated.
+def read(reading: Reading, storage: str) -> Iterator[Rows]:
+    """The joint states of a rosbag2 directory, of a bare MCAP or sqlite3 file, or of a ROS 1 bag, not validated.
 
     Raises:
         QuadrupedError: if the bag is damaged.
         MissingExtraError: if rosbags is not installed.
     """
-    return _rows(reading, DIRECTORY, read_joint_state)
+    return assembled(_messages(reading, storage), reading, is_text=False)
 
 
-def read_mcap(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a bare MCAP file; see `read_rosbag2`."""
-    return _rows(reading, MCAP, read_joint_state)
-
-
-def read_sqlite3(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a bare sqlite3 file; see `read_rosbag2`."""
-    return _rows(reading, SQLITE3, read_joint_state)
-
-
-def read_ros1(reading: Reading) -> Iterator[Rows]:
-    """The joint states of a ROS 1 bag; see `read_rosbag2`."""
-    return _rows(reading, ROS1, read_ros1_joint_state)
-
-
-def _rows(reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]) -> Iterator[Rows]:
-    return assembled(_messages(reading, storage, decode), reading, is_text=False)
-
-
-def _messages(
-    reading: Reading, storage: str, decode: Callable[[bytes], RawJointState]
-) -> Iterator[tuple[int, RawJointState]]:
-    """Number in the bag, and message."""
+def _messages(reading: Reading, storage: str) -> Iterator[tuple[int, list[RawJointState]]]:
+    """Number in the bag, and joint states of the messages."""
     reading.row_name = "message"
+    header = reading.options.stamps != "log"
     number = 0
-    payloads = salvage.messages if reading.options.salvage and storage != ROS1 else _indexed
-    for found in payloads(reading, storage):
+    by_index = storage == ROS1 or not (reading.options.salvage or _irregular(reading, storage))
+    for found in (_indexed if by_index else salvage.messages)(reading, storage):
         try:
-            state = decode(_plain(found.data))
+            states = read_recorded(_plain(found.data), found.message_type, found.time, header, storage == ROS1)
         except QuadrupedError as error:
             if not reading.options.salvage:
                 raise reading.error(number, f"{error}; leave damaged messages out (--salvage)") from error
             reading.leave_out("the message is damaged")
             reading.rows += 1
         else:
-            if not (found.checked or zstd_has_checksum(found.data)):
+            if reading.options.salvage and not (found.checked or zstd_has_checksum(found.data)):
                 reading.mark_unchecked(number)
-            yield number, state if reading.options.stamps == "header" else state._replace(stamp=found.time)
+            yield number, states
         number += 1
     if not number:
         raise reading.error(None, "the topic has no message; record again, or name another topic (--topic)")
+
+
+def _irregular(reading: Reading, storage: str) -> bool:
+    """True for a rosbag2 bag that is whole and that rosbags would refuse: it is read without its index, with a remark.
+
+    Raises:
+        QuadrupedError: if the metadata name files that are not there.
+    """
+    files = salvage.storage_files(reading.path) if storage == DIRECTORY else [reading.path]
+    for file in files:
+        if rest := unapplied(file):
+            reading.note(f"{rest.name} holds changes that are not in {file.name} yet: both were read, on a copy")
+            return True
+    if storage != DIRECTORY:
+        return False
+    metadata = reading.path / METADATA_FILE
+    if not metadata.exists():
+        reading.note(f"there is no {METADATA_FILE}: the storage files were read without it")
+        return True
+    named = _named_files(metadata)
+    there = [file.name for file in files]
+    missing = [name for name in named if name not in there]
+    if not missing:
+        return False
+    names = f"{METADATA_FILE} names {', '.join(named)}, and the directory holds {', '.join(there)}"
+    if len(named) != len(there):
+        raise reading.error(None, f"{names}; add {missing[0]}, or {KEEP}")
+    reading.note(f"{names}: those were read")
+    return True
 
 
 def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
@@ -93,18 +100,18 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
     try:
         with ExitStack() as stack:
             reader = _open(reading.path, storage, stack)
-            topic = choose_topic({one.topic: one.msgtype for one in reader.connections}, reading)
-            connections = [connection for connection in reader.connections if connection.topic == topic]
+            topics = choose_topics({one.topic: one.msgtype for one in reader.connections}, reading)
+            connections = [connection for connection in reader.connections if connection.topic in topics]
             for connection in connections:
                 _check_connection(connection, reading)
             total = sum(connection.msgcount for connection in connections)
             found = 0
-            for _, time, data in reader.messages(connections):
+            for connection, time, data in reader.messages(connections):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):
                     raise TypeError("time or bytes of a message have another type")
                 if found % _MESSAGES_PER_UPDATE == 0:
                     reading.report_progress(found / max(total, 1))
-                yield Message(topic, time, bytes(data), checked=True)
+                yield Message(connection.topic, time, bytes(data), topics[connection.topic], checked=True)
                 found += 1
             if found != total:
                 raise ValueError(f"it says that there are {total} messages")
@@ -116,7 +123,7 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
         if storage == ROS1:
             fix = f"repair it with ROS 1 (rosbag reindex {reading.name}), and read it again"
         else:
-            fix = "keep what can be read (--salvage)"
+            fix = KEEP
             place = "" if found is not None else salvage.first_damage(reading, storage)
             reason = f"{reason} ({place})" if place else reason
         raise reading.error(
@@ -132,51 +139,46 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
     except ImportError as error:
         raise MissingExtraError("reading bags", "ros") from error
     # By the content of the file; rosbags goes by its name.
-    if storage == DIRECTORY:
-        _check_metadata(path / METADATA_FILE)
-    for file in salvage.storage_files(path) if storage == DIRECTORY else [path]:
-        if rest := unapplied(file):
-            raise ValueError(f"{rest.name} holds changes that are not in {file.name} yet")
     reader = Reader1(path) if storage == ROS1 else Reader2.STORAGE_PLUGINS[storage](path)
     reader.open()
     stack.callback(reader.close)
     return reader
 
 
-def _check_metadata(path: Path) -> None:
-    """Raise a QuadrupedError if the metadata would keep rosbags busy for long; it reports other damage itself."""
+def _named_files(path: Path) -> list[str]:
+    """Names of the files in the metadata; rosbags looks for all of them in the bag's own directory.
+
+    None if the metadata are damaged, which rosbags reports.
+
+    Raises:
+        QuadrupedError: if they would keep rosbags busy for long, or make it read a file twice.
+    """
     yaml = yaml_module()
+    names: list[str] = []
+    depth, deepest = 0, 0
     try:
         text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return
-    problem = f"over {_MAX_METADATA} characters" if len(text) > _MAX_METADATA else ""
-    depth = 0
-    try:
-        for event in () if problem else yaml.parse(text, yaml.CSafeLoader):
-            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-            if depth > MAX_DEPTH:
-                problem = f"nested deeper than {MAX_DEPTH} levels"
-                break
-        if not problem:
-            problem = _repeated_file(yaml.load(text, yaml.CBaseLoader))
-    except yaml.YAMLError:
-        return
-    if problem:
-        raise QuadrupedError(
-            f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or keep what can be read "
-            f"(--salvage)"
-        )
-
-
-def _repeated_file(metadata: Any) -> str:
-    """Description of a file that is named twice, which rosbags would read twice; empty without one."""
-    section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
-    paths = section.get("relative_file_paths") if isinstance(section, dict) else None
-    # rosbags looks for all of them in the bag's own directory.
-    names = [PurePath(path).name for path in paths if isinstance(path, str)] if isinstance(paths, list) else []
-    repeated = next((name for name, count in Counter(names).items() if count > 1), None)
-    return "" if repeated is None else f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times"
+        if len(text) <= _MAX_METADATA:
+            for event in yaml.parse(text, yaml.CSafeLoader):
+                depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+                deepest = max(deepest, depth)
+            metadata = yaml.load(text, yaml.CBaseLoader) if deepest <= MAX_DEPTH else None
+            section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
+            paths = section.get("relative_file_paths") if isinstance(section, dict) else None
+            names = [PurePath(one).name for one in paths if isinstance(one, str)] if isinstance(paths, list) else []
+    except (OSError, UnicodeDecodeError, yaml.YAMLError):
+        return []
+    repeated = next((name for name, count in Counter(names).items() if count > 1), "")
+    for problem, wrong in (
+        (f"over {_MAX_METADATA} characters", len(text) > _MAX_METADATA),
+        (f"nested deeper than {MAX_DEPTH} levels", deepest > MAX_DEPTH),
+        (f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times", repeated != ""),
+    ):
+        if wrong:
+            raise QuadrupedError(
+                f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or {KEEP}"
+            )
+    return names
 
 
 def _check_connection(connection: Any, reading: Reading) -> None:
@@ -184,7 +186,7 @@ def _check_connection(connection: Any, reading: Reading) -> None:
     form = getattr(connection.ext, "serialization_format", "cdr")
     if form != "cdr":
         raise reading.error(None, f"{connection.topic} is serialized as {form!r}; only 'cdr' is known: convert the bag")
-    if not hasattr(connection.ext, "serialization_format") and connection.digest != ROS1_DIGEST:
+    if not hasattr(connection.ext, "serialization_format") and connection.digest != ros1_digest(connection.msgtype):
         raise reading.error(
             None, f"{connection.topic} has another definition of {connection.msgtype}, {connection.digest}"
         )

@@ -29,8 +29,8 @@ class Layout:
 
     titles: Sequence[str]
     """Names of all columns, for error messages"""
-    stamp: int
-    """Index of the column of the timestamp"""
+    stamp: int | None
+    """Index of the column of the timestamp; without one, rows are 1 ns apart"""
     parse_stamp: StampParser
     stamp_form: str
     """Description of a valid timestamp, for error messages"""
@@ -59,20 +59,17 @@ def opened(reading: Reading) -> Iterator[TextIO]:
 
 
 def lines(file: TextIO, reading: Reading, first: int) -> Iterator[str]:
-    """The remaining lines of a file, with progress. The next line has number `first`.
+    """The remaining lines of a file, with progress, each with a line end. The next line has number `first`.
 
-    Raises:
-        QuadrupedError: at a last line without a line end, since its last number may be cut off.
+    A last line without one gets it, and a remark, since its last number may be cut off.
     """
     size = max(os.fstat(file.fileno()).st_size, 1)
     done = 0
     for number, line in enumerate(file, first):
         if not line.endswith("\n"):
             last = short(line.rpartition(",")[2].strip())
-            raise QuadrupedError(
-                f"{reading.name}: line {number}: the last line does not end, so its last number, {last}, may be cut "
-                f"off; delete the line, or end it if it is complete"
-            )
+            reading.note(f"line {number}: the last line does not end, so its last value, {last}, may be cut off")
+            line += "\n"  # noqa: PLW2901
         done += len(line)
         if number % 1000 == 0:
             reading.report_progress(done / size)
@@ -112,11 +109,11 @@ def table_rows(table: Iterable[tuple[int, list[str]]], layout: Layout, reading: 
                 raise reading.error(
                     number,
                     f"expected {len(layout.titles)} columns, as in the header; found {len(cells)}; "
-                    f"the line is damaged or cut off: fix it or delete it",
+                    f"the line is damaged or cut off: fix it, or keep the lines before it (--salvage)",
                 )
             reading.rows += 1
             try:
-                stamps.append(layout.parse_stamp(cells[layout.stamp]))
+                stamps.append(reading.rows - 1 if layout.stamp is None else layout.parse_stamp(cells[layout.stamp]))
                 values.extend(map(parse, [cells[column] for column in used]))
             except (ValueError, OverflowError):
                 raise _bad_cell(cells, layout, used, number, reading) from None
@@ -188,7 +185,7 @@ def parse_whole(text: str) -> int:
 
 def _bad_cell(cells: list[str], layout: Layout, used: Iterable[int], number: int, reading: Reading) -> QuadrupedError:
     """The error for the first invalid cell of a line."""
-    for column in sorted({layout.stamp, *used}):
+    for column in sorted({*used} if layout.stamp is None else {layout.stamp, *used}):
         is_stamp = column == layout.stamp
         try:
             _ = layout.parse_stamp(cells[column]) if is_stamp else _parser(layout, reading)(cells[column])

@@ -15,9 +15,10 @@ from itertools import takewhile
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.robot_messages import RawJointState
+from quadruped_env.ros.robot_messages import RawJointState, dynamic_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
@@ -37,7 +38,11 @@ _SPECIAL: Final = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
 _INTEGER: Final = re.compile(r"-?\d{1,18}$", re.ASCII)
 _MAX_KEYS_SHOWN: Final = 8
 _MAX_DEPTH: Final = 8
-"""Maximum levels of nesting; a joint state has three."""
+"""Maximum levels of nesting; a trajectory has five."""
+
+_DYNAMIC_KEYS: Final = ("joint_names", "interface_values")
+_TRAJECTORY_KEYS: Final = ("joint_names", "points")
+_POINT_KEYS: Final = ("positions", "velocities", "accelerations", "effort", "time_from_start")
 
 Node = str | list[Any] | tuple[Any, ...]
 """A YAML node, its values still as text: a scalar, a sequence, or the pairs of a mapping"""
@@ -58,8 +63,8 @@ def read_csv(reading: Reading) -> Iterator[Rows]:
     return assembled(_csv_messages(reading), reading, is_text=True)
 
 
-def _yaml_messages(reading: Reading) -> Iterator[tuple[int, RawJointState]]:
-    """Number and content of the messages."""
+def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
+    """Number in the file, and joint states of the messages."""
     yaml = yaml_module()
     reading.row_name = "message"
     with opened(reading) as file:
@@ -69,16 +74,17 @@ def _yaml_messages(reading: Reading) -> Iterator[tuple[int, RawJointState]]:
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                yield number, _state(_document(yaml, text))
+                states = _states(_document(yaml, text))
             except (yaml.YAMLError, ValueError) as error:
                 reason = " ".join(str(error).split())
                 raise reading.error(number, f"{reason}; {_FORM}; fix it or delete it") from error
+            yield number, states
             number += 1
     if not number:
         raise reading.error(None, f"there is no message in it; {_FORM}")
 
 
-def _csv_messages(reading: Reading) -> Iterator[tuple[int, RawJointState]]:
+def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
     """Number of the line, and message."""
     reading.row_name = "line"
     with opened(reading) as file:
@@ -87,7 +93,7 @@ def _csv_messages(reading: Reading) -> Iterator[tuple[int, RawJointState]]:
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                yield number, _state_of_cells(line.rstrip("\n").split(","), reading.options.names)
+                yield number, [_state_of_cells(line.rstrip("\n").split(","), reading.options.names)]
             except ValueError as error:
                 raise reading.error(number, f"{error}; fix the line or delete it") from error
 
@@ -168,16 +174,51 @@ def _document(yaml: Any, text: str) -> Node | None:
     return root[0] if root else None
 
 
-def _state(node: Node | None) -> RawJointState:
-    """The message in a YAML node. Raises ValueError if the node is not a joint state."""
-    fields = _mapping(node, ("header", "name", *KINDS), "the message")
+def _states(node: Node | None) -> list[RawJointState]:
+    """The joint states in a YAML node: of a `JointState`, `DynamicJointState` or `JointTrajectory`.
+
+    Raises ValueError if the node holds another message.
+    """
+    keys = [key for key, _ in node] if isinstance(node, tuple) else []
+    rest = next((one for one in (_DYNAMIC_KEYS, _TRAJECTORY_KEYS) if one[-1] in keys), ("name", *KINDS))
+    fields = _mapping(node, ("header", *rest), "the message")
     header = _mapping(fields["header"], ("stamp", "frame_id"), "header")
-    stamp = _mapping(header["stamp"], ("sec", "nanosec"), "header.stamp")
-    names = tuple(_scalar(item, "name") for item in _sequence(fields["name"], "name"))
-    numbers = [
-        np.array([_number(item, kind) for item in _sequence(fields[kind], kind)], dtype=np.float64) for kind in KINDS
-    ]
-    return RawJointState(_stamp(_scalar(stamp["sec"], "sec"), _scalar(stamp["nanosec"], "nanosec")), names, *numbers)
+    stamp = _time(header["stamp"], "header.stamp")
+    names = tuple(_texts(fields[rest[0]], rest[0]))
+    if rest == _DYNAMIC_KEYS:
+        parts = [
+            _mapping(one, ("interface_names", "values"), "interface_values")
+            for one in _sequence(fields[rest[1]], rest[1])
+        ]
+        interfaces = [
+            (_texts(part["interface_names"], "interface_names"), _numbers(part["values"], "values")) for part in parts
+        ]
+        return [dynamic_state(stamp, names, interfaces)]
+    if rest == _TRAJECTORY_KEYS:
+        points = [_mapping(one, _POINT_KEYS, "points") for one in _sequence(fields["points"], "points")]
+        return [
+            RawJointState(
+                stamp + _time(point["time_from_start"], "time_from_start"),
+                names,
+                *(_numbers(point[key], key) for key in ("positions", "velocities", "effort")),
+            )
+            for point in points
+        ]
+    return [RawJointState(stamp, names, *(_numbers(fields[kind], kind) for kind in KINDS))]
+
+
+def _time(node: Node, what: str) -> int:
+    """A time or a duration, ns."""
+    found = _mapping(node, ("sec", "nanosec"), what)
+    return _stamp(_scalar(found["sec"], "sec"), _scalar(found["nanosec"], "nanosec"))
+
+
+def _texts(node: Node, what: str) -> list[str]:
+    return [_scalar(item, what) for item in _sequence(node, what)]
+
+
+def _numbers(node: Node, what: str) -> NDArray[np.float64]:
+    return np.array([_number(item, what) for item in _sequence(node, what)], dtype=np.float64)
 
 
 def _mapping(node: Node | None, keys: tuple[str, ...], what: str) -> dict[str, Any]:

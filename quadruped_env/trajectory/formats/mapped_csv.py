@@ -1,8 +1,10 @@
 """CSVs of any columns, read by a column map: see `quadruped_env.trajectory.maps`."""
 
 import csv
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from datetime import datetime
 from decimal import Decimal, DecimalException
 from itertools import chain, zip_longest
 from typing import Final
@@ -10,6 +12,8 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import short
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import (
     Layout,
@@ -25,20 +29,89 @@ from quadruped_env.trajectory.rows import ARRAYS, KINDS, Rows
 
 _MAX_SHOWN: Final = 12
 """Names of columns that an error lists."""
+_KIND_WORDS: Final = {
+    "position": "position",
+    "pos": "position",
+    "velocity": "velocity",
+    "vel": "velocity",
+    "effort": "effort",
+    "torque": "effort",
+}
+_OTHER_WORDS: Final = frozenset(("cmd", "command", "target", "desired", "des", "ref", "reference", "error", "raw"))
+"""Words of columns that were not measured."""
+_TIME_TITLE: Final = re.compile(
+    r"_*(?P<word>t|time|stamp|time_?stamp|elapsed|seconds|secs?|s|ms|us|ns)([ _\[(]+(?P<unit>s|sec|ms|us|ns)[\])]?)?$",
+    re.IGNORECASE,
+)
 
 
-def read(reading: Reading) -> Iterator[Rows]:
-    """The rows of a CSV, by the column map of the options, not validated.
+def read(reading: Reading, columns: ColumnMap | None = None) -> Iterator[Rows]:
+    """The rows of a CSV, by a column map, by default that of the options, not validated.
 
     Raises:
         QuadrupedError: if a file is missing or damaged, or lacks a column.
     """
-    columns = reading.options.columns
+    columns = columns or reading.options.columns
     assert columns is not None
+    if columns.stamp is None and reading.options.period is None:
+        raise reading.error(
+            None,
+            f"{columns.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
+            f"(period in the map, or --stamps 0.02)",
+        )
     velocity_file = (columns.velocity_files or {}).get(reading.path.name)
     if velocity_file is None:
         return salvaged_text(_rows(reading, columns), reading)
     return salvaged_text(_rows_of_two_files(reading, columns, velocity_file), reading)
+
+
+def by_titles(line: str, reading: Reading) -> ColumnMap | None:
+    """The column map of a CSV whose columns bear the names of joints, from its first line; None if they do not.
+
+    The joints are those of the options, or the built-in robot's. A title is a joint's name, or holds it with a word for
+    the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or
+    is s.
+    """
+    names = reading.options.names or MINI_QUADRUPED.joint_names
+    patterns = {name: re.compile(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])") for name in names}
+    for separator in ",;\t":
+        titles = [title.strip().strip('"') for title in line.rstrip("\n").split(separator)]
+        found: dict[str, dict[str, Column]] = {}
+        for title in titles:
+            for name, pattern in patterns.items():
+                if not pattern.search(title):
+                    continue
+                words = re.findall("[a-z]+", pattern.sub(" ", title, count=1).lower())
+                kinds = {_KIND_WORDS[word] for word in words if word in _KIND_WORDS} or {"" if words else "position"}
+                kind = "" if _OTHER_WORDS.intersection(words) or len(kinds) > 1 else kinds.pop()
+                if name in found.get(kind, ()) and kind:
+                    raise reading.error(1, f"two columns hold the {kind} of {name}; name one in a map (--columns FILE)")
+                if kind:
+                    found.setdefault(kind, {})[name] = title
+        if "position" not in found:
+            continue
+        joints = found["position"]
+        if reading.options.names and (missing := [name for name in names if name not in joints]):
+            raise reading.error(1, f"no column bears the name {short(missing[0])} (--names); found {short(line)}")
+        kinds_of_all = {kind: columns for kind, columns in found.items() if set(columns) == set(joints)}
+        times = [match for title in titles if (match := _TIME_TITLE.match(title))]
+        unit = (times[0]["unit"] or times[0]["word"] or "s").lower() if times else ""
+        unit = unit if unit in STAMP_UNITS else "s"
+        time = f"time in {unit} from {short(times[0].string)}, " if times else ""
+        reading.note(
+            f"read by the names of its columns: {time}{', '.join(ARRAYS[kind] for kind in kinds_of_all)} of "
+            f"{len(joints)} joints, in rad"
+        )
+        return ColumnMap(
+            times[0].string if times else None,
+            joints,
+            kinds_of_all.get("velocity"),
+            kinds_of_all.get("effort"),
+            unit or "s",
+            separator=separator,
+            name="columns by their names",
+        )
+    return None
 
 
 def _rows_of_two_files(reading: Reading, columns: ColumnMap, velocity_file: str) -> Iterator[Rows]:
@@ -97,7 +170,7 @@ def _layout(titles: list[str], columns: ColumnMap, reading: Reading) -> Layout:
 
     return Layout(
         titles=titles,
-        stamp=index("stamp", columns.stamp),
+        stamp=None if columns.stamp is None else index("stamp", columns.stamp),
         parse_stamp=_stamp_parser(STAMP_UNITS[columns.stamp_unit]),
         stamp_form=f"a time in {columns.stamp_unit}",
         columns={
@@ -114,6 +187,8 @@ def _stamp_parser(power: int) -> StampParser:
     def parse(text: str) -> int:
         if "_" in text or not text.isascii():
             raise ValueError(text)
+        if ":" in text:
+            return _date_and_time(text)
         try:
             time = Decimal(text).scaleb(power)
         except DecimalException as error:
@@ -124,6 +199,15 @@ def _stamp_parser(power: int) -> StampParser:
         return round(time)
 
     return parse
+
+
+def _date_and_time(text: str) -> int:
+    """Ns of a date and time of ISO 8601, UTC if it names no zone. Raises ValueError if it is not one."""
+    found = re.fullmatch(r"(?P<whole>[^.]+:\d\d)(\.(?P<part>\d{1,9}))?(?P<zone>Z|[+-]\d\d:?\d\d)?", text.strip())
+    if found is None:
+        raise ValueError(text)
+    time = datetime.fromisoformat(found["whole"] + (found["zone"] or "Z"))
+    return int(time.timestamp()) * NS_PER_SECOND + int((found["part"] or "").ljust(9, "0"))
 
 
 def _shown(title: str) -> str:

@@ -2,6 +2,7 @@
 
 from array import array
 from collections.abc import Iterator
+from itertools import chain, islice
 from typing import Final
 
 import numpy as np
@@ -13,33 +14,95 @@ from quadruped_env.trajectory.file_reading import Reading, salvaged
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows
 
 _ROWS_PER_PIECE: Final = 4096
+_MESSAGES_TO_KNOW_ALL: Final = 1000
+"""Messages at the beginning in which every joint of a robot that sends several has come."""
+_MAX_SKEW: Final = 1.5
+"""Time between the joints of one row, in periods of the slowest message."""
 
 
-def assembled(messages: Iterator[tuple[int, RawJointState]], reading: Reading, is_text: bool) -> Iterator[Rows]:
+def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Reading, is_text: bool) -> Iterator[Rows]:
     """The rows of messages.
 
     The first usable message decides which joints there are, and whether there are velocities and efforts.
 
     Args:
-        messages: number in the file, and message.
+        messages: number in the file, and joint states of the message.
         reading: of the file.
         is_text: whether the file is text, which has no checksums.
 
     Raises:
         QuadrupedError: if a message does not match the others and is not to be left out.
     """
+    states = _single(messages, reading)
+    if reading.options.merge:
+        states = _merged(states, reading)
     builder = _Builder(reading)
-    for number, state in salvaged(messages, reading, lambda message: (message[0], message[0]), is_text):
+    for number, state in salvaged(states, reading, lambda message: (message[0], message[0]), is_text):
         reading.rows += 1
         problem = builder.add(number, state)
         if problem is not None:
             if not reading.options.drop:
-                raise reading.error(number, f"{problem}; fix it, or leave such messages out (--drop)")
+                merge = ", merge the messages of several drivers (--merge)" if "joint '" in problem else ""
+                raise reading.error(number, f"{problem}; fix it{merge}, or leave such messages out (--drop)")
             reading.leave_out(problem)
         elif len(builder) == _ROWS_PER_PIECE:
             yield builder.take()
     if len(builder):
         yield builder.take()
+
+
+def _single(
+    messages: Iterator[tuple[int, list[RawJointState]]], reading: Reading
+) -> Iterator[tuple[int, RawJointState]]:
+    """The joint states one by one; the points of a trajectory end where the next one begins."""
+    planned: list[tuple[int, RawJointState]] = []
+    for number, states in messages:
+        if states:
+            kept = [one for one in planned if one[1].stamp < states[0].stamp]
+            reading.count("points that a later trajectory replaced", len(planned) - len(kept))
+            yield from kept
+            planned = []
+        if len(states) == 1:
+            yield number, states[0]
+        else:
+            planned += [(number, state) for state in states]
+    yield from planned
+
+
+def _merged(messages: Iterator[tuple[int, RawJointState]], reading: Reading) -> Iterator[tuple[int, RawJointState]]:
+    """Whole joint states from messages that hold some of the joints each: one whenever all joints have come again.
+
+    Its timestamp is that of the newest message. Joints that are too far apart are left out.
+    """
+    head = list(islice(messages, _MESSAGES_TO_KNOW_ALL))
+    stamps: dict[tuple[str, ...], list[int]] = {}
+    for _, state in head:
+        stamps.setdefault(state.names, []).append(state.stamp)
+    names = tuple(dict.fromkeys(chain.from_iterable(stamps)))
+    periods = [float(np.median(np.diff(times))) for times in stamps.values() if len(times) > 2]
+    limit = _MAX_SKEW * max(periods, default=np.inf)
+    reading.note(f"merged {len(stamps)} kinds of messages: {len(names)} joints")
+    columns = {name: i for i, name in enumerate(names)}
+    values = np.full((3, len(names)), np.nan)
+    times = np.full(len(names), -1, np.int64)
+    for number, state in chain(head, messages):
+        order = [columns.get(name, -1) for name in state.names]
+        arrays = state[2:]
+        if not order or min(order) < 0 or any(len(given) not in {0, len(order)} for given in arrays):
+            yield number, state
+            continue
+        for row, given in zip(values, arrays, strict=True):
+            row[order] = given if len(given) else np.nan
+        times[order] = state.stamp
+        if (times < 0).any():
+            continue
+        if times.max() - times.min() <= limit:
+            kinds = [row.copy() if np.isfinite(row).any() else np.empty(0) for row in values]
+            yield number, RawJointState(int(times.max()), names, *kinds)
+        else:
+            reading.rows += 1
+            reading.leave_out("the joints' messages are over 1.5 periods apart")
+        times[:] = -1
 
 
 class _Builder:

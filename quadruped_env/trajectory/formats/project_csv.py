@@ -5,8 +5,8 @@
 
 `stamp_ns` is a whole number of ns, positions are rad, velocities rad/s, efforts N m. Velocities and efforts may be
 left out, each for all joints; an effort may be `nan`. Columns after the first may come in any order. Numbers are
-written in the shortest form that reads back to the same bits. Nothing is quoted. Every line has a line end, also the
-last one, so that a file that was cut off is recognised.
+written in the shortest form that reads back to the same bits. Nothing is quoted. Every line has a line end; a last one
+without it is reported, since it may be cut off.
 """
 
 from collections.abc import Iterable, Iterator, Sequence

@@ -3,12 +3,13 @@
 import os
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from functools import partial
 from typing import Final
 
 from quadruped_env.errors import short
 from quadruped_env.robot.description import description_problem
 from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, salvage
+from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, motion_clip, project_csv, salvage
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import check_regular
@@ -19,13 +20,13 @@ _FIX: Final = "name a file of joint states, or the directory of a bag"
 _HEAD: Final = 65536
 """Bytes by which a format is recognised."""
 _KNOWN: Final = (
-    "known are the project's CSV, any CSV with a column map, ros2 topic echo (YAML and --csv), rosbag2 (MCAP and "
-    "sqlite3) and ROS 1 bags"
+    "known are the project's CSV, CSVs whose columns bear the joints' names, any CSV with a column map, ros2 topic "
+    "echo (YAML and --csv), rosbag2 (MCAP and sqlite3) and ROS 1 bags, motion clips (JSON with FrameDuration)"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
-    b"\x89MCAP0": bag_reader.read_mcap,
-    b"SQLite format 3\x00": bag_reader.read_sqlite3,
-    b"#ROSBAG V2.0": bag_reader.read_ros1,
+    b"\x89MCAP0": partial(bag_reader.read, storage=salvage.MCAP),
+    b"SQLite format 3\x00": partial(bag_reader.read, storage=salvage.SQLITE3),
+    b"#ROSBAG V2.0": partial(bag_reader.read, storage=salvage.ROS1),
     project_csv.STAMP_COLUMN.encode(): project_csv.read,
     b"\xef\xbb\xbf" + project_csv.STAMP_COLUMN.encode(): project_csv.read,
 }
@@ -47,6 +48,8 @@ def read(reading: Reading, stack: ExitStack) -> Iterator[Rows]:
     while head.startswith(ZSTD_MAGIC):
         reading.path = salvage.decompressed(reading.path, stack, reading)
         head = _head(reading)
+    if head.lstrip().startswith(b"{") and motion_clip.DURATION.encode() in head:
+        return motion_clip.read(reading)
     reader = mapped_csv.read if reading.options.columns is not None else _reader(head, reading)
     return reader(reading)
 
@@ -74,10 +77,12 @@ def _reader(head: bytes, reading: Reading) -> Reader:
     if reading.path.is_dir():
         if not salvage.storage_files(reading.path):
             raise reading.error(None, "the directory is not a bag; expected metadata.yaml and .mcap or .db3 files")
-        return bag_reader.read_rosbag2
+        return partial(bag_reader.read, storage=salvage.DIRECTORY)
     for magic, reader in _MAGICS.items():
         if head.startswith(magic):
-            return reader
+            line = head.partition(b"\n")[0].decode("utf-8-sig", errors="replace")
+            plain = reader == project_csv.read and "." not in line
+            return (_reader_by_titles(line, reading) if plain else None) or reader
     if head.startswith(b"#ROSBAG"):
         version = short(head[:13].decode(errors="replace"))
         raise reading.error(None, f"a bag of an old version, {version}; convert it with rosbag migrate")
@@ -100,6 +105,8 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
         return echo_text.read_yaml
     if len(cells) >= 7 and all(cell.lstrip("-").isdecimal() for cell in cells[:2]):
         return echo_text.read_csv
+    if reader := _reader_by_titles(line, reading):
+        return reader
     if len(cells) > 1:
         raise reading.error(
             None,
@@ -107,3 +114,9 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
             f"(--columns FILE); {_KNOWN}",
         )
     raise reading.error(None, f"text that begins with {short(line)} is not a recording of joint states; {_KNOWN}")
+
+
+def _reader_by_titles(line: str, reading: Reading) -> Reader | None:
+    """The reader for a CSV whose first line bears the names of joints."""
+    columns = mapped_csv.by_titles(line, reading)
+    return None if columns is None else partial(mapped_csv.read, columns=columns)

@@ -9,6 +9,7 @@ Standard input and output hold one JSON object per line. Input:
     {"send": "/topic", "message": {"data": "text"}}
     {"drive": "/cmd_vel", "message": {...}, "period": 0.1}      sends the message periodically from now on
     {"endpoints": "/topic"}
+    {"nodes": "/namespace/name"}
 
 Output: `{"received": "/topic", "message": {...}}`, `{"matched": "/topic", "count": 1}`,
 `{"incompatible": "/topic", "policy": "QoSPolicyKind.RELIABILITY"}`, `{"endpoints": "/topic", "found": [...]}`, and
@@ -22,6 +23,7 @@ import sys
 import threading
 
 import rclpy
+from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
@@ -95,6 +97,21 @@ class Peer:
         elif "endpoints" in line:
             topic = line["endpoints"]
             say(endpoints=topic, found=[self.endpoint(one) for one in self.infos(topic)])
+        elif "nodes" in line:
+            self.list_nodes(line["nodes"])
+
+    def list_nodes(self, full):
+        """The names of all nodes, and topics and types of one of them, as far as it is known."""
+        namespace, _, name = full.rpartition("/")
+        try:
+            ends = [
+                dict(self.node.get_publisher_names_and_types_by_node(name, namespace or "/")),
+                dict(self.node.get_subscriber_names_and_types_by_node(name, namespace or "/")),
+            ]
+        except NodeNameNonExistentError:
+            ends = {}, {}
+        names = [f"{space.rstrip('/')}/{one}" for one, space in self.node.get_node_names_and_namespaces()]
+        say(nodes=names, publishers=ends[0], subscriptions=ends[1])
 
     def subscribe(self, topic, kind, qos):
         events = SubscriptionEventCallbacks(

@@ -21,8 +21,9 @@ from quadruped_env.simulation import BatchSimulation, build_model  # noqa: E402
 from quadruped_env.task import Task, TaskConfig, preset_values  # noqa: E402
 
 OFTEN = {"push_interval": [0.2, 0.6], "push_force_interval": [0.2, 0.6], "push_force_duration": [0.1, 0.3]}
+SERVOS = {"target_step": [0.0, 0.02], "backlash": [0.0, 0.02], "dead_band": [0.0, 0.01]}
 HARD = TaskConfig.from_dict(
-    {"randomization": {**preset_values("hard", MINI_QUADRUPED), **OFTEN}, "action": {"mode": "residual"}}
+    {"randomization": {**preset_values("hard", MINI_QUADRUPED), **OFTEN, **SERVOS}, "action": {"mode": "residual"}}
 )
 LARGEST = {"qpos": 1e-5, "qvel": 1e-3, "observation": 1e-4, "reward": 1e-4}
 """Largest difference after one control step from the same state, in m, rad, m/s, rad/s and 1."""

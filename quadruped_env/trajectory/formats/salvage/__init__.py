@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory.file_reading import Reading
+from quadruped_env.ros.robot_messages import JOINT_STATE, RECORDED_TYPES
+from quadruped_env.trajectory.file_reading import KEEP, Reading
 from quadruped_env.trajectory.formats.salvage import mcap_scanner, sqlite3_scanner
 from quadruped_env.trajectory.formats.salvage.records import Message, Topic, zstd, zstd_has_checksum
 
@@ -23,7 +24,6 @@ MCAP: Final = ".mcap"
 SQLITE3: Final = ".db3"
 ROS1: Final = ".bag"
 
-JOINT_STATE: Final = "sensor_msgs/JointState"
 DEFAULT_TOPIC: Final = "/joint_states"
 
 _SCANNERS: Final = {MCAP: mcap_scanner.scan, SQLITE3: sqlite3_scanner.scan}
@@ -43,11 +43,11 @@ def messages(reading: Reading, storage: str) -> Iterator[Message]:
     for path, found in _scan(replace(reading, progress=None), storage):
         if isinstance(found, Topic):
             topics[path, found.key] = found
-    wanted = choose_topic({topic.name: topic.message_type for topic in topics.values()}, reading)
-    keys = {key for key, topic in topics.items() if topic.name == wanted}
+    wanted = choose_topics({topic.name: topic.message_type for topic in topics.values()}, reading)
+    types = {key: wanted[topic.name] for key, topic in topics.items() if topic.name in wanted}
     for path, found in _scan(reading, storage):
-        if isinstance(found, Message) and (path, found.topic) in keys:
-            yield found
+        if isinstance(found, Message) and (path, found.topic) in types:
+            yield replace(found, message_type=types[path, found.topic])
 
 
 def first_damage(reading: Reading, storage: str) -> str:
@@ -62,33 +62,53 @@ def first_damage(reading: Reading, storage: str) -> str:
     return looking.notes[0] if looking.notes else ""
 
 
-def choose_topic(types: Mapping[str, str], reading: Reading) -> str:
-    """The topic of joint states that the options name, or the only one in the bag, or `/joint_states`.
+def choose_topics(types: Mapping[str, str], reading: Reading) -> dict[str, str]:
+    """The topics of joint states that the options name, or the only one in the bag, or `/joint_states`.
 
     Args:
         types: topic -> message type, as ROS 1 or ROS 2 name it.
-        reading: of the bag; its options may name a topic.
+        reading: of the bag; its options may name topics.
+
+    Returns:
+        Topic -> message type, one of `RECORDED_TYPES`.
 
     Raises:
         QuadrupedError: if there is none, or several and none is `/joint_states`.
     """
-    topics = sorted(topic for topic, name in types.items() if name.replace("/msg/", "/") == JOINT_STATE)
+    known = {topic: _full_name(name) for topic, name in sorted(types.items()) if _full_name(name) in RECORDED_TYPES}
     wanted = reading.options.topic
     if wanted is not None:
-        if wanted in topics:
-            return wanted
-        found = ", ".join(f"{topic} ({name})" for topic, name in sorted(types.items())) or "no topic"
-        raise reading.error(None, f"no topic {wanted!r} of type {JOINT_STATE}; it has {found}")
-    if not topics:
+        names = wanted.split(",")
+        if missing := next((name for name in names if name not in known), None):
+            found = ", ".join(f"{topic} ({name})" for topic, name in sorted(types.items())) or "no topic"
+            raise reading.error(
+                None, f"no topic {missing!r} of type {' or '.join(map(_short_name, RECORDED_TYPES))}; it has {found}"
+            )
+        if len(names) > 1 and not reading.options.merge:
+            raise reading.error(None, f"topics {wanted}: several are read as one robot's if they are merged (--merge)")
+        return {name: known[name] for name in names}
+    if not known:
         found = ", ".join(sorted(set(types.values()))) or "none"
-        raise reading.error(None, f"no topic of type {JOINT_STATE}; the types in it are: {found}")
+        raise reading.error(None, f"no topic of type {_short_name(JOINT_STATE)}; the types in it are: {found}")
+    best = min(known.values(), key=RECORDED_TYPES.index)
+    topics = [topic for topic, name in known.items() if name == best]
     if len(topics) == 1:
-        return topics[0]
+        return {topics[0]: best}
     if DEFAULT_TOPIC not in topics:
-        raise reading.error(None, f"several topics of type {JOINT_STATE}; name one (--topic): {', '.join(topics)}")
+        several = f"several topics of type {_short_name(best)}; name one (--topic): {', '.join(topics)}"
+        raise reading.error(None, several)
     others = ", ".join(topic for topic in topics if topic != DEFAULT_TOPIC)
     reading.note(f"read {DEFAULT_TOPIC}; there are joint states on {others} too (--topic)")
-    return DEFAULT_TOPIC
+    return {DEFAULT_TOPIC: best}
+
+
+def _full_name(name: str) -> str:
+    """A message type as ROS 2 names it."""
+    return name if "/msg/" in name else name.replace("/", "/msg/")
+
+
+def _short_name(name: str) -> str:
+    return name.replace("/msg/", "/")
 
 
 def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
@@ -114,7 +134,7 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
             if problem is not None:
                 where = f"{path.name}, byte {source.tell()}: the compressed file is damaged: {problem}"
                 if not reading.options.salvage:
-                    raise reading.error(None, f"{where}; keep what can be read (--salvage)")
+                    raise reading.error(None, f"{where}; {KEEP}")
                 reading.note(where)
                 break
         else:
@@ -142,12 +162,14 @@ def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | M
     try:
         for found in _SCANNERS[storage](path, reading):
             yield replace(found, checked=True) if checked and isinstance(found, Message) else found
+    except QuadrupedError:
+        raise
     except OSError as error:
         raise reading.error(None, f"{path.name} cannot be read ({error.strerror})") from error
     except sqlite3.Error as error:
-        reading.note(f"{path.name}: SQLite cannot read it: {error}")
+        reading.damage(f"{path.name}: SQLite cannot read it: {error}")
     except (struct.error, LookupError, ValueError, OverflowError, MemoryError) as error:
-        reading.note(f"{path.name}: the rest is damaged: {error!r}")
+        reading.damage(f"{path.name}: the rest is damaged: {error!r}")
 
 
 def storage_files(directory: Path) -> list[Path]:

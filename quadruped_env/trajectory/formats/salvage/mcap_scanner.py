@@ -31,16 +31,16 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
                 yield Topic(key, _text(data, 4)[0], schemas.get(schema, ""))
             elif op == _MESSAGE:
                 key, _, time, _ = struct.unpack_from("<HIQQ", data)
-                yield Message(key, time, data[22:], checked)
+                yield Message(key, time, data[22:], checked=checked)
         except (struct.error, UnicodeDecodeError):
-            reading.note(f"{path.name}: a damaged record was left out")
+            reading.damage(f"{path.name}: a damaged record was left out")
 
 
 def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
     """Type, data and "covered by a correct checksum" of all records with content, also of those in chunks."""
     with path.open("rb") as file:
         if file.read(len(_MAGIC)) != _MAGIC:
-            reading.note(f"{path.name}: the beginning is damaged")
+            reading.damage(f"{path.name}: the beginning is damaged")
         size = path.stat().st_size
         while True:
             start = file.tell()
@@ -48,12 +48,12 @@ def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
             head = file.read(9)
             if len(head) < 9:
                 if head[: len(_MAGIC)] != _MAGIC:
-                    reading.note(f"{path.name}: cut off at byte {start}")
+                    reading.damage(f"{path.name}: cut off at byte {start}")
                 return
             op, length = struct.unpack("<BQ", head)
             whole = start + 9 + length <= size
             if not whole:
-                reading.note(f"{path.name}: cut off or damaged from byte {start} on")
+                reading.damage(f"{path.name}: cut off or damaged from byte {start} on")
             if op == _CHUNK:
                 yield from _chunk_records(file.read(min(length, size)), whole, f"{path.name}: byte {start}", reading)
             elif whole and op in {_SCHEMA, _CHANNEL, _MESSAGE}:
@@ -86,11 +86,11 @@ def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> It
         compression, at = _text(data, 28)
         plain, checked = decompress(data[at + 8 :], compression, size)
     except (struct.error, UnicodeDecodeError, ValueError) as error:
-        reading.note(f"{where}: a chunk was left out: {error}")
+        reading.damage(f"{where}: a chunk was left out: {error}")
         return
     complete = len(plain) == size
     if (whole and not complete) or (complete and checksum and crc32(plain) != checksum):
-        reading.note(f"{where}: a chunk is damaged, by its size or checksum, and was left out")
+        reading.damage(f"{where}: a chunk is damaged, by its size or checksum, and was left out")
         return
     checked = complete and (checked or checksum != 0)
     at = 0

@@ -31,6 +31,8 @@ class Message:
     time: int
     """Time of recording, ns"""
     data: bytes
+    message_type: str = ""
+    """One of `RECORDED_TYPES`, once it is known"""
     checked: bool = False
     """True if a checksum covers the bytes and is correct"""
 

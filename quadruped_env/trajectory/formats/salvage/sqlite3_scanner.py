@@ -31,15 +31,15 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
         header = file.read(32)
     size = path.stat().st_size
     if len(header) < 32:
-        reading.note(f"{path.name}: cut off at byte {size}, within the header")
+        reading.damage(f"{path.name}: cut off at byte {size}, within the header")
         return
     (page_size,), (pages,) = struct.unpack_from(">H", header, 16), struct.unpack_from(">I", header, 28)
     page_size = 65536 if page_size == 1 else page_size  # which does not fit the field
     if page_size < 512:
-        reading.note(f"{path.name}: byte 16: {page_size} is not a valid page size")
+        reading.damage(f"{path.name}: byte 16: {page_size} is not a valid page size")
         return
     if size < pages * page_size and unapplied(path) is None:
-        reading.note(f"{path.name}: cut off at byte {size} of {pages * page_size}")
+        reading.damage(f"{path.name}: cut off at byte {size} of {pages * page_size}")
     for key, name, message_type in _rows(path, "topics", {"name": str, "type": str}, page_size, reading):
         if name.startswith("/"):
             yield Topic(key, name, message_type)
@@ -78,11 +78,11 @@ def _rows(path: Path, table: str, types: dict[str, type], page_size: int, readin
             problem = str(error)
         if not problem:
             return
-        reading.note(f"{path.name}: {table} are damaged behind row {last}: {problem}")
+        reading.damage(f"{path.name}: {table} are damaged behind row {last}: {problem}")
         found = {row[0]: row for row in _page_by_page(path, table, query, page_size, stack) if is_whole(row)}
         yield from found.values()
         if found and (missing := max(found) - last - len(found)):
-            reading.note(f"{path.name}: left out {missing} rows of {table} that cannot be read")
+            reading.damage(f"{path.name}: left out {missing} rows of {table} that cannot be read")
 
 
 def _page_by_page(path: Path, table: str, query: str, page_size: int, stack: ExitStack) -> Iterator[_Row]:

@@ -1,0 +1,241 @@
+"""A policy as C99 for a microcontroller: one header and one source that need math.h, and a sketch of the loop.
+
+The code is in the folder `firmware`; weights, observation scaling, gait clock, scripted gait and limits are tables that
+are put into it. It computes in float32, as the ONNX graph does.
+"""
+
+import dataclasses
+import json
+from collections.abc import Iterable
+from importlib import resources
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env._version import __version__
+from quadruped_env.control import observations
+from quadruped_env.control.clock import CommandedFrequency
+from quadruped_env.control.live_controller import Safety
+from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
+from quadruped_env.export import onnx_interface as graph_io
+from quadruped_env.export.onnx_interface import Input, PolicyInterface
+from quadruped_env.export.runtime import SAMPLES, expected_outputs, random_inputs
+from quadruped_env.policies import Policy
+
+FOLDER: Final = "firmware"
+"""Folder of the files, and name of the sketch: Arduino's tools want them to be the same."""
+HEADER_FILE: Final = f"{FOLDER}/policy.h"
+SOURCE_FILE: Final = f"{FOLDER}/policy.c"
+SKETCH_FILE: Final = f"{FOLDER}/{FOLDER}.ino"
+
+_LARGEST: Final = 127
+"""Of an integer that stands for a weight."""
+_PER_LINE: Final = 12
+"""Numbers per line of a table."""
+
+_ACTIVATIONS: Final = {
+    "tanh": "tanhf(x)",
+    "elu": "x < 0.0f ? expm1f(x) : x",
+    "relu": "x < 0.0f ? 0.0f : x",
+    "leaky_relu": "x < 0.0f ? 0.01f * x : x",
+    "silu": "x / (1.0f + expf(-x))",
+    "gelu": "0.5f * x * (1.0f + erff(0.70710678f * x))",
+    "softplus": "(x < 0.0f ? 0.0f : x) + log1pf(expf(-fabsf(x)))",
+    "selu": "1.05070099f * (x < 0.0f ? 1.67326324f * expm1f(x) : x)",
+    "sigmoid": "1.0f / (1.0f + expf(-x))",
+    "mish": "x * tanhf((x < 0.0f ? 0.0f : x) + log1pf(expf(-fabsf(x))))",
+}
+"""Activation functions of policies, equal to those of `control.activations`."""
+
+
+def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[str, bytes]:
+    """Header, source and sketch of a policy, by their paths in the exported folder.
+
+    Args:
+        interface: inputs and outputs of the policy.
+        name: name of the policy.
+        int8: whether weights have 8 bits in place of float32 (`as_int8`).
+    """
+    readings = [
+        f"float {entry.name}[POLICY_READS_{entry.name.upper()}]; /* {_comment(f'{entry.unit}: {entry.description}')} */"
+        for entry in readings_of(interface)
+    ]
+    servos = [
+        f"{{{i}, 1.0f, 1500.0f}}, /* {_comment(name)} */" for i, name in enumerate(interface.policy.robot.joint_names)
+    ]
+    parts = {
+        HEADER_FILE: {
+            "/* constants */": _constants(interface, name),
+            "/* readings */": "\n    ".join(readings or ["char none;"]),
+        },
+        SOURCE_FILE: {"/* tables */": _tables(interface, int8), "/* observe */": _observe(interface)},
+        SKETCH_FILE: {"/* one line per joint */": "\n    ".join(servos)},
+    }
+    files = {}
+    for path, texts in parts.items():
+        code = resources.files("quadruped_env.export").joinpath(path).read_text(encoding="utf-8")
+        for place, text in texts.items():
+            code = code.replace(place, text)
+        files[path] = code.encode()
+    return files
+
+
+def as_int8(weight: NDArray[np.float32]) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
+    """Weights (in, out) as integers in [-127, 127], and the step of each output (out,): weight = integer * step."""
+    step = np.abs(weight).max(axis=0) / np.float32(_LARGEST)
+    step = np.where(step > 0.0, step, np.float32(1.0))
+    return np.rint(weight / step).astype(np.int8), step
+
+
+def quantized(policy: Policy) -> Policy:
+    """The policy whose weights are what the integers stand for."""
+    weights = (integers * step for integers, step in map(as_int8, policy.weights))
+    return dataclasses.replace(policy, weights=tuple(weight.astype(np.float32) for weight in weights))
+
+
+def int8_loss(policy: Policy) -> dict[str, float]:
+    """Differences of the policy with weights of 8 bits, on the readings that the ONNX graph is compared on.
+
+    Those are farther from the stance than the readings of a walk.
+    """
+    interface = PolicyInterface(policy)
+    inputs = random_inputs(interface, SAMPLES)
+    one, two = expected_outputs(interface, inputs), expected_outputs(PolicyInterface(quantized(policy)), inputs)
+    loss = {}
+    for name, unit in ((graph_io.ACTION, ""), (graph_io.JOINT_TARGET, "_rad")):
+        difference = two[name].astype(np.float64) - one[name]
+        loss[f"{name}_rms{unit}"] = float(np.sqrt(np.square(difference).mean()))
+        loss[f"{name}_largest{unit}"] = float(np.abs(difference).max())
+    return loss
+
+
+def readings_of(interface: PolicyInterface) -> list[Input]:
+    """Inputs that a caller gives in every step; the others are part of the memory."""
+    own = (graph_io.COMMAND, graph_io.LAST_ACTION, graph_io.GAIT_PHASE, graph_io.HISTORY)
+    return [entry for entry in interface.inputs if entry.name not in own]
+
+
+def _constants(interface: PolicyInterface, name: str) -> str:
+    """Macros of the header."""
+    policy, robot = interface.policy, interface.policy.robot
+    safety = Safety.of(robot)
+    macros = [
+        ("NAME", json.dumps(name), ""),
+        ("ROBOT", json.dumps(robot.name), ""),
+        ("MADE_BY", json.dumps(f"mini-quadruped {__version__}"), ""),
+        ("JOINTS", str(robot.num_joints), ""),
+        ("COMMANDS", str(VELOCITY), "forward velocity, m/s, and yaw rate, rad/s"),
+        ("TIMESTEP", _number(policy.control.timestep), "s"),
+        ("HISTORY", str(interface.history_width), "numbers"),
+        *((f"READS_{entry.name.upper()}", str(entry.width), "numbers") for entry in readings_of(interface)),
+        ("RAMP_SPEED", _number(safety.ramp_speed), "rad/s, on the way to the stance"),
+        ("SETTLE", _number(safety.settle), "s in the stance before the first step"),
+        ("MAX_TILT", _number(safety.max_tilt), "rad; beyond it, switch the motors off"),
+        ("COMMAND_TIMEOUT", _number(safety.command_timeout), "s without a command, then request 0 and 0"),
+        ("HOLD_AFTER", _number(safety.hold_after), "s without readings, then hold the targets"),
+        ("LIMP_AFTER", _number(safety.limp_after), "s without readings, then switch the motors off"),
+    ]
+    return "\n".join(
+        f"#define POLICY_{macro} {value}" + (f" /* {text} */" if text else "") for macro, value, text in macros
+    )
+
+
+def _tables(interface: PolicyInterface, int8: bool) -> str:
+    """Tables and macros of the source."""
+    policy, robot, layout = interface.policy, interface.policy.robot, interface.layout
+    gait, frequency = interface.gait, interface.frequency
+    low, high = np.transpose([entry.range for entry in policy.control.commands[:VELOCITY]])
+    widths = [policy.weights[0].shape[0], *(len(bias) for bias in policy.biases)]
+    macros: dict[str, str] = {
+        "PRESENT": f"{layout.width} /* columns of the observation of this step */",
+        "LAYERS": str(len(policy.weights)),
+        "WIDEST": str(max(widths)),
+        "ACTIVATE": _ACTIVATIONS[policy.activation],
+        "BOUNDED(x)": "tanhf(x)" if policy.output == "tanh" else "clip(x, -1.0f, 1.0f)",
+        "ACTION_SCALE": _number(policy.control.action.scale),
+    }
+    tables: dict[str, ArrayLike] = {"offset": interface.offsets, "scale": layout.scale, "bound": layout.high}
+    layers = []
+    for i, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
+        values, step = as_int8(weight) if int8 else (weight, np.ones(len(bias)))
+        # The inputs of one output are next to each other.
+        tables |= {f"weight_{i}": values.T, f"step_{i}": step, f"bias_{i}": bias}
+        layers.append(f"{{{weight.shape[0]}, {weight.shape[1]}, weight_{i}, step_{i}, bias_{i}}}")
+    if observations.gait_clock in policy.fields:
+        macros["OBSERVES_CLOCK"] = ""
+        tables["moving_threshold"] = moving_threshold(robot)
+    if interface.has_clock:
+        macros["TURN"] = _number(2.0 * np.pi)
+        if isinstance(frequency, CommandedFrequency):
+            macros["PHASE_STEP"] = f"({_number(interface.phase_step(1.0))} * frequency(memory->command))"
+            macros |= {"CLOCK_KNOTS": str(len(frequency.speeds)), "TURN_ARM": _number(frequency.turn_arm)}
+            tables |= {"clock_speeds": frequency.speeds, "clock_frequencies": frequency.frequencies}
+        else:
+            macros["PHASE_STEP"] = _number(interface.phase_step(frequency))
+    if gait is not None:
+        forward, turning = gait.whole_steps
+        macros |= {"GAIT_KNOTS": str(len(gait.speeds)), "LARGEST_YAW_RATE": _number(gait.largest_yaw_rate)}
+        macros |= {"WHOLE_STEPS_FORWARD": _number(forward), "WHOLE_STEPS_TURNING": _number(turning)}
+        waves = np.array([*gait.straight, *gait.turn, *gait.side])
+        tables |= {"gait_speeds": gait.speeds, "joint_phases": interface.joint_phases, "gait_waves": waves}
+    exported = {
+        "stance": robot.stance,
+        "lower": robot.joint_position_low,
+        "upper": robot.joint_position_high,
+        "velocity_limit": robot.velocity_limit,
+        "command_low": low,
+        "command_high": high,
+        "command_rate": policy.control.command_rate,
+    }
+    return "\n".join(
+        [
+            *(f"#define {macro} {value}".rstrip() for macro, value in macros.items()),
+            f"const char *const policy_joint_names[POLICY_JOINTS] = {_list(map(json.dumps, robot.joint_names), 1)};",
+            *(_table(f"const float policy_{table}", values) for table, values in exported.items()),
+            f"typedef {'int8_t' if int8 else 'float'} weight_type;",
+            *(
+                _table(f"static const {'weight_type' if table.startswith('weight') else 'float'} {table}", values)
+                for table, values in tables.items()
+            ),
+            "static const struct layer {\n    int inputs, outputs;\n    const weight_type *weight;",
+            f"    const float *step, *bias;\n}} layers[LAYERS] = {_list(layers, 1)};",
+        ]
+    )
+
+
+def _observe(interface: PolicyInterface) -> str:
+    """The function that writes the observation of one step."""
+    lines = ["int at = 0;", "(void)readings;", "(void)memory;"]
+    for entry in interface.policy.fields:
+        source = "memory" if entry.name in (graph_io.COMMAND, graph_io.LAST_ACTION) else "readings"
+        width = entry.width(interface.policy.robot)
+        put = f"put(observation, at, {source}->{entry.name}, {width})"
+        lines.append(f"at = {'put_clock(observation, at, memory)' if entry is observations.gait_clock else put};")
+    head = "static void observe(const policy_readings *readings, const policy_memory *memory, float *observation)"
+    return f"{head}\n{{\n    " + "\n    ".join([*lines, "(void)at;"]) + "\n}"
+
+
+def _table(name: str, values: ArrayLike) -> str:
+    """A constant array."""
+    array: NDArray[np.generic] = np.asarray(values)
+    integers = np.issubdtype(array.dtype, np.integer)
+    numbers = [str(value) if integers else _number(float(value)) for value in array.ravel().tolist()]
+    return f"{name}[{len(numbers)}] = {_list(numbers)};"
+
+
+def _list(texts: Iterable[str], per_line: int = _PER_LINE) -> str:
+    entries = list(texts)
+    rows = [", ".join(entries[i : i + per_line]) for i in range(0, len(entries), per_line)]
+    return "{\n    " + ",\n    ".join(rows) + "}"
+
+
+def _number(value: float) -> str:
+    """A float32 as C writes it, with as few digits as tell it from its neighbours."""
+    text = str(np.float32(value))
+    return "INFINITY" if text == "inf" else f"{text}f"
+
+
+def _comment(text: str) -> str:
+    """Text that cannot end the comment that it is in."""
+    return text.replace("*/", "* /")

@@ -1,0 +1,158 @@
+"""Input of the controller: measurements of joints and IMU, and velocity commands."""
+
+import functools
+import time
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.live_controller import LiveController, Measurement
+from quadruped_env.control.steering import Velocity
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.control_time import ControlTime
+from quadruped_env.live.messages.driver_joints import DriverJoints
+from quadruped_env.live.messages.imu_messages import Imu, ImuMount, read_imu
+from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, Joints, Period
+from quadruped_env.live.messages.velocity_messages import VelocitySubscription
+from quadruped_env.live.middleware.node import message_reader
+from quadruped_env.live.middleware.topics import IMU, JOINT_STATES, TF_STATIC
+from quadruped_env.live.session import Session
+from quadruped_env.robot.robot import Robot
+from quadruped_env.ros import SENSOR_DATA_QOS, Qos
+from quadruped_env.ros.timestamps import NS_PER_SECOND
+
+_STATES_QOS: Final = Qos(depth=50, reliable=False)
+"""As for sensor data, but deep enough for states that come as one message per joint."""
+_FRAMES_QOS: Final = Qos(depth=100, transient_local=True)
+"""`tf2_ros::StaticListenerQoS`: the last messages of several publishers."""
+_COMMAND_TIMEOUT: Final = 0.5
+"""System time after which a velocity command expires, where the controller's own timeout is in simulated time, s."""
+_SILENCE: Final = 0.5
+"""Time without a message after which a waiting node says so, s."""
+
+
+class Measurements:
+    """Combines joint states and orientations into measurements.
+
+    Args:
+        session: the session of this process.
+        robot: the robot.
+        driver: conversion of the driver's joints.
+        velocities: True if measurements need joint velocities.
+        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: look it up.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        robot: Robot,
+        driver: DriverJoints,
+        velocities: bool,
+        mount: NDArray[np.float64] | None,
+    ) -> None:
+        node = session.node
+        self._session = session
+        # Drivers of real robots may offer only best-effort delivery.
+        reader = JointReader(JOINT_STATES.name, driver, states=True)
+        self._states = node.subscribe(JOINT_STATES, _STATES_QOS, read=reader)
+        self._attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
+        self._frames = node.subscribe(TF_STATIC, _FRAMES_QOS)
+        self._driver = driver
+        self._merger = JointMerger(driver, velocities, session.say, driver.rates)
+        self._mount = ImuMount(robot.base_name, mount)
+        self._imu: Imu | None = None
+        self._imu_period = Period()
+        self._heard = dict.fromkeys((JOINT_STATES.name, IMU.name), time.monotonic())
+        """Time at which the last message that can be read was taken, s, by topic."""
+        self._unread: dict[str, str] = {}
+        """Why the last message could not be read, by topic."""
+        self._refusal = ""
+        """Why the last messages gave no measurement; empty if they gave one."""
+
+    def newest(self) -> tuple[Measurement, float] | None:
+        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
+
+        Raises:
+            QuadrupedError: if the times of joint states and IMU differ, or the IMU's mounting is unknown.
+        """
+        # Joint states first: an orientation sent before a joint state has then arrived as well.
+        states = []
+        for received, joints in self._states.messages(functools.partial(self._refuse, JOINT_STATES.name)):
+            self._heard[JOINT_STATES.name] = received.taken
+            self._unread.pop(JOINT_STATES.name, None)
+            if state := self._merger.add(joints):
+                states.append((received, self._driver.to_robot(state)))
+        for _, transforms in self._frames.messages(self._session.refuse):
+            self._mount.add(transforms)
+        for received, imu in self._attitudes.messages(functools.partial(self._refuse, IMU.name)):
+            self._heard[IMU.name] = received.taken
+            self._unread.pop(IMU.name, None)
+            self._imu_period.add(imu.stamp)
+            self._imu = imu
+        if not states or self._imu is None:
+            return None
+        received, newest = max(states, key=lambda state: state[1].stamp)
+        try:
+            measurement = self._paired(newest, self._imu)
+        except QuadrupedError as error:
+            self._refusal = str(error)
+            raise
+        self._refusal = ""
+        return measurement, received.taken
+
+    def _paired(self, joints: Joints, imu: Imu) -> Measurement:
+        age = (joints.stamp - imu.stamp) / NS_PER_SECOND
+        tolerance = max(self._merger.period.tolerance, self._imu_period.tolerance)
+        if abs(age) > tolerance:
+            raise QuadrupedError(
+                f"{IMU.name}: {abs(age):.3g} s {'older' if age > 0.0 else 'newer'} than {JOINT_STATES.name}, over "
+                f"{tolerance:.3g} s (1.5 periods); check the clocks of both publishers"
+            )
+        imu = self._mount.in_base(imu)
+        assert joints.positions is not None
+        assert joints.velocities is not None
+        return Measurement(joints.stamp, joints.positions, joints.velocities, imu.orientation, imu.angular_velocity)
+
+    def _refuse(self, name: str, reason: str) -> None:
+        self._unread[name] = f": {reason.partition(': ')[2]}"
+        self._session.refuse(reason)
+
+    def missing(self) -> str:
+        """Why there are no measurements; empty if they come."""
+        silent = [one.topic.name for one in (self._states, self._attitudes) if not one.writers]
+        if silent:
+            return f"a publisher of {' and of '.join(silent)}"
+        now = time.monotonic()
+        for name, heard in self._heard.items():
+            if now - heard > _SILENCE:
+                return f"{name}: no message that can be read for {now - heard:.1f} s{self._unread.get(name, '')}"
+        return self._merger.missing or self._refusal
+
+
+class VelocityCommands:
+    """Forwards velocity commands to the controller."""
+
+    def __init__(self, session: Session, live_controller: LiveController) -> None:
+        self._session = session
+        self._live_controller = live_controller
+        self._velocities = VelocitySubscription(session.node, session.say)
+        self._last: tuple[Velocity, float] | None = None
+        """The last command and the `time.monotonic` at which it was taken, s."""
+
+    def take(self, clock: ControlTime) -> None:
+        """Forward the newest command; `clock` is the controller's."""
+        newest = self._velocities.newest(self._session.refuse)
+        if newest is not None:
+            self._last = newest[1], newest[0].taken
+        elif not clock.simulated or self._last is None or time.monotonic() - self._last[1] > _COMMAND_TIMEOUT:
+            # In simulated time, a command that is new by the system's time is repeated: its publisher may not be
+            # slowed down or accelerated with the simulator.
+            return
+        assert self._last is not None
+        velocity, taken = self._last
+        try:
+            self._live_controller.command(*velocity, clock.of(taken))
+        except QuadrupedError as error:
+            self._last = None
+            self._session.refuse(str(error))

@@ -1,0 +1,92 @@
+"""Drive the robot with a gamepad or joystick (Linux): sends /cmd_vel while the enable button is held.
+
+    mini-quadruped live gamepad                               LB held: left stick walks, right stick turns; B: stop
+    mini-quadruped live gamepad --axes 1 0 --enable-button 5  other sticks and another button
+
+Releasing the button, unplugging the gamepad, or the end of this program makes the robot stand. The stop button sends
+/estop, which lets it go limp; the start button ends the stop. `jstest /dev/input/js0` shows the numbers of a gamepad.
+"""
+
+import argparse
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.control.control_config import COMMANDS
+from quadruped_env.control.steering import Velocity
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.gamepad import Gamepad
+from quadruped_env.live.messages.velocity_messages import VelocityPublisher
+from quadruped_env.live.middleware.topics import CMD_VEL, ESTOP
+from quadruped_env.live.pace import Pace
+from quadruped_env.live.session import POLL_PERIOD, Session
+from quadruped_env.ros import cdr
+
+_PERIOD: Final = 0.05
+"""Time between messages, s."""
+_DEAD_ZONE: Final = 0.1
+"""Deflection below which a stick counts as centred."""
+_STAND: Final = (0.0, 0.0)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the device, its axes and buttons."""
+    parser.add_argument(
+        "--device", type=Path, default=Path("/dev/input/js0"), metavar="FILE", help="(default: %(default)s)"
+    )
+    parser.add_argument(
+        "--axes",
+        nargs=2,
+        type=int,
+        default=[1, 3],
+        metavar=("FORWARD", "TURN"),
+        help="numbers of the axes (default: 1 3, of an Xbox controller)",
+    )
+    for name, number, what in (
+        ("enable", 4, "send commands while it is held"),
+        ("stop", 1, "emergency stop"),
+        ("start", 7, "end the emergency stop"),
+    ):
+        parser.add_argument(
+            f"--{name}-button", type=int, default=number, metavar="N", help=f"{what} (default: %(default)s)"
+        )
+
+
+def run(session: Session, arguments: argparse.Namespace) -> int:
+    """Send until the session ends, then make the robot stand."""
+    velocities, stops = VelocityPublisher(session.node), session.node.publish(ESTOP)
+    pace, enabled, command = Pace(_PERIOD), False, _STAND
+    try:
+        with Gamepad(arguments.device) as gamepad:
+            while session.running:
+                session.wait(min(pace.remaining, POLL_PERIOD))
+                if not pace.tick():
+                    continue
+                pressed = gamepad.update()
+                for button, stopped in ((arguments.start_button, False), (arguments.stop_button, True)):
+                    if button in pressed:
+                        stops.send(cdr.message(ESTOP.type_name, data=stopped))
+                before, enabled = enabled, gamepad.buttons.get(arguments.enable_button, False)
+                command = velocity(gamepad, arguments.axes) if enabled else _STAND
+                if enabled or before:
+                    velocities.send(command)
+                session.wait_for("" if velocities.readers else f"a subscription to {CMD_VEL.name}")
+                session.report(f"{command[0]:+.2f} m/s, {command[1]:+.2f} rad/s" if enabled else "not enabled")
+    except QuadrupedError:
+        velocities.send(_STAND)
+        velocities.publisher.wait_until_read(0.5)
+        raise
+    if enabled:
+        velocities.send(_STAND)
+        velocities.publisher.wait_until_read(0.5)
+    return 0
+
+
+def velocity(gamepad: Gamepad, axes: list[int]) -> Velocity:
+    """The command of two axes, of which full deflection is the end of the range that policies are trained for."""
+    values = []
+    for entry, axis in zip(COMMANDS, axes, strict=True):
+        low, high = entry.range
+        # Up and left are negative on the device.
+        deflection = -gamepad.axes.get(axis, 0.0)
+        values.append(0.0 if abs(deflection) < _DEAD_ZONE else deflection * (high if deflection > 0.0 else -low))
+    return values[0], values[1]

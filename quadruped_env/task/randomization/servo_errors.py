@@ -1,0 +1,47 @@
+"""Errors with which position servos follow their joint targets: steps of the input, backlash, dead band."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.robot.motors import SERVO_ERRORS, MotorConfig, servo_target
+from quadruped_env.simulation import Simulation
+from quadruped_env.utils.arrays import frozen
+
+Floats = NDArray[np.float64]
+
+
+class ServoErrors:
+    """Errors of the servos of N robots, constant during an episode; see `servo_target`.
+
+    They are computed once per control step. The servos' delay comes after them, in the simulation.
+
+    Args:
+        simulation: simulation of N robots.
+        motors: motors, whose errors are the least.
+    """
+
+    def __init__(self, simulation: Simulation, motors: MotorConfig) -> None:
+        robot, like = simulation.robot, simulation.sensordata
+        self.memory = EpisodeMemory(simulation.num_envs, like)
+        self._least: list[Floats] = [frozen(values) for values in motors.servo_errors(robot.joint_kinds)]
+        self._values: list[Floats] = [self.memory.zeros(name, robot.num_joints) for name in SERVO_ERRORS]
+        self._play: Floats = self.memory.zeros("play", robot.num_joints)
+
+    def clear(self, env_ids: NDArray[np.intp]) -> None:
+        """Set the errors of some envs (R,) to those of the motors."""
+        for values, least in zip(self._values, self._least, strict=True):
+            values[env_ids] = least
+
+    def add(self, quantity: str, env_ids: NDArray[np.intp], values: Floats) -> None:
+        """Set an error of some envs (R,) to that of the motors and values (R, 1) or (R, J) in rad more."""
+        i = SERVO_ERRORS.index(quantity)
+        self._values[i][env_ids] = self._least[i] + values
+
+    def start(self, env_ids: NDArray[np.intp], position: Floats) -> None:
+        """Let the gears of some envs (R,) begin at measured joint positions (R, J) in rad."""
+        self._play[env_ids] = position
+
+    def joint_target(self, target: Floats, position: Floats) -> Floats:
+        """Positions (N, J) that the gains pull to, for targets and measured positions (N, J); all in rad."""
+        return servo_target(target, position, self._play, *self._values)

@@ -1,0 +1,255 @@
+"""The C form of a policy: compiled with all warnings, and equal to ONNX Runtime; its sketch with simulated devices."""
+
+import ctypes
+import json
+import math
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+import second_robot
+from test_golden_trace import POLICIES as TRACED
+from test_graph import POLICIES, TERMS, own_policy
+
+from quadruped_env.cli.main import main
+from quadruped_env.export import PolicyInterface, runtime
+from quadruped_env.export.c_source import FOLDER, as_int8, c_files, int8_loss, quantized, readings_of
+from quadruped_env.export.golden_trace import golden_trace
+from quadruped_env.export.onnx_graph import policy_graph
+from quadruped_env.policies import Policy, load_policy
+
+pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
+pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="there is no C compiler: install gcc")
+
+STUBS = Path(__file__).parents[1] / "helpers" / "arduino"
+WARNINGS = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Werror")
+TOLERANCE = 1e-5
+STATE = ("command", "last_action", "gait_phase", "observation_history")
+
+
+def compiler(*arguments, **options):
+    done = subprocess.run([*map(str, arguments)], capture_output=True, text=True, check=False, **options)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+class Compiled:
+    """The C form of a policy as a library: structures are arrays of float32, in the order of their members."""
+
+    def __init__(self, policy, folder, int8=False):
+        self.policy, self.interface = policy, PolicyInterface(policy)
+        for path, content in c_files(self.interface, "test", int8).items():
+            (folder / path).parent.mkdir(exist_ok=True)
+            (folder / path).write_bytes(content)
+        library = folder / "policy.so"
+        # Not the processor's wider registers: their sums could be rounded differently from one machine to another.
+        source = folder / FOLDER / "policy.c"
+        compiler("gcc", "-std=c99", *WARNINGS, "-O2", "-shared", "-fPIC", source, "-o", library, "-lm")
+        self.library = ctypes.CDLL(str(library))
+        symbols = compiler("nm", "-D", "--undefined-only", library)
+        assert not {"malloc", "calloc", "realloc", "free"} & set(symbols.split())
+        self.memory_width = 3 + policy.robot.num_joints + self.interface.history_width
+
+    def call(self, function, *arguments):
+        pointers = [a.ctypes.data_as(ctypes.c_void_p) if isinstance(a, np.ndarray) else a for a in arguments]
+        return getattr(self.library, function)(*pointers)
+
+    def graph(self, inputs):
+        """Outputs of the ONNX graph for its inputs (N, width), by `policy_graph`."""
+        samples, joints = len(next(iter(inputs.values()))), self.policy.robot.num_joints
+        readings = [inputs[entry.name] for entry in readings_of(self.interface)]
+        readings = np.ascontiguousarray(np.concatenate([*readings, np.zeros((samples, 1), np.float32)], axis=1))
+        memory = [inputs.get("command", np.zeros((samples, 2), np.float32))]
+        memory.append(inputs.get("last_action", np.zeros((samples, joints), np.float32)))
+        memory.append(inputs.get("gait_phase", np.zeros((samples, 1), np.float32)))
+        memory.append(inputs.get("observation_history", np.zeros((samples, 0), np.float32)))
+        memory = np.ascontiguousarray(np.concatenate(memory, axis=1))
+        target = np.empty((samples, joints), np.float32)
+        for row in range(samples):
+            self.call("policy_graph", readings[row], memory[row], target[row])
+        parts = np.split(memory, [2, 2 + joints, 3 + joints], axis=1)
+        return {
+            "joint_target": target,
+            "action": parts[1],
+            "next_gait_phase": parts[2],
+            "next_observation_history": parts[3],
+        }
+
+
+def without_clock(policy):
+    kept = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
+    weights = (policy.weights[0][: 3 * 31], policy.weights[1])
+    return Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot, "tanh")
+
+
+@pytest.mark.parametrize("name", [*POLICIES, "own fields", "no clock, tanh", "8 bits"])
+def test_c_equals_onnx_runtime(name, tmp_path):
+    if name in POLICIES:
+        policy = POLICIES[name]()
+    else:
+        policy = own_policy(tmp_path, TERMS)
+        if name == "no clock, tanh":
+            policy = without_clock(policy)
+    samples = 10_000 if name in ("shipped", "8 bits") else 2_000
+    compiled = Compiled(policy, tmp_path, int8=name == "8 bits")
+    inputs = runtime.random_inputs(compiled.interface, samples)
+    if "command" in inputs:  # some near the end of standing
+        inputs["command"][1::5] = np.random.default_rng(1).uniform(-0.04, 0.04, inputs["command"][1::5].shape)
+    exact = PolicyInterface(quantized(policy)) if name == "8 bits" else compiled.interface
+    expected = runtime.run(runtime.session_of(policy_graph(exact, "test")), inputs)
+    found = compiled.graph(inputs)
+    assert max(runtime.difference(name, found[name], value).max() for name, value in expected.items()) < TOLERANCE
+    assert np.ptp(expected["joint_target"], axis=0).min() > 0.05
+
+
+@pytest.mark.parametrize("name", TRACED)
+def test_step_is_that_of_the_golden_trace_and_leaves_out_what_is_nan(name, tmp_path):
+    policy = TRACED[name](tmp_path)
+    compiled, joints = Compiled(policy, tmp_path), policy.robot.num_joints
+    trace = golden_trace(compiled.interface)
+    readings = np.concatenate([trace[entry.name] for entry in readings_of(compiled.interface)], axis=1)
+    requests = trace.get("requested_command", np.zeros((len(readings), 2), np.float32))
+    memory, target = np.full(compiled.memory_width, 7.0, np.float32), np.empty(joints, np.float32)
+    compiled.call("policy_reset", memory)
+    for step, requested in enumerate(requests):
+        before = memory.copy(), target.copy()
+        missing = np.where(np.arange(readings.shape[1]) == step % 22, np.float32(np.nan), readings[step])
+        assert compiled.call("policy_step", missing, requested, memory, target) == 0
+        np.testing.assert_array_equal(memory, before[0])
+        np.testing.assert_array_equal(target, before[1])
+        assert compiled.call("policy_step", readings[step], requested, memory, target) == 1
+        # The two differ by rounding, which comes back through the last action.
+        np.testing.assert_allclose(target, trace["joint_target"][step], rtol=0, atol=1e-4)
+        kept = dict(zip(STATE, np.split(memory, [2, 2 + joints, 3 + joints]), strict=True))
+        for field, later in zip(STATE, (0, 1, 1, 1), strict=True):
+            if field in trace and step + later < len(requests):
+                assert runtime.difference(field, kept[field], trace[field][step + later]).max() < 1e-4
+    # Velocities are clipped to the range, and never change faster than the rate.
+    low, high = np.transpose([entry.range for entry in policy.control.commands[:2]])
+    rate = np.multiply(policy.control.command_rate, policy.control.timestep)
+    compiled.call("policy_reset", memory)
+    for step in range(1, 80):
+        assert compiled.call("policy_step", readings[0], np.float32([-9.0, 9.0]), memory, target) == 1
+        np.testing.assert_allclose(memory[:2], [max(low[0], -step * rate[0]), min(high[1], step * rate[1])], atol=1e-5)
+
+
+def test_joint_positions_approach_a_target_at_the_speed_within_the_ranges(tmp_path):
+    compiled, robot = Compiled(load_policy("flat"), tmp_path), load_policy("flat").robot
+    position = (robot.joint_position_low - 1.0).astype(np.float32)
+    target = np.full(8, 9.0, np.float32)
+    expected = np.float32(robot.joint_position_low)
+    assert compiled.call("policy_approach", target, ctypes.c_float(1.0), position) == 0
+    np.testing.assert_allclose(position, expected, atol=1e-6)
+    assert compiled.call("policy_approach", target, ctypes.c_float(1.0), position) == 0
+    np.testing.assert_allclose(position, expected + 0.02, atol=1e-6)
+    assert compiled.call("policy_approach", target, ctypes.c_float(math.inf), position) == 0
+    np.testing.assert_allclose(position, expected + 0.02 + 0.02 * robot.velocity_limit, atol=1e-6)
+    for _ in range(200):
+        there = compiled.call("policy_approach", target, ctypes.c_float(5.0), position)
+    assert there == 1
+    np.testing.assert_allclose(position, robot.joint_position_high, atol=1e-4)
+    names = (ctypes.c_char_p * 8).in_dll(compiled.library, "policy_joint_names")
+    assert [name.decode() for name in names] == list(robot.joint_names)
+
+
+def test_weights_of_8_bits_are_within_half_a_step_and_their_loss_is_measured():
+    policy = load_policy("flat")
+    for weight, other in zip(policy.weights, quantized(policy).weights, strict=True):
+        assert (np.abs(weight - other) <= 0.5001 * np.abs(weight).max(axis=0) / 127).all()
+    integers, step = as_int8(np.float32([[0.0, 2.54], [0.0, -1.0]]))
+    assert integers.tolist() == [[0, 127], [0, -50]]
+    np.testing.assert_allclose(step, [1.0, 0.02])
+    loss = int8_loss(policy)
+    assert 0.0 < loss["action_rms"] < 0.05
+    assert loss["joint_target_largest_rad"] <= policy.control.action.scale * loss["action_largest"] + 1e-6
+
+
+LEVEL, STILL = (0, 0, 8192), (0, 0, 0)
+
+
+def sketch(policy, folder):
+    """Compile the sketch with the stubs; returns a function from periods to rows of output, and the log."""
+    compiled = Compiled(policy, folder)
+    source, program = folder / FOLDER, folder / "sketch"
+    policy_object = folder / "policy.o"
+    compiler("gcc", "-std=c99", *WARNINGS, "-O2", "-c", source / "policy.c", "-o", policy_object)
+    code = ["-x", "c++", source / f"{FOLDER}.ino", STUBS / "main.cpp", "-x", "none", policy_object]
+    compiler("g++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-I", STUBS, "-I", source, *code, "-o", program)
+
+    def run(periods):
+        lines = (" ".join(map(str, (answers, *f, *w, text))) for answers, f, w, text in periods)
+        done = subprocess.run([program], input="\n".join(lines) + "\n", capture_output=True, text=True, check=True)
+        return np.array([line.split() for line in done.stdout.splitlines()], dtype=int), done.stderr
+
+    return compiled, run
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")
+def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path):
+    policy = load_policy("flat")
+    compiled, run = sketch(policy, tmp_path)
+    command = [(1, LEVEL, STILL, "0.3 0.5")]
+    wait, still = [(1, LEVEL, STILL, "-")], [(0, LEVEL, STILL, "-")]
+    walking = command * 100
+    turned_over = [(1, (0, 8192, 0), (6000, 0, 0), "0.3 0.5")] * 60
+    rows, log = run([*wait * 60, *walking, *still * 80, *wait * 60, *walking, *turned_over, *wait * 400, *command * 5,
+                     (1, LEVEL, STILL, "x"), *wait * 5])  # fmt: skip
+    off, pulses = rows[:, 0] == 1, rows[:, 1:]
+    before, walk, silent, again, fallen = np.split(np.arange(len(rows)), [60, 160, 240, 400, 460])[:5]
+    assert off[before].all()
+    assert not off[walk].any()
+    # As many steps of the policy, with the servos as the sketch models them.
+    memory, target, robot = np.empty(compiled.memory_width, np.float32), np.empty(8, np.float32), policy.robot
+    compiled.call("policy_reset", memory)
+    settle = int(np.flatnonzero((pulses[walk] != pulses[walk[0]]).any(axis=1))[0])
+    assert settle in (25, 26), "the robot stands in its stance for 0.5 s"
+    sent, servo = robot.stance.copy(), robot.stance.copy()
+    for row in walk:
+        earlier = servo
+        servo = earlier + np.clip(sent - earlier, -0.1, 0.1)
+        if row >= walk[settle]:
+            readings = np.float32([0.0, 0.0, -1.0, *STILL, *servo, *((servo - earlier) / 0.02)])
+            assert compiled.call("policy_step", readings, np.float32([0.3, 0.5]), memory, target) == 1
+            sent = sent + np.clip(target - sent, -0.02 * robot.velocity_limit, 0.02 * robot.velocity_limit)
+        microseconds = np.clip(1500.0 + 636.6 * sent, 500.0, 2500.0)
+        np.testing.assert_allclose(pulses[row], microseconds * 4096 / 20000, atol=0.6)
+    assert np.ptp(pulses[walk[settle:]], axis=0).min() > 5, "every joint moves"
+    # Without the IMU it holds its targets for a second, and then it is limp until the next command.
+    assert (pulses[silent[:45]] == pulses[walk[-1]]).all()
+    assert not off[silent[:49]].any()
+    assert off[silent[52:]].all()
+    assert off[again[:60]].all()
+    assert not off[again[60:]].any()
+    assert off[fallen[-1]]
+    assert off[-1]
+    assert [line for line in log.splitlines() if line.startswith("limp")] == [
+        "limp: no readings", "limp: fallen", "limp: asked to stop",
+    ]  # fmt: skip
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")
+def test_sketch_with_a_field_that_nobody_fills_does_not_move_and_has_the_robots_joints(tmp_path):
+    policy = own_policy(tmp_path, TERMS)
+    _, run = sketch(policy, tmp_path)
+    rows, log = run([(1, LEVEL, STILL, "0.3 0")] * 60)
+    assert "limp: no readings" in log
+    assert (rows[:, 0] == 1).all()
+    text = c_files(PolicyInterface(POLICIES["other robot, position"]()), "other")[f"{FOLDER}/{FOLDER}.ino"].decode()
+    names = [f"{{{i}, 1.0f, 1500.0f}}, /* {name} */" for i, name in enumerate(second_robot.ROBOT.joint_names)]
+    assert [line.strip() for line in text.splitlines() if "1500.0f}" in line] == names
+
+
+def test_program_writes_the_c_files_and_the_loss_of_8_bits(tmp_path, capsys):
+    folder = tmp_path / "flat"
+    assert main(["export", "flat", "--c-int8", "-o", str(folder)]) == 0
+    manifest = json.loads((folder / "manifest.json").read_text())
+    loss = manifest["c"]["loss"]["joint_target_rms_rad"]
+    assert f"weights of 8 bits change joint targets by {loss:.2g} rad (RMS)" in capsys.readouterr().out
+    assert {f"firmware/{name}" for name in ("policy.c", "policy.h", "firmware.ino")} <= set(manifest["files"])
+    assert "int8_t weight_type" in (folder / "firmware" / "policy.c").read_text()
+    assert "`firmware/policy.c`" in (folder / "README.md").read_text()
+    assert main(["export", "flat", "--c", "-o", str(folder), "--overwrite"]) == 0
+    assert json.loads((folder / "manifest.json").read_text())["c"] == {"weights": "float32", "loss": None}
+    assert "float weight_type" in (folder / "firmware" / "policy.c").read_text()

@@ -1,0 +1,334 @@
+"""A robot whose motors are not its joints: other names, signs, zeros and units, and joints that two motors move."""
+
+import threading
+import time
+
+import numpy as np
+import pytest
+from built_in import STANCE
+from live_loop import Loop
+from live_nodes import joint_state, received_from
+from waiting import wait_until
+
+from quadruped_env import JOINT_NAMES, QuadrupedError
+from quadruped_env.control.joint_command import LIMP
+from quadruped_env.live import Node
+from quadruped_env.live.messages.driver_joints import DriverJoints
+from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, command_message, read_target
+from quadruped_env.live.middleware.topics import ESTOP, JOINT_COMMANDS, JOINT_STATES, TF
+from quadruped_env.live.nodes import calibrate
+from quadruped_env.live.nodes.calibrate import parsed_answer
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.ros import cdr
+from quadruped_env.trajectory import JointMap
+
+MOTORS = tuple(f"m{i}" for i in range(8))
+A = np.zeros((8, 8))
+"""Angle of each joint per angle of each motor: two five-bar legs, a knee driven from the body, a geared leg."""
+for leg in (0, 1):
+    A[2 * leg : 2 * leg + 2, 2 * leg : 2 * leg + 2] = [[0.5, -0.5], [0.5, 0.5]]
+A[4:6, 4:6] = [[-1.0, 0.0], [1.0, -1.0]]
+A[6, 7], A[7, 6] = -0.5, 1.0
+B = np.array([0.3, -0.8, 0.1, -0.6, 0.0, -0.4, 1.2, 0.2])
+"""Angle of each joint where its motors are at 0, rad."""
+
+
+@pytest.fixture(name="map_file")
+def _map_file(tmp_path):
+    """The robot's map, in degrees and with velocities in rpm, the joints in another order."""
+    tables = []
+    for joint, name in enumerate(JOINT_NAMES):
+        weights = ", ".join(f"{MOTORS[i]} = {A[joint, i]}" for i in np.flatnonzero(A[joint]))
+        tables.append(
+            f"[joints.{name}]\nsources = {{ {weights} }}\noffset = {np.degrees(B[joint]):.17g}\nunit = 'deg'\n"
+            f"velocity_unit = 'rpm'\n"
+        )
+    path = tmp_path / "robot.toml"
+    path.write_text("\n".join(reversed(tables)))
+    return path
+
+
+def motor_angles(joints):
+    """Degrees."""
+    return np.degrees(np.linalg.solve(A, joints - B))
+
+
+class MappedLoop(Loop):
+    """The loop with messages of the motors between robot and controller, converted by the arrays above."""
+
+    def __init__(self, path, velocities):
+        super().__init__("tuned")
+        self.driver = DriverJoints.load(path, MINI_QUADRUPED)
+        self.velocities = velocities
+        self.read = JointReader("/joint_states", self.driver, states=True)
+        self.merger = JointMerger(self.driver, True, rates=self.driver.rates)
+        robot, self._commands = self.robot, JointReader("/joint_commands", self.driver)
+        self.set_target, robot.command = robot.command, self.command
+
+    def measurement(self):
+        true = super().measurement()
+        order = np.random.default_rng(self.steps).permutation(8)
+        rpm = np.linalg.solve(A, true.velocities) * 30.0 / np.pi
+        for half in (order[:3], order[3:]):
+            message = joint_state(
+                true.stamp,
+                [MOTORS[i] for i in half] + ["tail"],
+                [*motor_angles(true.positions)[half], 9.0],
+                [*rpm[half], 9.0] if self.velocities else (),
+            )
+            state = self.merger.add(self.read(cdr.serialize(message)))
+        if state is None:
+            return true  # the first one, which has no velocities yet
+        joints = self.driver.to_robot(state)
+        return true._replace(positions=joints.positions, velocities=joints.velocities)
+
+    def command(self, target):
+        data = command_message(self.driver, 1, self.driver.target_to_driver(target))
+        sent = read_target(self._commands(data))
+        assert cdr.deserialize(data, JOINT_COMMANDS.type_name).name == list(self.driver.joint_names)
+        degrees = np.zeros(8)
+        degrees[[MOTORS.index(name) for name in self.driver.joint_names]] = sent
+        self.set_target(LIMP if sent is LIMP else A @ np.radians(degrees) + B)
+
+
+def test_controller_walks_through_the_map_as_without_it(map_file):
+    plain, mapped = Loop("tuned"), MappedLoop(map_file, velocities=True)
+    for loop in (plain, mapped):
+        loop.run(4.0, (0.2, 0.1))
+    assert mapped.time == plain.time
+    assert plain.robot.state.base_position[0, 0] != 0.0
+    for name in ("base_position", "joint_position"):
+        np.testing.assert_allclose(
+            getattr(mapped.robot.state, name), getattr(plain.robot.state, name), atol=1e-6, err_msg=name
+        )
+    measured, true = mapped.measurement(), Loop.measurement(mapped)
+    np.testing.assert_allclose(measured.positions, true.positions, atol=1e-12)
+    np.testing.assert_allclose(measured.velocities, true.velocities, atol=1e-9)
+    mapped.live_controller.emergency_stop(True)
+    mapped.command(LIMP)
+    assert mapped.robot.limp
+
+
+def test_missing_velocities_are_computed_in_the_maps_unit(map_file):
+    loop = MappedLoop(map_file, velocities=False)
+    loop.run(4.0, (0.2, 0.0))
+    errors, sizes = [], []
+    for _ in range(100):
+        loop.run(0.01)
+        measured, true = loop.measurement(), Loop.measurement(loop)
+        errors.append(measured.velocities - true.velocities)
+        sizes.append(true.velocities)
+    # A filter of 10 ms lags; a wrong unit would be wrong by a factor.
+    assert np.std(errors) < 0.6 * np.std(sizes)
+    assert np.std(np.add(errors, sizes)) == pytest.approx(np.std(sizes), rel=0.3)
+
+
+def test_joint_is_known_once_all_of_its_motors_are(map_file):
+    """For drivers with a message per motor: `state` and `view` use what they know."""
+    driver = DriverJoints.load(map_file, MINI_QUADRUPED)
+    read = JointReader("/joint_states", driver, states=True)
+    degrees = motor_angles(STANCE)
+    known = []
+    for motor in (5, 4, 0, 5):
+        message = joint_state(1, [MOTORS[motor]], [degrees[motor]], [1.0], [2.0])
+        joints = driver.to_robot(read(cdr.serialize(message)))
+        found = np.flatnonzero(np.isfinite(joints.positions))
+        np.testing.assert_allclose(joints.positions[found], STANCE[found])
+        assert np.isfinite(joints.efforts[found]).all()
+        known.append(found.tolist())
+    # Joint 4 has motor 4 alone, joint 5 has motors 4 and 5, joints 0 and 1 need motor 1 too.
+    assert known == [[], [4, 5], [], [5]]
+    other = driver.to_robot(read(cdr.serialize(joint_state(2, ["tail"], [1.0]))))
+    assert (other.others, np.isnan(other.positions).all()) == (("tail",), True)
+
+
+def test_map_that_does_not_fit_the_robot_is_refused(tmp_path, map_file):
+    def refused(text, words):
+        path = tmp_path / "wrong.toml"
+        path.write_text(text)
+        with pytest.raises(QuadrupedError, match=f"wrong.toml: .*{words}"):
+            DriverJoints.load(path, MINI_QUADRUPED)
+
+    whole = map_file.read_text()
+    refused(whole.replace("LF_hip", "FL_hip"), r"one for each joint of mini_quadruped: LF_hip_joint, ")
+    refused(whole.replace("m6 = 1.0", "m7 = 1.0"), r"8 joints .* do not determine the 7 sources")
+    units = r"m0 is in deg and rpm for \[joints\.LF_knee_joint\], and in deg and deg/s for \[joints\.LF_hip_joint\]"
+    refused("deg/s".join(whole.rsplit("rpm", 1)), units)
+    assert len(DriverJoints.load(map_file, MINI_QUADRUPED, commands=False).joint_names) == 8
+
+
+def test_nodes_speak_the_drivers_joints(run_node, nodes, map_file):
+    listener = nodes("listener")
+    states, poses = listener.subscribe(JOINT_STATES), listener.subscribe(TF)
+    commands = listener.subscribe(JOINT_COMMANDS)
+    run_node("sim", "--map", str(map_file))
+    run_node("state", "--map", str(map_file))
+    log = run_node("controller", "tuned", "--map", str(map_file))
+    wait_until(lambda: "following the command" in log.getvalue(), log.getvalue)
+    command = commands.decode(received_from(commands, 1)[-1])
+    assert sorted(command.name) == [*MOTORS]
+    # Standing, each joint is near its target; the transforms are those of the measured joints.
+    targets = A @ np.radians(command.position)[np.argsort(command.name)] + B
+    np.testing.assert_allclose(targets, STANCE, atol=0.05)
+    state = states.decode(received_from(states, 1)[-1])
+    joints = A @ np.radians(state.position)[np.argsort(state.name)] + B
+    np.testing.assert_allclose(joints, STANCE, atol=0.2)
+    messages = [poses.decode(one) for one in received_from(poses, 200)]
+    sent = next(one for one in reversed(messages) if len(one.transforms) == 8)
+    knee = next(one.transform.rotation for one in sent.transforms if one.child_frame_id == "RH_leg")
+    assert 2.0 * np.arcsin(knee.y) == pytest.approx(joints[7], abs=0.2)
+    with pytest.raises(AssertionError):
+        np.testing.assert_allclose(joints, np.radians(state.position), atol=0.2)
+
+
+class Hanging:
+    """A driver of motors that follow their targets, and a person who looks at the joints and types."""
+
+    def __init__(self):
+        self.node = Node("driver")
+        self.names = (*MOTORS, "gripper")
+        self.states = self.node.publish(JOINT_STATES)
+        self.stops = self.node.publish(ESTOP)
+        self.read = JointReader("/joint_commands", type("Motors", (), {"joint_names": self.names}))
+        self.commands = self.node.subscribe(JOINT_COMMANDS, read=self.read)
+        self.motors = np.radians(np.append(motor_angles(0.1 * STANCE), 0.7))
+        self.rest = self.motors.copy()
+        self.targets = []
+        self.limp = True
+        self.fault = ""
+        self.running = True
+        self.thread = threading.Thread(target=self.run)
+
+    def run(self):
+        while self.running:
+            for _, joints in self.commands.messages(pytest.fail):
+                self.limp = read_target(joints) is LIMP
+                if not self.limp:
+                    self.targets.append(joints.positions)
+            if self.targets and not self.limp:
+                way = self.targets[-1] - self.rest
+                self.motors = self.rest + (-way if self.fault == "reversed" else way)
+            if self.fault != "silent" or self.limp:
+                half = len(self.names) // 2
+                for part in (slice(half), slice(half, None)):
+                    self.states.send(joint_state(time.time_ns(), self.names[part], self.motors[part]))
+            time.sleep(0.005)
+
+
+class Person:
+    """Keys of a person, in place of a keyboard."""
+
+    gone = False
+    log = None
+
+    def __init__(self, robot):
+        self.robot = robot
+        self.answered = 0
+        self.faults = ["stop", "reversed", "silent", "estop"]
+        self.swings = []
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    def pressed(self, seconds):
+        time.sleep(min(seconds, 0.005))
+        lines = [line for line in self.log.getvalue().splitlines() if line.startswith("[calibrate] ")]
+        if seconds == 0.0:
+            return self._stopped(lines[-1])
+        fresh = [line.removeprefix("[calibrate] ") for line in lines[self.answered :]]
+        self.answered = len(lines)
+        answers = [answer for line in fresh if (answer := self._answer(line)) is not None]
+        return [*answers[0], "\n"] if answers else []
+
+    def _stopped(self, line):
+        """A key once the motor is out, or as soon as something is wrong."""
+        robot = self.robot
+        robot.fault = self.faults[0] if self.faults else ""
+        if robot.fault == "estop" and robot.targets:
+            robot.stops.send(cdr.message(ESTOP.type_name, data=True))
+        if robot.fault in ("reversed", "silent", "estop"):
+            return []
+        return ["x"] if robot.targets and np.abs(robot.targets[-1] - robot.rest).max() > 0.09 else []
+
+    def _answer(self, line):
+        robot = self.robot
+        if "hang free? Type yes" in line:
+            assert not robot.targets, "nothing moves before"
+            return "yes"
+        if "which joints turned" in line:
+            wait_until(lambda: robot.limp)
+            if self.faults:
+                self.faults.pop(0)
+                robot.stops.send(cdr.message(ESTOP.type_name, data=False))
+                robot.targets.clear()
+                return ""
+            return self._seen(line)
+        if "a motor to move again" in line:
+            return "" if line.startswith("Enter") else "m6"
+        if "hold the leg still" in line:
+            leg = [JOINT_NAMES.index(name) for name in line.split(": ")[0].split(", ")]
+            angles = [0.0, 0.0] if leg[0] else [20.0, -30.0]
+            joints = A @ robot.motors[:8] + B
+            joints[leg] = np.radians(angles)
+            robot.motors[:8] = np.radians(motor_angles(joints))
+            time.sleep(0.3)
+            return "" if leg[0] else "20 -30"
+        return None
+
+    def _seen(self, line):
+        """Joints that turned on the way out, by their true motion."""
+        robot, name = self.robot, line.split(":")[0]
+        targets = np.array(robot.targets)
+        robot.targets.clear()
+        motor = robot.names.index(name)
+        assert np.ptp(np.delete(targets, motor, axis=1), axis=0).max() == 0.0, "the others hold"
+        np.testing.assert_allclose(targets[0], robot.rest, atol=0.02)
+        self.swings.append(np.abs(np.diff(targets[:, motor])).max() / 0.02)
+        robot.motors = robot.rest.copy()
+        out = targets[-1] - targets[0]
+        turned = (A @ out[:8]) / np.abs(out[motor])
+        if name == "m6" and self.swings.count(None) == 0:
+            # A wrong answer first: the map is refused, and the motor moves again.
+            self.swings.append(None)
+            return "RH_hip+"
+        words = [f"{i + 1}{turned[i]:+.2f}" for i in np.flatnonzero(turned)]
+        return " ".join(words) or "none"
+
+
+def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, run_node, tmp_path, monkeypatch):
+    robot = Hanging()
+    person = Person(robot)
+    monkeypatch.setattr(calibrate, "Keyboard", lambda: person)
+    path = tmp_path / "found.toml"
+    person.log = log = run_node("calibrate", str(path), "--angle", "0.1", "--speed", "1")
+    robot.thread.start()
+    try:
+        wait_until(lambda: "wrote" in log.getvalue() or "ended after" in log.getvalue(), log.getvalue)
+    finally:
+        robot.running = False
+        robot.thread.join()
+        robot.node.close()
+    found = JointMap.load(path)
+    assert tuple(found.rules) == JOINT_NAMES
+    positions = np.random.default_rng(0).uniform(-1.0, 1.0, (20, 8))
+    expected = positions @ A.T + B
+    measured = found.to_joints(MOTORS, {"position": positions})["position"]
+    np.testing.assert_allclose(measured, expected, atol=2e-3)
+    assert found.rules["RH_knee_joint"].source == "m6"
+    assert found.rules["RH_hip_joint"].sign == -1.0
+    for reason in ("is 0.1", "no state for 1 s", "emergency stop (/estop)"):
+        assert f"m0: stopped, limp: {'m0 ' if reason.startswith('is') else ''}{reason}" in log.getvalue()
+    assert "no motor moves RH_knee_joint" in log.getvalue()
+    # A peak of 1 rad/s; a late step may cover two periods.
+    assert np.median([speed for speed in person.swings if speed]) < 1.1
+    assert max(speed for speed in person.swings if speed) < 2.2
+
+
+@pytest.mark.parametrize("answer", ["9+", "LF+", "1", "+1", "1+0", "1+ LF_hip-0.5", "1*2"])
+def test_answer_that_names_no_joint_is_refused(answer):
+    assert parsed_answer("LF_hip+, 2-0.5", JOINT_NAMES) == {0: 1.0, 1: -0.5}
+    with pytest.raises(QuadrupedError, match="expected the number or the beginning of a joint's name"):
+        parsed_answer(answer, JOINT_NAMES)

@@ -1,0 +1,176 @@
+"""Simulated time at any rate, pauses, single steps, resets and the emergency stop."""
+
+import itertools
+import re
+import time
+
+import numpy as np
+import pytest
+from built_in import STANCE, STANCE_HEIGHT
+from live_bench import Bench
+from live_nodes import joint_state, received_from
+from test_live_nodes import Watcher
+from waiting import wait_until
+
+from quadruped_env import JOINT_NAMES
+from quadruped_env.control.joint_command import LIMP
+from quadruped_env.control.live_controller import Mode
+from quadruped_env.live.control_time import SystemTime
+from quadruped_env.live.live_robot import LiveRobot, LiveViewController
+from quadruped_env.live.middleware.topics import (
+    CLOCK,
+    DIAGNOSTICS,
+    ESTOP,
+    IMU,
+    JOINT_COMMANDS,
+    JOINT_STATES,
+    PAUSE,
+    RESET,
+    STEP,
+)
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.ros import Qos, cdr
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+PERIOD = 10_000_000
+"""Of the states, ns."""
+
+
+@pytest.mark.parametrize("with_clock", [True, False])
+def test_controller_in_simulated_time_moves_and_starts_again_after_a_jump_back(run_node, nodes, with_clock):
+    """Simulated time advances with the states, whatever the speed of this machine."""
+    robot = nodes("simulator")
+    states, attitudes, commands = robot.publish(JOINT_STATES), robot.publish(IMU), robot.subscribe(JOINT_COMMANDS)
+    clock = robot.publish(CLOCK) if with_clock else None
+    log = run_node("controller", "--sim-time")
+    said = log.getvalue
+
+    def send(stamp):
+        header = cdr.header(stamp)
+        if clock is not None:
+            clock.send(cdr.message(CLOCK.type_name, clock=header.stamp))
+        attitudes.send(cdr.message(IMU.type_name, header=header, orientation={"w": 1.0}))
+        states.send(joint_state(stamp, JOINT_NAMES, STANCE, np.zeros(8)))
+        time.sleep(0.002)
+
+    wait_until(lambda: states.readers and attitudes.readers and (clock is None or clock.readers))
+    for start in (10**9, PERIOD):
+        seen = said().count("following the command")
+        stamps = itertools.count(start, PERIOD)
+        wait_until(lambda stamps=stamps, seen=seen: (
+            send(next(stamps)) or said().count("following the command") > seen
+        ), said)  # fmt: skip
+    assert "waiting for fresh states (the clock was set back)" in said()
+    assert "limp" not in said()
+    assert commands.take()
+
+
+def test_system_time_stands_still_during_a_pause_but_for_states():
+    clock = SystemTime()
+    clock.state(1_000_000_000, time.monotonic())
+    clock.pause(True)
+    paused = clock.now
+    time.sleep(0.02)
+    assert clock.now == clock.of(time.monotonic()) == paused
+    assert clock.state(1_010_000_000, time.monotonic()) == (pytest.approx(paused + 0.01), False)
+    clock.pause(False)
+    assert paused + 0.01 <= clock.now < time.monotonic() - 0.02 + 0.01 + 1e-9
+
+
+def test_emergency_stop_makes_the_robot_limp_until_it_is_released():
+    bench = Bench().walk()
+    assert bench.live_controller.emergency_stop(True).target is LIMP
+    assert bench.live_controller.emergency_stop(True) is None
+    assert bench.pass_time(5.0) == []
+    assert bench.live_controller.waiting_for == "the release of the emergency stop"
+    assert bench.live_controller.emergency_stop(False) is None
+    assert bench.pass_time(0.1) == []
+    bench.pass_time(3.0)
+    assert bench.mode is Mode.WALKING
+
+
+def status_of_controller(diagnostics):
+    """Level, message and values of the newest status, after those that were sent before."""
+    diagnostics.take()
+    (status,) = diagnostics.decode(received_from(diagnostics, 2)[-1]).status
+    assert (status.name, status.hardware_id) == ("/controller: robot", MINI_QUADRUPED.name)
+    return status.level, status.message, {one.key: one.value for one in status.values}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("factor", ["0.3", "0.98", "2"])
+def test_robot_walks_in_a_simulator_that_is_slower_or_faster_than_real_time(start, domain_id, factor):
+    watcher = Watcher()
+    start("sim", "--real-time-factor", factor)
+    start("controller", "--sim-time")
+    watcher.until_it_walks()
+    watcher.node.close()
+
+
+def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
+    watcher = Watcher()
+    user = nodes("user")
+    ends = {topic.name: user.publish(topic) for topic in (PAUSE, STEP, RESET, ESTOP)}
+    states, diagnostics = user.subscribe(JOINT_STATES, Qos(1000)), user.subscribe(DIAGNOSTICS)
+
+    def send(topic, **fields):
+        ends[topic.name].send(cdr.message(topic.type_name, **fields))
+
+    sim, controller = start("sim"), start("controller")
+    wait_until(lambda: all(end.readers == (1 if end.topic == STEP else 2) for end in ends.values()))
+    watcher.until_it_walks()
+    assert status_of_controller(diagnostics)[:2] == (0, "following the command")
+    send(PAUSE, data=True)
+    wait_until(lambda: "paused" in sim.said and "paused" in controller.said)
+    # Longer than the controller waits for states.
+    time.sleep(1.5)
+    last = states.decode(states.take()[-1])
+    send(STEP)
+    stepped = [states.decode(one).header.stamp for one in received_from(states, 2)]
+    assert [(one.sec - last.header.stamp.sec) * 10**9 + one.nanosec - last.header.stamp.nanosec for one in stepped] == [
+        PERIOD,
+        2 * PERIOD,
+    ]
+    send(PAUSE, data=False)
+    watcher.until_it_walks()
+    assert "limp" not in controller.said
+    send(RESET)
+    wait_until(lambda: "waiting for fresh states (reset)" in controller.said, lambda: controller.said)
+    watcher.until_it_walks()
+    send(ESTOP, data=True)
+    watcher.until_it_lies()
+    waiting = r"waiting for the release of the emergency stop \(\d+ s\)"
+    wait_until(lambda: re.search(waiting, controller.said), lambda: controller.said)
+    level, message, values = status_of_controller(diagnostics)
+    assert (level, message) == (2, "limp; waits for the release of the emergency stop")
+    assert values["policy"] == "flat"
+    assert float(values["/joint_states, Hz"]) > 10.0
+    send(ESTOP, data=False)
+    watcher.until_it_walks()
+    assert watcher.watch(0.5)[1][-1] == pytest.approx(STANCE_HEIGHT, abs=0.03)
+    watcher.node.close()
+
+
+def test_page_pauses_steps_and_resets_the_simulation(nodes, tmp_path):
+    simulator = nodes("simulator")
+    live = LiveRobot(nodes("view"), MINI_QUADRUPED, pytest.fail)
+    show = LiveViewController(live, tmp_path)
+    assert not live.offered().clock
+    pauses, steps, resets = (simulator.subscribe(topic) for topic in (PAUSE, STEP, RESET))
+    others = simulator.publish(PAUSE)
+    wait_until(lambda: pauses.writers and steps.writers and live.offered().clock)
+    assert show.toggle_pause()
+    show.step()
+    received_from(steps, 1)
+    show.reset()
+    received_from(resets, 1)
+    # The simulation stays paused, and the view goes on and shows that another node ends the pause.
+    assert (show.view().paused, show.advance(0.04)) == (True, 2)
+    others.send(cdr.message(PAUSE.type_name, data=False))
+    wait_until(lambda: show.advance(0.02) and not show.view().paused)
+    show.step()
+    received_from(steps, 1)
+    assert [pauses.decode(one).data for one in received_from(pauses, 3)] == [True, False, True]
+    show.close()
