@@ -17,7 +17,7 @@ GROUND: Final = ("seed", "terrain", "level")
 
 
 def add_robot_argument(parser: argparse.ArgumentParser, joint_map: bool = True) -> None:
-    """Add `--task`, the file that defines another robot than the built-in one, and unless told otherwise `--map`."""
+    """Add `--task`, the file that defines another robot than the built-in one, and by default also `--map`."""
     parser.add_argument(
         "--task",
         metavar="FILE",
