@@ -77,9 +77,10 @@ class JointMotor(PlainFields):
         `Servo.write` takes whole degrees, and a PCA9685 at 50 Hz has steps of 4.9 us.
 
         No data sheet gives the rest, which is that of a Feetech STS3215 in proportion to torque and speed: for a stall
-        torque of 3.35 N m, kp = 17.8, armature = 0.028, dry friction 0.052 N m, and a backlash of 1 degree
-        (https://github.com/apirrone/Open_Duck_Playground, identified for its robot). Its motor is driven by a voltage
-        in proportion to the error, less a back-EMF in proportion to the speed: kd = stall torque / no-load speed.
+        torque of 3.35 N m, kp = 17.8, armature = 0.028 and dry friction 0.052 N m (joints_properties.xml of
+        https://github.com/apirrone/Open_Duck_Playground). The backlash of 1 degree is assumed. The motor is driven by a
+        voltage in proportion to the error, less a back-EMF in proportion to the speed: kd = stall torque / no-load
+        speed.
         """
         kd = stall_torque / no_load_speed
         return cls(
