@@ -30,7 +30,7 @@ PRESETS: Final[Mapping[str, Mapping[str, Plain]]] = {
         "rotor_inertia": (0.8, 1.25),
         "encoder_offset": 0.01,
         "imu_mounting": 0.01,
-        "action_latency": (0.0, 0.04),
+        "action_latency": (0.0, 0.02),
         "observation_latency": (0.0, 0.005),
         "push_velocity": 0.5,
         "push_rotation": 0.8,
