@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.kept_task_file import kept_content
 from quadruped_env.control.hub_policies import is_on_hub
+from quadruped_env.control.kept_task_file import kept_content
 from quadruped_env.control.policy_files import (
     DEFAULT,
     SHIPPED,
@@ -81,8 +81,8 @@ def find_policy(
     """Find a policy by name or directory. For a run that was killed, this is its last checkpoint.
 
     Without a name it is the latest run, or else the default policy; a Python file is a policy that is code, and
-    `hf://OWNER/NAME[@REVISION]` one of the hub. Results go to `output`, or to `evaluation` in the run's directory, or to
-    `results/<name>`. `task_file` is executed, or with `trust_task` the copy that the run keeps.
+    `hf://OWNER/NAME[@REVISION]` one of the hub. Results go to `output`, or to `evaluation` in the run's directory, or
+    to `results/<name>`. `task_file` is executed, or with `trust_task` the copy that the run keeps.
 
     Raises:
         QuadrupedError: if the policy does not exist or is damaged.

@@ -1,4 +1,4 @@
-"""Environment of this policy for LeRobot: `make_env("OWNER/NAME", trust_remote_code=True)` of `lerobot.envs` calls this.
+"""Environment of this policy for LeRobot, whose `make_env("OWNER/NAME", trust_remote_code=True)` calls this.
 
 It needs `pip install mini-quadruped`. Observations are LeRobot's `agent_pos`; actions are in [-1, 1].
 """

@@ -6,6 +6,7 @@ import sys
 import threading
 from hashlib import sha256
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import ClassVar
 
 import numpy as np
 import pytest
@@ -40,13 +41,13 @@ assert "torch" not in sys.modules
 class Hub(BaseHTTPRequestHandler):
     """Files of `me/walker` at the revisions main and v1, and a repository `me/empty`; it records what is asked for."""
 
-    files: dict[str, bytes] = {}
-    asked: list[str] = []
+    files: ClassVar = {}
+    asked: ClassVar = []
 
-    def do_HEAD(self):  # noqa: N802
+    def do_HEAD(self):
         self.do_GET()
 
-    def do_GET(self):  # noqa: N802
+    def do_GET(self):
         self.asked.append(self.path)
         parts = self.path.strip("/").split("/")
         owner, name, _, revision, file = parts if len(parts) == 5 else ("", "", "", "", "")
