@@ -67,20 +67,30 @@ def absolute(page: str, address: str, tag: str) -> str:
 
 
 def build(address: str, tag: str, output: Path) -> list[Path]:
-    """Write sdist and wheel of the files that git tracks to a directory, and check their metadata with twine."""
-    tracked = subprocess.run(["git", "-C", ROOT, "ls-files", "-z"], check=True, capture_output=True, text=True)
+    """Write sdist and wheel of the files that git tracks to a directory, once twine finds no fault with them.
+
+    Raises:
+        ReleaseError: if one cannot be built, or twine finds a fault.
+    """
+    tracked = _run("git", "-C", ROOT, "ls-files", "-z")
     with TemporaryDirectory() as scratch:
         folder = Path(scratch, "source")
-        for name in filter(None, tracked.stdout.split("\0")):
+        for name in filter(None, tracked.split("\0")):
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, folder / name)
         prepare(folder, address, tag)
-        options = ["--no-isolation", "--outdir", Path(scratch, "dist"), folder]
-        subprocess.run([sys.executable, "-m", "build", *options], check=True, stdout=subprocess.DEVNULL)
+        _run(sys.executable, "-m", "build", "--no-isolation", "--outdir", Path(scratch, "dist"), folder)
         files = sorted(Path(scratch, "dist").iterdir())
-        subprocess.run([sys.executable, "-m", "twine", "check", "--strict", *files], check=True)
+        _run(sys.executable, "-m", "twine", "check", "--strict", *files)
         output.mkdir(parents=True, exist_ok=True)
         return [Path(shutil.copy(file, output)) for file in files]
+
+
+def _run(*command: str | Path) -> str:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    if done.returncode:
+        raise ReleaseError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -92,11 +102,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     try:
         check_release(ROOT, given.tag)
+        files = build(given.address.rstrip("/"), given.tag, given.output)
     except ReleaseError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
-    for file in build(given.address.rstrip("/"), given.tag, given.output):
-        print(file)
+    print(*files, sep="\n")
     return 0
 
 
