@@ -5,16 +5,19 @@ import json
 import warnings
 
 import pytest
+from pages import links
 from paths import ROOT
 from waiting import SCALE
 
 NOTEBOOK = ROOT / "docs" / "first-walk.ipynb"
 
 
-def test_notebook_is_kept_without_results():
-    cells = [cell for cell in json.loads(NOTEBOOK.read_text())["cells"] if cell["cell_type"] == "code"]
-    assert cells
-    assert all(cell["outputs"] == [] and cell["execution_count"] is None for cell in cells)
+def test_notebook_is_kept_without_results_and_links_pages_that_exist():
+    cells = json.loads(NOTEBOOK.read_text())["cells"]
+    code = [cell for cell in cells if cell["cell_type"] == "code"]
+    assert code
+    assert all(cell["outputs"] == [] and cell["execution_count"] is None for cell in code)
+    assert all((NOTEBOOK.parent / target).exists() for cell in cells for target in links("".join(cell["source"])))
 
 
 @pytest.mark.slow
