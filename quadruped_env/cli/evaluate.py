@@ -3,7 +3,7 @@
 mini-quadruped evaluate                    the latest run in runs/, or the shipped policy flat
 mini-quadruped evaluate runs/<name>        a run; if it was interrupted, its last checkpoint
 mini-quadruped evaluate flat               a shipped policy
-mini-quadruped evaluate my_policy.py       a policy that is code (docs/your-own-algorithm.md); the file is executed
+mini-quadruped evaluate my_policy.py       a policy that is code (docs/training.md); the file is executed
 mini-quadruped evaluate flat --suite       also run the suite mq-eval, whose results can be compared with others'
 """
 

@@ -132,7 +132,7 @@ def test_the_exercise_of_the_tutorials_page_runs(capsys):
 def test_the_code_of_the_page_about_other_algorithms_runs(tmp_path, monkeypatch, capsys):
     contrib = pytest.importorskip("sb3_contrib", reason="sb3-contrib is not installed: pip install -e '.[contrib]'")
     monkeypatch.chdir(tmp_path)
-    script, agent, classes = snippets(ROOT / "docs" / "your-own-algorithm.md")
+    script, agent, classes = snippets(ROOT / "docs" / "training.md")
     assert len(script.splitlines()) <= 20
     exec(script.replace("200_000", "4_096"), names := {})  # noqa: S102
     assert "Estimate(mean=" in capsys.readouterr().out

@@ -84,7 +84,7 @@ def test_three_figures_are_those_of_the_measurements_page():
     measurements = (ROOT / "docs" / "measurements.md").read_text()
     transfer, speed, commands = (line.split("|")[2] for line in table_lines(sections(README)["Results"])[1:])
     (loss,) = re.findall(r"[\d.]+", transfer)
-    assert f"The policy loses at most {loss} % of a forward velocity" in (ROOT / "docs" / "sim2sim.md").read_text()
+    assert f"The policy loses at most {loss} % of a forward velocity" in (ROOT / "docs" / "evaluation.md").read_text()
     steps, share = re.findall(r"\d[\d,.]*\d", speed)
     assert f"| vector env, 256 envs, over bare Batch.step | {share} |" in measurements
     assert f"| {steps} of " in measurements

@@ -171,7 +171,7 @@ def test_tallest_level_is_30_percent_of_the_leg_length():
 
 
 def test_levels_of_the_page_are_those_of_the_terrains():
-    text = (ROOT / "docs" / "terrain.md").read_text()
+    text = (ROOT / "docs" / "environment.md").read_text()
     lines = re.findall(r"^\| (\d+) \| ([\d.]+) \| (\d+) \|$", text, re.MULTILINE)
     assert [int(level) for level, _, _ in lines] == list(range(1, LEVELS + 1))
     for level, millimetres, degrees in lines:

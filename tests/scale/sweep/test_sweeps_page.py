@@ -12,7 +12,7 @@ from quadruped_env.scale.sweep.sweep_records import ERROR_FILE, RESULT_FILE, SWE
 from quadruped_env.scale.sweep.sweep_results import RESULTS_CSV, RESULTS_JSON
 from quadruped_env.task import TaskConfig
 
-PAGE = (ROOT / "docs" / "sweeps.md").read_text()
+PAGE = (ROOT / "docs" / "scaling.md").read_text()
 TASK = TaskConfig().to_dict()
 
 
