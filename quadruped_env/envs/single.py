@@ -232,8 +232,8 @@ class MiniQuadrupedRoughEnv(MiniQuadrupedEnv):
 
     The seed of an env gives the kind of its tiles and its first level, which the curriculum changes from episode to
     episode (docs/environment.md). A reset with a seed begins again. `info` has also `terrain_kind`, the index of the
-    kind, and `terrain_level`. The default config has the changes of `ROUGH_CONFIG`; the argument `config` may change them
-    again, or name another terrain. All else is as in `MiniQuadrupedEnv`.
+    kind, and `terrain_level`. The default config has the changes of `ROUGH_CONFIG`; the argument `config` may change
+    them again, or name another terrain. All else is as in `MiniQuadrupedEnv`.
     """
 
     default_config = MappingProxyType(arguments.ROUGH_CONFIG)

@@ -273,7 +273,7 @@ def test_policy_of_position_only_servos_does_without_joint_feedback(tmp_path):
     from quadruped_env.training.train import train
 
     file = write(tmp_path, SERVOS)
-    ranges = json.loads(re.search(r'( {4}{"randomization": {"preset".*?}}\n)', PAGE.read_text(), re.S)[1])
+    ranges = json.loads(re.search(r'( {4}{"randomization": {"preset".*?}}\n)', PAGES, re.S)[1])
     small = {"num_envs": 8, "n_steps": 8, "batch_size": 32, "timesteps": 64, "hidden": (8,)}
     config = TrainConfig(task=ranges, **small)
     directory, _ = train(config, tmp_path / "runs", "train", task_file=file)
