@@ -19,7 +19,7 @@ DOCS = ROOT / "docs"
 PICTURE = "[![The robot walking at 0.5 m/s](../assets/pictures/walk.webp)](programs.md#the-viewer)"
 """Line of the first page that the walking page replaces."""
 EMBEDDED = """```{raw} html
-<iframe class="walk" src="../walk.html" title="The robot, walking in this page" allow="gamepad; fullscreen"></iframe>
+<iframe class="walk" src="../walk.html" title="The robot, walking in this page" allow="gamepad *; fullscreen *"></iframe>
 <p class="walk">Arrow keys steer, a click pushes. <a href="../walk.html">Open it alone</a></p>
 ```"""
 
