@@ -26,7 +26,7 @@ export const TEXTS = {
     amplitude: 'Gait amplitude',
     frequency: 'Gait frequency',
     gait_hint: 'They change the scripted gait to which the policy adds.',
-    compare: 'Scripted gait beside it',
+    compare: 'Scripted gait next to it',
     compare_hint: 'The orange robot repeats a fixed motion and feels nothing.',
     follow: 'Camera follows',
     standard: 'Reset all settings',
