@@ -183,7 +183,7 @@ def test_every_script_of_train_and_evaluate_is_a_command_or_a_tool():
 
 
 def test_output_has_one_name_in_every_command_and_earlier_spellings_still_work():
-    for name in set(SUMMARIES) - {"live", "completion", "check-export"}:
+    for name in set(SUMMARIES) - {"live", "completion", "check-export", "page"}:
         options = options_of(name)
         assert options["-o"] is options["--output"]
         assert all(options[earlier].help == "==SUPPRESS==" for earlier in EARLIER & options.keys())

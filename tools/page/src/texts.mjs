@@ -26,7 +26,7 @@ export const TEXTS = {
     amplitude: 'Gait amplitude',
     frequency: 'Gait frequency',
     gait_hint: 'They change the scripted gait to which the policy adds.',
-    compare: 'Scripted gait beside it',
+    compare: 'Scripted gait next to it',
     compare_hint: 'The orange robot repeats a fixed motion and feels nothing.',
     follow: 'Camera follows',
     standard: 'Reset all settings',
@@ -44,7 +44,7 @@ export const TEXTS = {
     keys: '↑ ↓ speed · ← → turn · 0 stop · space pause · P push · R reset · C scripted gait · M slow motion',
     engine: 'MuJoCo {} (WebAssembly)',
     checking: 'comparing with Python …',
-    check: '{} s at {} m/s: {} m here, {} m in Python with MuJoCo {}. The difference is {} %.',
+    check: '{} s at {} m/s: {} m here, {} m in Python with MuJoCo {}. They differ by {} cm.',
     about: 'Policy “{}”, MiniQuadruped {}. Physics: MuJoCo (Google DeepMind, Apache-2.0). Drawing: three.js (MIT).',
     other: 'Scripted gait: {} m/s, {} m; falls {}, policy {}',
     terrains: {
@@ -93,7 +93,7 @@ export const TEXTS = {
     keys: '↑ ↓ 速度 · ← → 转向 · 0 停止 · 空格 暂停 · P 推 · R 重置 · C 脚本步态 · M 慢动作',
     engine: 'MuJoCo {}（WebAssembly）',
     checking: '正在与 Python 比较……',
-    check: '以 {1} m/s 走 {0} 秒：这里 {2} m，Python（MuJoCo {4}）{3} m，相差 {5} %。',
+    check: '以 {1} m/s 走 {0} 秒：这里 {2} m，Python（MuJoCo {4}）{3} m，相差 {5} cm。',
     about: '策略“{}”，MiniQuadruped {}。物理：MuJoCo（Google DeepMind，Apache-2.0）。绘图：three.js（MIT）。',
     other: '脚本步态：{} m/s，{} m；摔倒 {} 次，策略 {} 次',
     terrains: {
