@@ -18,7 +18,7 @@ COSMIC_RAY := .cosmic-ray
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:  # two pips in one .venv would disturb each other
-.PHONY: always help install dev walk view test test-all mutate ros2 check format bench clean
+.PHONY: always help install dev walk view docs test test-all mutate ros2 check format bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -41,6 +41,10 @@ walk: $(INSTALLED)  ## train PPO, evaluate it against the scripted gait, write r
 
 view: $(INSTALLED)  ## watch the robot live in a browser
 	@$(BIN)/mini-quadruped view
+
+docs: $(DEV)  ## write the documentation as a site, in build/site, without a network
+	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -c docs . build/site
+	@echo 'written to $(CURDIR)/build/site/index.html'
 
 check: $(INSTALLED)  ## lint, format, types, layer contract
 	$(BIN)/ruff check .

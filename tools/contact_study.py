@@ -5,7 +5,8 @@ the others should converge, and Drake's, if it is installed. The columns are wha
 velocities, means over several starts, and what the model costs: the time of a physics step relative to the first
 row's, in turns.
 
-docs/sim2sim.md holds the table that the choice rests on. Takes two minutes per policy, and as much again for Drake.
+docs/notes/contact-models.md holds the table that the choice rests on. Takes two minutes per policy, and as much again
+for Drake.
 """
 
 import argparse

@@ -5,7 +5,7 @@
                                              10 s without a fall, within 0.1 m/s of a commanded 0.5 m/s
 
 The runs with one and with two ranks take turns. Let nothing else run meanwhile. Results are added to the file of
-`--output`: seeds that it already has are not trained again. docs/distributed.md holds the figures.
+`--output`: seeds that it already has are not trained again.
 """
 
 import argparse

@@ -93,13 +93,13 @@ def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
     parser.add_argument(
         "--terrain",
         metavar="NAME",
-        help=f"the ground: {NAMES} (docs/terrain.md), or one from --task's file (default: {default})",
+        help=f"the ground: {NAMES} (docs/environment.md), or one from --task's file (default: {default})",
     )
     parser.add_argument(
         "--level",
         type=int,
         metavar="N",
-        help=f"level of the --terrain, from 1 to {LEVELS}, which is the hardest (default: none; docs/terrain.md)",
+        help=f"level of the --terrain, from 1 to {LEVELS}, which is the hardest (default: none; docs/environment.md)",
     )
 
 
@@ -131,7 +131,7 @@ def add_randomization(parser: argparse.ArgumentParser, default: str) -> None:
         "--randomization",
         choices=tuple(PRESETS),
         metavar="PRESET",
-        help=f"randomization of the episodes: {', '.join(PRESETS)} (default: {default}; docs/randomization.md)",
+        help=f"randomization of the episodes: {', '.join(PRESETS)} (default: {default}; docs/environment.md)",
     )
 
 

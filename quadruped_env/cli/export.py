@@ -7,21 +7,33 @@ MJCF. The graph is compared with the policy on ONNX Runtime first. Nothing is up
     mini-quadruped export                      the latest run in runs/, or the shipped policy flat
     mini-quadruped export runs/<name>          a run; if it was interrupted, its last checkpoint
     mini-quadruped export flat --film          a shipped policy, with a film
+    mini-quadruped export flat --hub           for a model hub: also a film, the page that walks, LeRobot's env.py
     mini-quadruped export flat --c             also as C99 for a microcontroller, with a sketch for an ESP32
 """
 
 import argparse
+import shlex
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from quadruped_env.cli.common_options import add_output, add_overwrite, add_run, add_task_file
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
+
+if TYPE_CHECKING:
+    from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the folder."""
     add_run(parser)
     parser.add_argument("--film", action="store_true", help="also film the robot: film.webp in the folder")
+    parser.add_argument(
+        "--hub",
+        action="store_true",
+        help="the folder for a model hub: also the film, the page that walks, the results, and LeRobot's env.py",
+    )
     parser.add_argument(
         "--opset",
         type=int,
@@ -48,13 +60,19 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.export.folder import check_output
 
     evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task)
-    shipped = evaluated.name in SHIPPED
-    default = Path("results", f"{evaluated.name}-export") if shipped else evaluated.output.with_name("export")
+    own = evaluated.name not in SHIPPED and not evaluated.address
+    default = evaluated.output.with_name("export") if own else Path("results", f"{evaluated.name}-export")
     output = arguments.output or default
     check_output(output, arguments.overwrite)
-    progress = ProgressLine("filming")
     export = export_policy(
-        evaluated, output, arguments.film, arguments.overwrite, progress, arguments.opset, arguments.c
+        evaluated,
+        output,
+        arguments.film or arguments.hub,
+        arguments.overwrite,
+        ProgressLine("filming"),
+        arguments.opset,
+        arguments.c,
+        _page_writer(evaluated) if arguments.hub else None,
     )
     graph = export.manifest["graph"]
     print(
@@ -69,4 +87,12 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if export.manifest["evaluation"] is None:
         print("no results are included: evaluate the policy first to export them, too")
     print(f"folder: {export.folder} ({', '.join(export.files)})")
+    if arguments.hub:
+        print(f"to upload it: hf upload OWNER/{evaluated.name} {shlex.quote(str(export.folder))}")
     return 0
+
+
+def _page_writer(evaluated: "EvaluatedPolicy") -> Callable[[Path], object]:
+    from quadruped_env.page import write_page
+
+    return lambda path: write_page(evaluated.policy, path, evaluated.name)

@@ -30,7 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         metavar=("M/S", "RAD/S"),
         dest="velocities",
-        help="forward velocity and yaw rate of episodes; may be repeated (default: eight commands, docs/sim2sim.md)",
+        help="forward velocity and yaw rate of episodes; may be repeated (default: eight commands, docs/evaluation.md)",
     )
     parser.add_argument(
         "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"

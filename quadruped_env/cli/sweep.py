@@ -8,7 +8,7 @@ mini-quadruped sweep --space space.toml --trials 40 --search optuna --scheduler 
 mini-quadruped sweep --seeds 8 --address 10.0.0.5:6379     on a running Ray cluster, in a trusted network
 mini-quadruped sweep --resume sweeps/<name>          go on after an interruption
 
-Each trial is one training, as of 'train', with its run directory in sweeps/<name>/trials/. docs/sweeps.md says more.
+Each trial is one training, as of 'train', with its run directory in sweeps/<name>/trials/. docs/scaling.md says more.
 """
 
 import argparse

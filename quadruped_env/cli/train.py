@@ -80,7 +80,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         choices=LAUNCHERS,
         default=LAUNCHERS[0],
         help="what starts the other --ranks: processes of this machine, or a Ray cluster, which needs the extra "
-        "'sweep'; torchrun starts all itself (docs/distributed.md) (default: %(default)s)",
+        "'sweep'; torchrun starts all itself (docs/scaling.md) (default: %(default)s)",
     )
     parser.add_argument(
         "--address",

@@ -8,6 +8,7 @@ from typing import Final
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import LoopController, PolicyController, ZeroController
 from quadruped_env.control.editable_gait import EditableGaitController
+from quadruped_env.control.hub_policies import is_on_hub
 from quadruped_env.control.policy import CARD_FILE, Policy
 from quadruped_env.control.policy_files import SHIPPED, is_code, read_policy, training_advice
 from quadruped_env.errors import QuadrupedError, did_you_mean
@@ -54,8 +55,8 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     """The controller that a user names.
 
     Args:
-        text: a shipped policy, a scripted gait, a run's directory, a Python file that defines a policy, or a recording
-            of joint states (a file or a bag).
+        text: a shipped policy, a scripted gait, a run's directory, an address of the hub, a Python file that defines a
+            policy, or a recording of joint states (a file or a bag).
         load: reads policies.
         robot: robot that is controlled.
 
@@ -67,7 +68,7 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     if text in PRESETS:
         return ControllerSpec(f"gait {text}", lambda: EditableGaitController(text, robot))
     path = Path(text)
-    if is_code(text):
+    if is_code(text) or is_on_hub(text):
         return _policy(f"policy {path.name}", text, load)
     if not path.suffix and not path.is_dir():
         raise QuadrupedError(

@@ -14,6 +14,7 @@ from safetensors.numpy import load
 
 from quadruped_env.control.activations import ACTIVATIONS, OUTPUTS
 from quadruped_env.control.control_config import COMMANDS, Command, ControlConfig
+from quadruped_env.control.hub_policies import hub_directory, is_on_hub
 from quadruped_env.control.kept_task_file import code_changes
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.policy import CARD_FILE, FORMAT_VERSION, TENSORS_FILE, Policy, config_hash, gait_document
@@ -111,14 +112,14 @@ def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -
 
 
 def read_policy(source: str | Path, terms: Terms | None = None) -> Policy:
-    """Load a shipped policy by name (`flat`, `rough`), or the policy in the directory of a training run.
+    """Load a shipped policy by name (`flat`, `rough`), that in the directory of a training run, or one of the hub.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
     stable-baselines3 is needed. A file of terms that a run names is not executed. It is needed only if it defines the
     policy's observations or robot; pass them in `terms`.
 
     Args:
-        source: name or directory.
+        source: name, directory, or `hf://OWNER/NAME[@REVISION]`.
         terms: robot and terms of a user's file, for a policy that was trained with one.
 
     Raises:
@@ -151,11 +152,16 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> Policy:
 
 
 def policy_directory(source: str | Path) -> Path:
-    """Directory of the policy that a name or a directory means; that of a checkpoint if a run was killed.
+    """Directory of the policy that a name, a directory or an address of the hub means.
+
+    For a run that was killed, it is that of its last checkpoint; for a policy of the hub, one of the client's cache.
 
     Raises:
+        MissingExtraError: for an address without the hub's client.
         QuadrupedError: if there is no such policy, or one of its files is missing.
     """
+    if is_on_hub(source):
+        return hub_directory(str(source))
     directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
     # Not Path.is_dir, which raises for names that are too long and for directories without rights.
     if not os.path.isdir(directory):

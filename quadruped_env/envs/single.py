@@ -81,7 +81,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     ## Starting state
     The stance, 1 cm above the highest ground below it, with uniform offsets: joints +-0.1 rad and +-0.5 rad/s, base
     +-0.2 m/s and +-0.2 rad/s on each axis, roll and pitch +-0.05 rad, any heading. `config={"randomization": "hard"}`,
-    or `"moderate"`, also draws masses, motors, sensor errors, latency and pushes (docs/randomization.md). Every random
+    or `"moderate"`, also draws masses, motors, sensor errors, latency and pushes (docs/environment.md). Every random
     number depends only on the seed, the episode, the step and its purpose.
 
     ## Episode end
@@ -231,9 +231,9 @@ class MiniQuadrupedRoughEnv(MiniQuadrupedEnv):
     """`MiniQuadrupedEnv` on tiles of seven kinds of terrain at ten levels, with a curriculum.
 
     The seed of an env gives the kind of its tiles and its first level, which the curriculum changes from episode to
-    episode (docs/terrain.md). A reset with a seed begins again. `info` has also `terrain_kind`, the index of the kind,
-    and `terrain_level`. The default config has the changes of `ROUGH_CONFIG`; the argument `config` may change them
-    again, or name another terrain. All else is as in `MiniQuadrupedEnv`.
+    episode (docs/environment.md). A reset with a seed begins again. `info` has also `terrain_kind`, the index of the
+    kind, and `terrain_level`. The default config has the changes of `ROUGH_CONFIG`; the argument `config` may change
+    them again, or name another terrain. All else is as in `MiniQuadrupedEnv`.
     """
 
     default_config = MappingProxyType(arguments.ROUGH_CONFIG)

@@ -5,8 +5,16 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
+from quadruped_env.control.hub_policies import is_on_hub
 from quadruped_env.control.kept_task_file import kept_content
-from quadruped_env.control.policy_files import DEFAULT, SHIPPED, finished_directory, is_code, shipped_directory
+from quadruped_env.control.policy_files import (
+    DEFAULT,
+    SHIPPED,
+    finished_directory,
+    is_code,
+    policy_directory,
+    shipped_directory,
+)
 from quadruped_env.policies import Policy, load_policy, trained_with
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
 from quadruped_env.utils.documents import read_json
@@ -28,18 +36,20 @@ class EvaluatedPolicy:
     """Directory of the training run, or of the shipped policy in the package; the Python file of one that is code"""
     output: Path
     """Directory of the results"""
+    address: str = ""
+    """Address of a policy on the hub"""
 
     @property
     def source(self) -> str:
         """Name of the policy on the command line; contains no path of this machine."""
         if self.policy.agent is not None:
             return self.directory.name
-        return self.name if self.name in SHIPPED else f"runs/{self.name}"
+        return self.address or (self.name if self.name in SHIPPED else f"runs/{self.name}")
 
     @property
     def evaluation(self) -> Path:
         """Default directory of the results."""
-        own = self.name not in SHIPPED and self.policy.agent is None
+        own = self.name not in SHIPPED and self.policy.agent is None and not self.address
         return self.directory / "evaluation" if own else Path("results", self.name)
 
     @property
@@ -70,9 +80,9 @@ def find_policy(
 ) -> EvaluatedPolicy:
     """Find a policy by name or directory. For a run that was killed, this is its last checkpoint.
 
-    Without a name it is the latest run, or else the default policy; a Python file is a policy that is code. Results go
-    to `output`, or to `evaluation` in the run's directory, or to `results/<name>`. `task_file` is executed, or with
-    `trust_task` the copy that the run keeps.
+    Without a name it is the latest run, or else the default policy; a Python file is a policy that is code, and
+    `hf://OWNER/NAME[@REVISION]` one of the hub. Results go to `output`, or to `evaluation` in the run's directory, or
+    to `results/<name>`. `task_file` is executed, or with `trust_task` the copy that the run keeps.
 
     Raises:
         QuadrupedError: if the policy does not exist or is damaged.
@@ -88,6 +98,10 @@ def find_policy(
         path = Path(run)
         policy = load_policy(path, task_file, trust_task=trust_task)
         return EvaluatedPolicy(path.stem, policy, path, output or Path("results", path.stem))
+    if is_on_hub(run):
+        directory, name = policy_directory(run), Path(run.partition("@")[0]).name
+        policy = load_policy(directory, task_file, trust_task=trust_task)
+        return EvaluatedPolicy(name, policy, directory, output or Path("results", name), run)
     directory = finished_directory(Path(run))
     # Its errors are this package's, also for names that no file can have.
     policy = load_policy(directory, task_file, trust_task=trust_task)

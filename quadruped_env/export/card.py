@@ -9,10 +9,12 @@ from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.golden_trace import TRACE_FILE
+from quadruped_env.export.hub import ENV_FILE, RESULTS_FILE, mean_of, model_index
 from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
 
 CARD_PAGE: Final = "README.md"
+LIBRARY: Final = "mini-quadruped"
 TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", "mujoco", "gymnasium", "onnx")
 
 _SHOWN: Final = {
@@ -27,7 +29,7 @@ _SHOWN: Final = {
 def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str | None, files: Iterable[str]) -> str:
     """The page in Markdown, with the front matter that model hubs read; `files` are the other files of the folder."""
     sections = [
-        "---\ntags:\n" + "".join(f"  - {tag}\n" for tag in TAGS) + "pipeline_tag: reinforcement-learning\n---",
+        _front_matter(manifest),
         f"# {manifest['name']}\n\n{_introduction(manifest)}",
         "" if film is None else f"![The robot walks.]({film})",
         f"## Use\n\n{_use(interface, manifest)}",
@@ -39,6 +41,19 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
         f"## Files\n\n{_files(files)}",
     ]
     return "\n\n".join(section for section in sections if section) + "\n"
+
+
+def _front_matter(manifest: Mapping[str, Any]) -> str:
+    """Metadata for hubs, as YAML; the results in it are JSON, which YAML contains."""
+    fields = [
+        "tags:",
+        *(f"  - {tag}" for tag in TAGS),
+        "pipeline_tag: reinforcement-learning",
+        "library_name: " + LIBRARY,
+    ]
+    if results := _by_motion(manifest["evaluation"]):
+        fields.append(f"model-index: {json.dumps(model_index(manifest['name'], results, _SHOWN))}")
+    return "\n".join(["---", *fields, "---"])
 
 
 def _introduction(manifest: Mapping[str, Any]) -> str:
@@ -158,10 +173,15 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
     suite = evaluation.get("suite") or {}
     if "findings" in suite:
         parts.append(f"In the suite {suite['suite']['name']} {suite['suite']['version']}:\n\n{_findings(suite)}")
-    by_motion = evaluation.get("by_motion") or evaluation.get("metrics")
-    if by_motion:
+    if by_motion := _by_motion(evaluation):
         parts.append(_metrics_table(by_motion))
     return "\n\n".join(parts)
+
+
+def _by_motion(evaluation: Mapping[str, Any] | None) -> Mapping[str, Mapping[str, Any]]:
+    """Motion -> metric -> number or estimate; empty without an evaluation."""
+    found = {} if evaluation is None else evaluation
+    return found.get("by_motion") or found.get("metrics") or {}
 
 
 def _learning(learning: Mapping[str, Any] | None) -> str:
@@ -186,8 +206,7 @@ def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
     for motion, values in by_motion.items():
         cells = []
         for name in known:
-            value = values.get(name)
-            mean = value["mean"] if isinstance(value, Mapping) else value
+            mean = mean_of(values.get(name))
             cells.append("-" if mean is None else f"{mean:.3g}")
         lines.append(f"| {motion} | {' | '.join(cells)} |")
     return "\n".join(lines)
@@ -202,9 +221,12 @@ def _files(files: Iterable[str]) -> str:
         GRAPH_FILE: "the policy: readings to joint targets, ONNX",
         TRACE_FILE: "readings and all that the loop makes of them, step by step, to compare your own loop with",
         MANIFEST_FILE: "joints, gains, limits, command, entry pose, training, results, and the SHA-256 of every file",
-        "policy.json": "the policy for this package: `quadruped_env.policies.load_policy(FOLDER)`",
+        "policy.json": 'the policy for this package: `load_policy(FOLDER)`, or from a hub `load_policy("hf://OWNER/NAME")`',
         "policy.safetensors": "its weights",
         "progress.csv": "the learning curve",
+        RESULTS_FILE: "the evaluation",
+        ENV_FILE: 'the environment, for LeRobot: `make_env("OWNER/NAME", trust_remote_code=True)`',
+        "walk.html": "the robot walks in your browser: one file, which makes no request",
         "film.webp": "the robot walks forwards, turns, and walks backwards",
         HEADER_FILE: "the policy for a microcontroller: readings and functions",
         SOURCE_FILE: "its weights and code, C99 without allocation",

@@ -1,9 +1,10 @@
 """The folder of an exported policy, ready for a model hub: written completely or not at all."""
 
 import hashlib
+import json
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -15,6 +16,7 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.export.c_source import c_files, int8_loss
 from quadruped_env.export.card import CARD_PAGE, card_page
 from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
+from quadruped_env.export.hub import ENV_FILE, RESULTS_FILE, env_file
 from quadruped_env.export.manifest import (
     CONTROLLERS_FILE,
     FORMAT,
@@ -38,6 +40,7 @@ from quadruped_env.utils.plain import plain
 from quadruped_env.utils.progress import Progress
 
 FILM_FILE: Final = "film.webp"
+PAGE_FILE: Final = "walk.html"
 FILM_SECONDS: Final = 5.0
 """Length of the filmed episodes, s, of which a part of each is shown."""
 FILM_COMMANDS: Final[tuple[Command, ...]] = ((0.4, 0.0), (0.0, 0.5), (-0.2, 0.0))
@@ -67,6 +70,7 @@ def export_policy(
     progress: Progress | None = None,
     opset: int = OPSET,
     c: str | None = None,
+    write_page: Callable[[Path], object] | None = None,
 ) -> Export:
     """Write a policy's folder: ONNX graph, golden trace, manifest, page, the policy's own files, the robot's models.
 
@@ -80,6 +84,8 @@ def export_policy(
         progress: called with the fraction of the film that is rendered.
         opset: version of ONNX's operators, one of `OPSETS`.
         c: type of the weights of a C form of the policy, `float32` or `int8`; None: no C form.
+        write_page: writes the page that walks at a path, for a hub, with the results and LeRobot's entry; None: none
+            of these.
 
     Raises:
         MissingExtraError: if a library of the extra `export`, or with a film of `report`, is not installed.
@@ -100,8 +106,16 @@ def export_policy(
     if c is not None:
         contents |= c_files(interface, evaluated.name, int8=c == "int8")
         document["c"] = {"weights": c, "loss": int8_loss(policy) if c == "int8" else None}
+    if write_page is not None:
+        if document["evaluation"] is not None:
+            contents[RESULTS_FILE] = json.dumps(document["evaluation"], indent=2).encode()
+        if (program := env_file(policy)) is not None:
+            contents[ENV_FILE] = program
     with whole(output) as part:
         part.mkdir()
+        if write_page is not None:
+            write_page(part / PAGE_FILE)
+            contents[PAGE_FILE] = (part / PAGE_FILE).read_bytes()
         if with_film:
             prepare_video(part / FILM_FILE)
             commands = commands_for(policy.robot, FILM_COMMANDS)

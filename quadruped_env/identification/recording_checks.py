@@ -36,7 +36,7 @@ _ECHO_ROWS: Final = (10, 2000)
 """Minimum and maximum number of changed positions of a joint that are looked at."""
 _MAX_ECHO_AGE: Final = 0.5
 """Maximum age of a target that a driver repeats, s."""
-_NO_FEEDBACK: Final = "docs/identification.md#servos-without-feedback"
+_NO_FEEDBACK: Final = "docs/robots.md#servos-without-feedback"
 
 
 def check(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory, without: Sequence[str]) -> None:

@@ -42,13 +42,13 @@ def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
         "--terrain",
         metavar="NAME",
         default=flat.name,
-        help=f"the ground: {NAMES} (docs/terrain.md), or one from --task's file (default: %(default)s)",
+        help=f"the ground: {NAMES} (docs/environment.md), or one from --task's file (default: %(default)s)",
     )
     parser.add_argument(
         "--level",
         type=int,
         metavar="N",
-        help=f"level of the terrain, from 1 to {LEVELS}, which is the hardest (default: none; docs/terrain.md)",
+        help=f"level of the terrain, from 1 to {LEVELS}, which is the hardest (default: none; docs/environment.md)",
     )
     parser.add_argument("--seed", type=int, default=0, metavar="N", help=f"{seed} (default: %(default)s)")
 

@@ -32,7 +32,7 @@ def as_policy(policy: Policy | Agent, source: str = "policy", **env_kwargs: Any)
         if not callable(getattr(policy, method, None)):
             raise QuadrupedError(
                 f"{source}: {kind} has no method {method}; a policy has reset(begun) and predict(observation) "
-                f"(docs/your-own-algorithm.md)"
+                f"(docs/training.md#your-own-algorithm)"
             )
     own = getattr(policy, "env_kwargs", {})
     if not isinstance(own, dict) or not set(own) <= set(_ENV_ARGUMENTS):
@@ -64,7 +64,7 @@ def load_agent(path: str | Path, **env_kwargs: Any) -> Policy:
     if agent is None:
         raise QuadrupedError(
             f"{path}: defines no {NAME!r}; name an object with reset(begun) and predict(observation), or its class, "
-            f"{NAME!r} (docs/your-own-algorithm.md)"
+            f"{NAME!r} (docs/training.md#your-own-algorithm)"
         )
     policy = as_policy(own_copy(agent, str(path)), str(path), **env_kwargs)
     return policy.with_card({**policy.card, **file.to_dict()})

@@ -26,7 +26,7 @@ from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 def load_policy(
     source: str | Path, task_file: str | Path | None = None, robot: Robot | None = None, trust_task: bool = False
 ) -> Policy:
-    """Load a shipped policy by name (`flat`, `rough`), or the policy in the directory of a training run.
+    """Load a shipped policy by name (`flat`, `rough`), that in the directory of a training run, or one of the hub.
 
     The name of a Python file means the policy that it defines as code; see `load_agent`. The file is executed.
 
@@ -34,7 +34,7 @@ def load_policy(
     stable-baselines3 is needed.
 
     Args:
-        source: name or directory.
+        source: name, directory, or `hf://OWNER/NAME[@REVISION]` (extra `hub`): only its JSON and safetensors are read.
         task_file: the user's file of terms or robot that the policy was trained with, or another version of it; it is
             executed. Without it, the task has the built-in terms alone.
         robot: robot that the policy was trained for. None: that of the file, or the built-in one.
@@ -45,6 +45,7 @@ def load_policy(
         QuadrupedError: if there is no such policy, a file is missing or damaged, or it was made for another scripted
             gait, robot, terrain or other observations, also if these need the user's file; the message names the
             file and the fix.
+        MissingExtraError: for an address of the hub without its client.
 
     Warns:
         QuadrupedWarning: if `source` is a run without a final policy, so that a checkpoint is used, or if the policy's

@@ -61,7 +61,7 @@ _TOLERANCE: Final = 1e-3
 """Largest difference of an action from the model's; more is not rounding."""
 PROTOCOL: Final = (
     "evaluate, compare, view and film it as it is with the protocol of two methods, reset and predict "
-    "(docs/your-own-algorithm.md)"
+    "(docs/training.md#your-own-algorithm)"
 )
 
 

@@ -35,7 +35,7 @@ def description_problem(content: bytes) -> str:
     return (
         f"this is {'a xacro file' if _XACRO in prefixes else kind} and cannot be imported; give the robot as a "
         f"QuadrupedDesign or a Robot in a Python file, with --task FILE or task_file=... "
-        f"(docs/make-it-yours.md#a-robot)"
+        f"(docs/robots.md)"
     )
 
 

@@ -1,6 +1,6 @@
 """Connection to Ray: on this machine, on loopback alone, or to a running cluster of which this machine is a node.
 
-A Ray cluster executes what any process sends to it: it belongs in a trusted network (docs/sweeps.md).
+A Ray cluster executes what any process sends to it: it belongs in a trusted network (docs/scaling.md).
 """
 
 import contextlib

@@ -123,7 +123,7 @@ def base_of(name: str) -> str:
     raise QuadrupedError(
         f"--algo: {kind.__name__} is not derived from an algorithm of Stable-Baselines3 or sb3-contrib "
         f"({', '.join(entry.class_name for entry in ALGORITHMS.values())}); train it in a script of your own "
-        f"(docs/your-own-algorithm.md)"
+        f"(docs/training.md#your-own-algorithm)"
     )
 
 

@@ -73,7 +73,7 @@ class TrainConfig:
     """Named settings of the training and its task, which other options change"""
     algo: str = "ppo"
     """Algorithm: ppo, a2c, sac, td3 or ddpg of Stable-Baselines3; trpo, tqc or crossq of sb3-contrib; or FILE.py:CLASS
-    of your own, derived from one of them (docs/your-own-algorithm.md)"""
+    of your own, derived from one of them (docs/training.md#your-own-algorithm)"""
     policy: str = ""
     """Policy class FILE.py:CLASS of your own, derived from one of Stable-Baselines3's, in place of the symmetric one"""
     action_mode: Literal["position", "residual"] = "residual"
@@ -88,7 +88,7 @@ class TrainConfig:
     """Number of parallel envs"""
     ranks: int = 1
     """Number of processes that share the envs and average their gradients, with `--device cuda` one on each GPU (ppo
-    only; docs/distributed.md)"""
+    only; docs/scaling.md)"""
     name: str = "ppo"
     """Last part of the run directory's name"""
     checkpoint_seconds: float = 10.0

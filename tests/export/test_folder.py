@@ -2,6 +2,7 @@
 
 import dataclasses
 import hashlib
+import importlib.util
 import json
 import re
 import subprocess
@@ -25,6 +26,7 @@ from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.folder import export_policy
+from quadruped_env.export.hub import env_file
 from quadruped_env.export.manifest import manifest, metadata
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
@@ -37,6 +39,7 @@ pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[exp
 
 FILES = {"README.md", "controllers.yaml", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx"}
 FILES |= {"policy.safetensors", "robot.urdf", "robot.xml"}
+FOR_HUB = {"env.py", "results.json", "walk.html"}
 
 WALK = """
 import json, re, sys
@@ -396,7 +399,7 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     policy = load_policy("flat")
     of_metadata = metadata(policy, PolicyInterface(policy)).keys()
     in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE}
-    assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c
+    assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c | FOR_HUB
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
 
@@ -418,6 +421,7 @@ def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_p
     assert (folder / "robot.urdf").read_text() == second_robot.ROBOT.urdf
     assert 'joints:  # in the order of the arrays\n      - "RH_hip_joint"' in (folder / "controllers.yaml").read_text()
     assert "70 N m/rad and 1.5 N m s/rad" in (folder / "README.md").read_text()
+    assert env_file(load_policy(tmp_path / "run", tmp_path / "my_robot.py")) is None, "it would need that file"
 
 
 @pytest.mark.slow
@@ -445,3 +449,46 @@ def test_clock_that_follows_the_command_is_in_the_manifest_with_its_formula():
     later = inputs["gait_phase"][:, 0] + 2.0 * np.pi * hertz * 0.02
     np.testing.assert_allclose(np.cos(found["next_gait_phase"][:, 0] - later), 1.0, atol=1e-6)
     assert np.ptp(hertz) > 1.5
+
+
+@pytest.fixture(scope="module")
+def for_hub(tmp_path_factory):
+    """The shipped policy, exported for a hub, without a film."""
+    folder = tmp_path_factory.mktemp("exports") / "hub"
+    evaluated = find_policy("flat", tmp_path_factory.mktemp("none"))
+    return export_policy(evaluated, folder, write_page=lambda path: path.write_text("page")).folder
+
+
+def test_folder_for_a_hub_adds_page_results_and_env_and_its_card_has_the_results_that_a_hub_lists(for_hub):
+    hub = pytest.importorskip("huggingface_hub", reason="the hub's client is not installed: pip install -e '.[hub]'")
+    results = json.loads((for_hub / "results.json").read_text())
+    assert (for_hub / "walk.html").read_text() == "page"
+    assert set(json.loads((for_hub / "manifest.json").read_text())["files"]) >= FOR_HUB
+    card = hub.ModelCard.load(for_hub / "README.md")
+    found = {result.metric_name: result for result in card.data.eval_results}
+    for motion, values in results["metrics"].items():
+        for metric in ("fall_rate", "forward_velocity_error"):
+            assert found[f"{metric.replace('_', ' ')}, {motion}"].metric_value == values[metric]
+    assert {result.dataset_name for result in found.values()} == {ENV_ID}
+    assert card.data.pipeline_tag == "reinforcement-learning"
+    # A hub's own check of the field.
+    assert hub.ModelCard(f"---\n{card.data.to_yaml()}\n---\n").data.to_dict() == card.data.to_dict()
+
+
+@pytest.mark.parametrize("in_processes", [False, True])
+def test_env_of_the_folder_is_the_policys_own_as_lerobot_calls_it(for_hub, in_processes):
+    spec = importlib.util.spec_from_file_location("hub_env_me_walker", for_hub / "env.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    ((tasks,),) = (module.make_env(n_envs=2, use_async_envs=in_processes).values(),)
+    envs, policy = tasks[0], load_policy("flat")
+    own = gymnasium.vector.SyncVectorEnv([policy.make_env] * 2)
+    observations, expected = envs.reset(seed=[3, 4])[0], own.reset(seed=[3, 4])[0]
+    for _ in range(20):
+        np.testing.assert_array_equal(observations["agent_pos"], expected)
+        actions = policy.predict(expected)
+        observations, expected = envs.step(actions)[0], own.step(actions)[0]
+    assert envs.call("task_description") == ("Follow the commanded forward velocity and yaw rate.",) * 2
+    assert envs.call("_max_episode_steps") == (1000, 1000)
+    envs.close()
+    own.close()

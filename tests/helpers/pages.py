@@ -5,7 +5,8 @@ import re
 from paths import ROOT
 
 DOCS = tuple(sorted((ROOT / "docs").glob("*.md")))
-PAGES = (*sorted(ROOT.glob("*.md")), *sorted((ROOT / "assets").rglob("*.md")), *DOCS)
+CHINESE = tuple(sorted((ROOT / "docs" / "zh").glob("*.md")))
+PAGES = (*sorted(ROOT.glob("*.md")), *sorted((ROOT / "assets").rglob("*.md")), *DOCS, *CHINESE)
 FENCED = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 

@@ -1,9 +1,7 @@
 import os
 import re
 import shlex
-import shutil
 import subprocess
-import sys
 import tarfile
 import tempfile
 import tomllib
@@ -12,9 +10,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from pages import links
 from paths import ROOT
 from tasks import LAYOUT
 
+import release
 from quadruped_env.cli.invocation import SUMMARIES
 from quadruped_env.envs import MiniQuadrupedEnv
 from quadruped_env.task import TaskConfig
@@ -71,24 +71,22 @@ def test_ranges_of_the_dependencies():
 
 @pytest.mark.slow
 def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_repository(tmp_path):
-    pytest.importorskip("build", reason="build is not installed: pip install -e '.[dev]'")
-    # From a copy: setuptools would also pack what an earlier build left in the checkout.
-    source = tmp_path / "source"
-    for name in ("quadruped_env", "assets"):
-        shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("pyproject.toml", "README.md", "LICENSE", "NOTICE"):
-        shutil.copy(ROOT / name, source)
-    subprocess.run(
-        [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(tmp_path), str(source)],
-        check=True,
-        capture_output=True,
-    )
+    pytest.importorskip("build", reason="build is not installed: pip install -e '.[release]'")
+    pytest.importorskip("twine", reason="twine is not installed: pip install -e '.[release]'")
+    if not (ROOT / ".git").exists():
+        pytest.skip("not a git checkout")
+    release.build("https://example.org/o/r", "v0.0.0", tmp_path)
     (sdist,) = tmp_path.glob("*.tar.gz")
     with tarfile.open(sdist) as archive:
         assert {f"{sdist.name.removesuffix('.tar.gz')}/{name}" for name in ("LICENSE", "NOTICE")} < {
             *archive.getnames()
         }
     (wheel,) = tmp_path.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        page = archive.read(next(name for name in archive.namelist() if name.endswith("METADATA"))).decode()
+    assert "Project-URL: Changelog, https://example.org/o/r/blob/v0.0.0/CHANGELOG.md" in page
+    assert "git clone https://example.org/o/r mini-quadruped" in page
+    assert all(target.startswith("https://") for target in links(page))
     names = zipfile.ZipFile(wheel).namelist()
     assert {name.split("/")[-1] for name in names if "/licenses/" in name} == {"LICENSE", "NOTICE"}
     assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
@@ -96,12 +94,14 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         "assets/mini_quadruped/scene.xml",
         "control/shipped/flat/policy.safetensors",
         "export/firmware/firmware.ino",
+        "page/assets/mujoco.wasm.gz",
+        "page/assets/page.js",
         "py.typed",
     ):
         assert f"quadruped_env/{part}" in names
     assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
 
-    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | {"BROWSER": "true"}
     environment = tmp_path / "venv"
     venv.create(environment, with_pip=True)
     python = environment / "bin" / "python"
@@ -119,6 +119,9 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         program = [environment / "bin" / "mini-quadruped", *arguments]
         return subprocess.run(program, cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
 
+    shown = command("demo", "-o", "walk.html")
+    assert shown.returncode == 0, shown.stderr
+    assert (tmp_path / "walk.html").stat().st_size > 1_000_000
     listed = command("--help")
     assert listed.returncode == 0, listed.stderr
     assert all(name in listed.stdout for name in SUMMARIES)

@@ -1,4 +1,4 @@
-"""The tables of docs/randomization.md are those of the code."""
+"""The tables of randomization in docs/environment.md are those of the code."""
 
 import re
 
@@ -9,7 +9,7 @@ from quadruped_env.task import BUILT_IN, PRESETS, RandomizationConfig
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
 from quadruped_env.task.randomization.randomization import is_active
 
-PAGE = (ROOT / "docs" / "randomization.md").read_text()
+PAGE = (ROOT / "docs" / "environment.md").read_text()
 
 
 def randomization_table():
@@ -28,13 +28,6 @@ def randomization_table():
     noise = (_setting((section.observation_noise,) * 2) for section in sections)
     rows.append(("`observation_noise`", "factor on the noise of every field of the observation", "", "", "1", *noise))
     return markdown_table(("field", "what is drawn", "law", "values", "unit", *(f"`{name}`" for name in PRESETS)), rows)
-
-
-def randomization_sources():
-    """Lines of a Markdown table of what the ranges of the presets rest on."""
-    return markdown_table(
-        ("field", "source of the ranges"), ((f"`{entry.name}`", entry.source) for entry in RANDOMIZATIONS)
-    )
 
 
 def noise_table():
@@ -56,9 +49,9 @@ def _setting(value):
 
 
 def test_tables_of_the_page_are_those_of_the_code():
-    for table in (randomization_table, randomization_sources, noise_table):
+    for table in (randomization_table, noise_table):
         lines = "\n".join(table())
-        assert lines in PAGE, f"docs/randomization.md: replace its table by this one:\n\n{lines}\n"
+        assert lines in PAGE, f"docs/environment.md: replace its table by this one:\n\n{lines}\n"
 
 
 def test_every_field_of_the_section_is_on_the_page():

@@ -9,13 +9,14 @@ import tomllib
 import gymnasium
 import pytest
 import yaml
-from pages import FENCED, commands_of, inline_code, links
+from pages import CHINESE as CHINESE_PAGES
+from pages import FENCED, PAGES, commands_of, inline_code, links
 from paths import ROOT
 
 README = (ROOT / "README.md").read_text()
 CHINESE = (ROOT / "README.zh-CN.md").read_text()
 TUTORIAL = "The tutorial"
-"""Section that is one paragraph in README.md and the whole map in the Chinese one."""
+"""Section that has the Chinese pages in place of the English one in the Chinese README."""
 FIGURE = re.compile(r"(?<![\w.])[-+]?\d+(?:,\d{3})*(?:\.\d+)?(?:\s?(?:m/s|rad/s|rad|N m|kg|Hz|ms|s|%)(?![A-Za-z]))?")
 
 
@@ -29,6 +30,19 @@ def figures(text):
     return {
         " ".join(found.split()) for found in FIGURE.findall(re.sub(r"`[^`]*`|\]\([^)]*\)", "", FENCED.sub("", text)))
     }
+
+
+def python_of(text):
+    return [block for language, block in FENCED.findall(text) if language == "python"]
+
+
+def dumped(block):
+    """A block of Python without its comments, docstrings and formatting."""
+    nodes = ast.walk(tree := ast.parse(block))
+    for node in nodes:
+        if isinstance(node, ast.FunctionDef) and ast.get_docstring(node):
+            del node.body[0]
+    return ast.dump(tree)
 
 
 def table_lines(text):
@@ -59,7 +73,7 @@ def test_readme_is_one_page_in_the_agreed_order():
         "Documentation",
     ]
     assert README.index("walk.webp") < README.index("A small four-legged robot") < README.index("## Install")
-    assert len(table_lines(sections(README)["Commands"])) == 1 + 6
+    assert len(table_lines(sections(README)["Commands"])) == 1 + 7
     assert len(table_lines(sections(README)["Results"])) == 1 + 3
 
 
@@ -84,7 +98,7 @@ def test_three_figures_are_those_of_the_measurements_page():
     measurements = (ROOT / "docs" / "measurements.md").read_text()
     transfer, speed, commands = (line.split("|")[2] for line in table_lines(sections(README)["Results"])[1:])
     (loss,) = re.findall(r"[\d.]+", transfer)
-    assert f"The policy loses at most {loss} % of a forward velocity" in (ROOT / "docs" / "sim2sim.md").read_text()
+    assert f"The policy loses at most {loss} % of a forward velocity" in (ROOT / "docs" / "evaluation.md").read_text()
     steps, share = re.findall(r"\d[\d,.]*\d", speed)
     assert f"| vector env, 256 envs, over bare Batch.step | {share} |" in measurements
     assert f"| {steps} of " in measurements
@@ -115,21 +129,25 @@ def test_both_languages_have_the_same_commands_figures_and_links():
 
 
 def test_chinese_tutorial_map_covers_the_english_one():
-    english = (ROOT / "docs" / "from-the-tutorial.md").read_text()
-    chinese = next(text for heading, text in sections(CHINESE).items() if "教程" in heading)
+    english, chinese = ((ROOT / "docs" / page).read_text() for page in ("from-the-tutorial.md", "zh/tutorial.md"))
     # Its first cells that are codes or section numbers stand in both languages.
     numbers = [re.match(r"\| ((?:\d(?:\.\d)?(?:, |、)?)+) ", line) for line in table_lines(english)]
     expected = [match[1].replace(", ", "、") for match in numbers if match]
     assert len(expected) == 13
     assert re.findall(r"^\| ((?:\d(?:\.\d)?、?)+) ", chinese, re.MULTILINE) == expected
     assert re.findall(r"troubleshooting\.md#(\d)", chinese) == list("1234567")
+    assert sorted(inline_code(sections(english)["Commands"])) == sorted(inline_code(sections(chinese)["命令对照"]))
 
-    english_commands = sections(english)["Commands"]
-    chinese_commands = chinese.split("### 命令对照")[1].split("###")[0]
-    assert sorted(inline_code(english_commands)) == sorted(inline_code(chinese_commands))
-    known = set(inline_code(english)) | set(inline_code((ROOT / "docs" / "troubleshooting.md").read_text()))
-    known |= set(commands_of((ROOT / "docs" / "troubleshooting.md").read_text()))
-    assert [code for code in inline_code(chinese) if code not in known] == []
+
+def test_chinese_pages_have_commands_and_code_of_the_english_ones():
+    english = [page.read_text() for page in PAGES if page not in CHINESE_PAGES]
+    commands = {command for text in english for command in commands_of(text)}
+    code = {dumped(block) for text in english for block in python_of(text)}
+    for page in CHINESE_PAGES:
+        text = page.read_text()
+        unknown = [command for command in commands_of(text) if "quadruped " in command and command not in commands]
+        assert unknown == [], page.name
+        assert {dumped(block) for block in python_of(text)} <= code, page.name
 
 
 # --- citation

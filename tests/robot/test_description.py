@@ -9,7 +9,7 @@ from quadruped_env.robot import MINI_QUADRUPED, asset_path
 from quadruped_env.robot.description import description_problem
 
 XACRO = '<robot xmlns:xacro="http://ros.org/wiki/xacro" name="dog"><xacro:include filename="leg.xacro"/></robot>'
-HOW = "QuadrupedDesign or a Robot in a Python file, with --task FILE or task_file=... (docs/make-it-yours.md#a-robot)"
+HOW = "QuadrupedDesign or a Robot in a Python file, with --task FILE or task_file=... (docs/robots.md)"
 
 
 @pytest.mark.parametrize(

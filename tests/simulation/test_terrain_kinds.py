@@ -171,14 +171,12 @@ def test_tallest_level_is_30_percent_of_the_leg_length():
 
 
 def test_levels_of_the_page_are_those_of_the_terrains():
-    text = (ROOT / "docs" / "terrain.md").read_text()
-    lines = re.findall(r"^\| (\d+) \| ([\d.]+) \| (\d+) \|$", text, re.MULTILINE)
-    assert [int(level) for level, _, _ in lines] == list(range(1, LEVELS + 1))
-    for level, millimetres, degrees in lines:
-        for name in ("rough", "steps", "stairs", "wave"):
-            assert find_terrain(name).defaults(int(level))["height"] == pytest.approx(1e-3 * float(millimetres))
-        assert find_terrain("gaps").defaults(int(level))["depth"] == pytest.approx(1e-3 * float(millimetres))
-        assert find_terrain("slope").defaults(int(level))["angle"] == pytest.approx(math.radians(float(degrees)))
+    text = (ROOT / "docs" / "environment.md").read_text()
+    ((millimetres, degrees),) = re.findall(r"each level adds ([\d.]+) mm to .* and (\d+)\s+degrees to", text, re.DOTALL)
+    for level in range(1, LEVELS + 1):
+        for name, field in (*((name, "height") for name in ("rough", "steps", "stairs", "wave")), ("gaps", "depth")):
+            assert find_terrain(name).defaults(level)[field] == pytest.approx(1e-3 * level * float(millimetres))
+        assert find_terrain("slope").defaults(level)["angle"] == pytest.approx(math.radians(level * float(degrees)))
     table = re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)
     assert {shape.name for shape in TERRAINS} <= set(table)
 

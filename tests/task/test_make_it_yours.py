@@ -1,4 +1,4 @@
-"""A user's own terms: the code of docs/make-it-yours.md, and refusal of bad terms."""
+"""A user's own terms and robots: the code of docs/make-it-yours.md and docs/robots.md, and refusal of bad terms."""
 
 import copy
 import json
@@ -16,8 +16,8 @@ from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import find_controllers, load_policy
 from quadruped_env.task import BUILT_IN, RewardConfig, TaskConfig, load_task_file
 
-PAGE = ROOT / "docs" / "make-it-yours.md"
-EXAMPLES = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S)
+PAGES = "".join((ROOT / "docs" / f"{name}.md").read_text() for name in ("make-it-yours", "robots"))
+EXAMPLES = [example for example in re.findall(r"```python\n(.*?)```", PAGES, re.S) if "gymnasium" not in example]
 SERVOS = next(example for example in EXAMPLES if "hobby_servo" in example)
 """A whole task file, with a robot of its own."""
 
@@ -273,7 +273,7 @@ def test_policy_of_position_only_servos_does_without_joint_feedback(tmp_path):
     from quadruped_env.training.train import train
 
     file = write(tmp_path, SERVOS)
-    ranges = json.loads(re.search(r'( {4}{"randomization": {"preset".*?}}\n)', PAGE.read_text(), re.S)[1])
+    ranges = json.loads(re.search(r'( {4}{"randomization": {"preset".*?}}\n)', PAGES, re.S)[1])
     small = {"num_envs": 8, "n_steps": 8, "batch_size": 32, "timesteps": 64, "hidden": (8,)}
     config = TrainConfig(task=ranges, **small)
     directory, _ = train(config, tmp_path / "runs", "train", task_file=file)

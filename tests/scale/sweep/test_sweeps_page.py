@@ -1,9 +1,7 @@
-"""The page on sweeps: its space can be read, its cluster file is one of Ray's, its files are those of a sweep."""
+"""The page on sweeps: its space can be read, its files are those of a sweep."""
 
 import re
 
-import pytest
-import yaml
 from pages import FENCED
 from paths import ROOT
 
@@ -12,7 +10,7 @@ from quadruped_env.scale.sweep.sweep_records import ERROR_FILE, RESULT_FILE, SWE
 from quadruped_env.scale.sweep.sweep_results import RESULTS_CSV, RESULTS_JSON
 from quadruped_env.task import TaskConfig
 
-PAGE = (ROOT / "docs" / "sweeps.md").read_text()
+PAGE = (ROOT / "docs" / "scaling.md").read_text()
 TASK = TaskConfig().to_dict()
 
 
@@ -36,14 +34,6 @@ def test_fields_of_the_table_can_vary():
     assert len(lines) == 6
     for text in lines:
         parse_dimension(text, TASK)
-
-
-def test_cluster_file_of_the_page_is_valid_for_ray():
-    util = pytest.importorskip("ray.autoscaler._private.util")
-    (text,) = blocks("yaml")
-    config = util.prepare_config(yaml.safe_load(text))
-    util.validate_config(config)
-    assert config["max_workers"] == 2
 
 
 def test_page_names_the_files_of_a_sweep():

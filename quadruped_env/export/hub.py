@@ -1,0 +1,48 @@
+"""Files and results for a model hub, in addition to an exported policy."""
+
+import inspect
+import pprint
+from collections.abc import Iterable, Mapping
+from typing import Any, Final
+
+from quadruped_env.envs import ENV_ID
+from quadruped_env.export import envhub
+from quadruped_env.policies import Policy
+
+ENV_FILE: Final = "env.py"
+"""LeRobot's EnvHub runs it."""
+RESULTS_FILE: Final = "results.json"
+_EMPTY: Final = "CONFIG: dict[str, Any] = {}\n"
+
+
+def env_file(policy: Policy) -> bytes | None:
+    """The program that makes a policy's env for LeRobot; None if the task needs the user's own file or robot."""
+    spec = policy.make_env().spec
+    arguments = {} if spec is None else spec.kwargs
+    if set(arguments) != {"config"} or not isinstance(arguments["config"], dict):
+        return None
+    config = pprint.pformat(arguments["config"], width=118, compact=True, sort_dicts=False)
+    return inspect.getsource(envhub).replace(_EMPTY, f"{_EMPTY[:-3]}{config}\n").encode()
+
+
+def model_index(name: str, results: Mapping[str, Mapping[str, Any]], metrics: Iterable[str]) -> list[dict[str, Any]]:
+    """Results as a hub lists them with a model.
+
+    Args:
+        name: of the model.
+        results: motion -> metric -> number, or its estimate with a field `mean`; None where it was not measured.
+        metrics: those to list.
+    """
+    values = [(metric, motion, mean_of(found.get(metric))) for motion, found in results.items() for metric in metrics]
+    listed = [
+        {"type": metric, "name": f"{metric.replace('_', ' ')}, {motion}", "value": value}
+        for metric, motion, value in values
+        if value is not None
+    ]
+    task = {"type": "reinforcement-learning", "name": "walking as commanded"}
+    return [{"name": name, "results": [{"task": task, "dataset": {"name": ENV_ID, "type": ENV_ID}, "metrics": listed}]}]
+
+
+def mean_of(value: Any) -> float | None:
+    """A metric's number: itself, or the mean of an estimate; None where it was not measured."""
+    return value["mean"] if isinstance(value, Mapping) else value
