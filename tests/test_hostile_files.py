@@ -1,7 +1,6 @@
 """Files that crash, hang or flood a naive reader: every reader refuses them with a short error of this package."""
 
 import argparse
-import ast
 import dataclasses
 import hashlib
 import json
@@ -15,7 +14,6 @@ import pytest
 from bags import fields, write_bag
 from hanging import bounded
 from mutations import mutated_json, mutated_text
-from paths import ROOT
 from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 
 from quadruped_env import JointTrajectory, QuadrupedError
@@ -215,44 +213,6 @@ BINARY = ("tensors", "storage")
 JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON", "clip")
 JSON += ("traced export",)
 TOML = ("columns", "joints", "space")
-READ_BY = {
-    "cli/train.py": ("task",),
-    "control/kept_task_file.py": ("policy",),
-    "control/policy_files.py": ("policy", "tensors"),
-    "control/task_file.py": ("terms",),
-    "utils/documents.py": JSON,
-    "evaluation/evaluated_policy.py": ("recipe",),
-    "evaluation/suite/suite.py": ("references", "suite"),
-    "export/c_source.py": "a file of this package",
-    "export/folder.py": ("export", "metrics"),
-    "export/trace_check.py": ("golden trace", "traced export"),
-    "utils/files.py": "a file that it has just written",
-    "utils/provenance.py": "/proc/cpuinfo",
-    "replay/motors_file.py": ("motors",),
-    "reporting/pages/learning.py": ("checkpoint",),
-    "reporting/plots/learning_plots.py": ("progress",),
-    "robot/description.py": "a file in place of a robot: tests/robot/test_description.py",
-    "sim2sim/transfer_results.py": ("second engine",),
-    "gait/gait_presets.py": "a file of this package",
-    "simulation/model.py": "a file of this package",
-    "scale/sweep/sweep_definition.py": ("terms",),
-    "scale/sweep/sweep_records.py": ("sweep", "trial", "result", "scores"),
-    "scale/sweep/search_space.py": ("space", "space as JSON"),
-    "scale/ranks/processes.py": "a file of its own process",
-    "training/sb3_models.py": "the network of a run: tests/training/test_resume.py",
-    "training/resume.py": ("config", "curve"),
-    "scale/gpu/warp_training.py": "the network of a run: tests/training/test_warp_training.py",
-    "trajectory/formats/bag_reader.py": ("metadata", "storage"),
-    "trajectory/formats/bag_writer.py": "a file that it has just written",
-    "trajectory/formats/delimited.py": ("recording", "table"),
-    "trajectory/formats/motion_clip.py": ("clip",),
-    "trajectory/formats/recognition.py": ("recording",),
-    "trajectory/formats/salvage/__init__.py": ("salvaged",),
-    "trajectory/formats/salvage/mcap_scanner.py": ("storage",),
-    "trajectory/formats/salvage/sqlite3_scanner.py": "sqlite3 bags: tests/trajectory/test_formats_fuzz.py",
-    "trajectory/maps.py": ("columns", "joints"),
-}
-"""Module that reads files -> its readers here, or what else it reads or where that is tested."""
 
 
 def tensors(**header):
@@ -387,40 +347,6 @@ def test_read_damaged_file_is_an_error_of_this_package(tmp_path, name):
             if number == 0 or not isinstance(error, QuadrupedError):
                 raise AssertionError(f"{name}: {content[:2000]!r}") from error
         shutil.rmtree(directory)
-
-
-READING = {
-    "read_text", "read_bytes", "read_json", "read_toml", "loadtxt", "genfromtxt", "fromfile", "memmap", "ZipFile",
-    "load_from_zip_file", "safe_open", "load_file", "from_file", "from_xml_path", "np.load", "torch.load",
-}  # fmt: skip
-"""Functions that read a file, besides `open`."""
-WRITING = {"w", "wb", "a", "ab", "x", "xb"}
-CLASSES = {"os", "SweepFolder"}
-"""Their functions `open` open no file to read."""
-
-
-def reading_calls(path):
-    """Calls in a Python file that read a file."""
-    for node in ast.walk(ast.parse(path.read_text())):
-        if not isinstance(node, ast.Call):
-            continue
-        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-        of = getattr(getattr(node.func, "value", None), "id", "")
-        arguments = (*node.args, *(keyword.value for keyword in node.keywords))
-        written = any(isinstance(entry, ast.Constant) and entry.value in WRITING for entry in arguments)
-        if name in READING or f"{of}.{name}" in READING or (name == "open" and not written and of not in CLASSES):
-            yield f"line {node.lineno}: {name}"
-
-
-def test_every_module_that_reads_files_stands_in_the_table():
-    package = ROOT / "quadruped_env"
-    found = {str(path.relative_to(package)): list(reading_calls(path)) for path in sorted(package.rglob("*.py"))}
-    found = {name: calls for name, calls in found.items() if calls}
-    missing = {name: calls for name, calls in found.items() if name not in READ_BY}
-    assert not missing, f"add a Reader of what these modules read to READERS, and the modules to READ_BY: {missing}"
-    assert not READ_BY.keys() - found.keys(), "remove these modules from READ_BY: they read nothing"
-    named = {reader for readers in READ_BY.values() if isinstance(readers, tuple) for reader in readers}
-    assert named == READERS.keys()
 
 
 def refused(read, path):

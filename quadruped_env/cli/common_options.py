@@ -36,12 +36,9 @@ def add_run(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("run", nargs="?", metavar="RUN", help=text)
 
 
-def add_output(
-    parser: argparse.ArgumentParser, metavar: str, text: str, default: Path | None = None, alias: str = "--out"
-) -> None:
-    """Add `-o`, `--output`: where results are written; `alias` is an earlier spelling, which works and is not shown."""
+def add_output(parser: argparse.ArgumentParser, metavar: str, text: str, default: Path | None = None) -> None:
+    """Add `-o`, `--output`: where results are written."""
     parser.add_argument("-o", "--output", type=Path, metavar=metavar, default=default, help=text)
-    parser.add_argument(alias, dest="output", type=Path, default=argparse.SUPPRESS, help=argparse.SUPPRESS)
 
 
 def add_overwrite(parser: argparse.ArgumentParser, text: str = "replace files that exist") -> None:

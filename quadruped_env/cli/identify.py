@@ -116,6 +116,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         robot,
     )
     save(found, output, invocation.line, arguments.overwrite)
-    print(found.table())
+    print(found.text())
     print(f"\nmotors, numbers and report: {output}")
     return 0

@@ -93,9 +93,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         write_replay_report(result, output, invocation.line, compare)
     if arguments.video:
         save_film(arguments.video, [result.film()], ProgressLine("filming"))
-    print(result.table())
-    if compare:
-        print(f"\n{result.comparison.table()}")
+    print(result.text(compare))
     written = [*([] if arguments.no_report else ["report"]), "link poses"]
     written += ["joints and tracking errors" if arguments.mode == "dynamic" else "tracking errors"]
     print(f"\n{', '.join(written)}: {output}")

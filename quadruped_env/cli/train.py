@@ -74,7 +74,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
         "from where they were",
     )
-    add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS, alias="--runs")
+    add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS)
     parser.add_argument(
         "--launcher",
         choices=LAUNCHERS,

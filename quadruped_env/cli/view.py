@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     options.add_task_file(parser)
     options.add_terrain(parser, "that of the first robot's task")
     options.add_randomization(parser, "none, and every episode starts at rest")
-    options.add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS, alias="--results")
+    options.add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS)
     parser.add_argument(
         "--measure", type=float, metavar="S", help="end after this time in s, and print the speed of the playback"
     )

@@ -2,25 +2,22 @@
 
 import importlib.util
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.identification.dataset import UNITS
-from quadruped_env.identification.identify import NO_INTERVALS, Identification, pooled
+from quadruped_env.identification.identify import Identification
 from quadruped_env.reporting.pages.page import figure, provenance, write_html
 from quadruped_env.reporting.palette import BLUE, INK, ORANGE
 from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
 from quadruped_env.reporting.report_directory import REPORT_FILE
 from quadruped_env.utils.files import check_free, write_json
+from quadruped_env.utils.text_table import Table
 
 MOTORS_FILE: Final = "motors.json"
 NUMBERS_FILE: Final = "identification.json"
-_INTERVALS: Final = (
-    "Intervals account for residuals that are correlated over up to a second, between signals and between joints; "
-    "not for external forces."
-)
 
 
 def identification_files(directory: Path) -> list[Path]:
@@ -51,7 +48,7 @@ def save(found: Identification, directory: Path, command_line: str, overwrite: b
         "headline": found.verdict(),
         "level": "good" if found.helps and found.base_fits else "poor",
         "remarks": found.remarks,
-        "tables": [_motors_table(found), _errors_table(found), _joints_table(found)],
+        "tables": [*found.tables(), _joints_table(found)],
         "figures": _figures(found),
         "document": document,
         "motors": found.config(),
@@ -59,54 +56,13 @@ def save(found: Identification, directory: Path, command_line: str, overwrite: b
     write_html(directory / REPORT_FILE, "motion.html", context)
 
 
-def _motors_table(found: Identification) -> dict[str, Any]:
-    rows = []
-    for estimate in found.estimates:
-        interval = "not determined" if not estimate.determined else "unknown"
-        if estimate.half_width is not None:
-            interval = f"± {estimate.half_width:.2g}"
-        rows.append([estimate.name, f"{estimate.before:.4g}", f"{estimate.after:.4g}", interval, estimate.unit])
-    return {
-        "title": "The motors",
-        "head": ["", "before", "after", "95 % interval", "unit"],
-        "rows": rows,
-        "note": (_INTERVALS if found.has_intervals else NO_INTERVALS)
-        + (f" {found.condition()}" if found.assumed else "")
-        + " Parameters that the recording does not determine keep their start values: a motor's strength, for example, "
-        "can be identified only where a motor is at its limit.",
-    }
-
-
-def _errors_table(found: Identification) -> dict[str, Any]:
-    rows = []
-    for name in found.recorded.signals:
-        cells = [
-            f"{pooled(found.errors(after, held_out)[name]):.4f}"
-            for held_out in (True, False)
-            for after in (False, True)
-        ]
-        rows.append([f"{name} ({UNITS[name]})", *cells])
-    return {
-        "title": "Before and after",
-        "head": ["RMS error", "held out, before", "after", "fit, before", "after"],
-        "rows": rows,
-        "note": f"Of {len(found.recorded.times)} measurements over {found.recorded.times[-1]:.1f} s, those up to "
-        f"{found.recorded.times[found.recorded.train][-1]:.1f} s are used for the fit; the later ones are held out.",
-    }
-
-
-def _joints_table(found: Identification) -> dict[str, Any]:
+def _joints_table(found: Identification) -> Table:
     before, after = found.errors(after=False)["position"], found.errors(after=True)["position"]
     rows = [
         [name, *(f"{value:.4f}" if np.isfinite(value) else "left out" for value in (before[i], after[i]))]
         for i, name in enumerate(found.recorded.robot.joint_names)
     ]
-    return {
-        "title": "Position error of each joint on held-out time",
-        "head": ["", "before (rad)", "after (rad)"],
-        "rows": rows,
-        "note": "",
-    }
+    return Table("Position error of each joint on held-out time", ["", "before (rad)", "after (rad)"], rows)
 
 
 def _figures(found: Identification) -> list[dict[str, str]]:

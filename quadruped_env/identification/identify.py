@@ -19,11 +19,16 @@ from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.text_table import Table
 
 BASES: Final = ("fixed", "free")
 NO_INTERVALS: Final = (
     "No intervals: contacts with the ground make the error rough, and forces that the fit does not model shift its "
     "optimum."
+)
+_INTERVALS: Final = (
+    "Intervals account for residuals that are correlated over up to a second, between signals and between joints; "
+    "not for external forces."
 )
 _OTHER: Final = {"fixed": "free", "free": "fixed"}
 _FORCES: Final = {
@@ -175,9 +180,9 @@ class Identification:
         """The motors as a part of the environment's `config`."""
         return {"motor": asdict(self.after)}
 
-    def table(self) -> str:
-        """The report as a plain-text table."""
-        lines = [f"{'':<20}{'before':>10}{'after':>10}  {'95 % interval':<22}unit"]
+    def tables(self) -> list[Table]:
+        """Motors and errors before and after the fit, for a terminal and for a page."""
+        rows = []
         for estimate in self.estimates:
             if not estimate.determined:
                 interval = "not determined: stays"
@@ -186,20 +191,37 @@ class Identification:
             else:
                 low = max(0.0, estimate.after - estimate.half_width)
                 interval = f"{low:.4g} to {estimate.after + estimate.half_width:.4g}"
-            lines.append(
-                f"{estimate.name:<20}{estimate.before:>10.4g}{estimate.after:>10.4g}  {interval:<22}{estimate.unit}"
-            )
-        lines += ["", f"{'RMS error':<20}{'fit before':>12}{'after':>10}{'held out before':>18}{'after':>10}  unit"]
-        for name in self.recorded.signals:
-            fit, held_out = (
-                [pooled(self.errors(after, part)[name]) for after in (False, True)] for part in (False, True)
-            )
-            lines.append(
-                f"{name:<20}{fit[0]:>12.4f}{fit[1]:>10.4f}{held_out[0]:>18.4f}{held_out[1]:>10.4f}  {UNITS[name]}"
-            )
-        notes = [] if self.has_intervals else [NO_INTERVALS]
-        notes += [self.condition()] if self.assumed else []
-        return "\n".join([*lines, "", *notes, *self.remarks, self.verdict()])
+            rows.append([estimate.name, f"{estimate.before:.4g}", f"{estimate.after:.4g}", interval, estimate.unit])
+        condition = f" {self.condition()}" if self.assumed else ""
+        motors = Table(
+            "The motors",
+            ["", "before", "after", "95 % interval", "unit"],
+            rows,
+            f"{_INTERVALS if self.has_intervals else NO_INTERVALS}{condition} Parameters that the recording does not "
+            f"determine keep their start values: a motor's strength, for example, can be identified only where a motor "
+            f"is at its limit.",
+        )
+        times = self.recorded.times
+        errors = Table(
+            "Before and after",
+            ["RMS error", "held out, before", "after", "fit, before", "after"],
+            [
+                [f"{name} ({UNITS[name]})"]
+                + [
+                    f"{pooled(self.errors(after, held_out)[name]):.4f}"
+                    for held_out in (True, False)
+                    for after in (False, True)
+                ]
+                for name in self.recorded.signals
+            ],
+            f"Of {len(times)} measurements over {times[-1]:.1f} s, those up to {times[self.recorded.train][-1]:.1f} s "
+            f"are used for the fit; the later ones are held out.",
+        )
+        return [motors, errors]
+
+    def text(self) -> str:
+        """The tables, the remarks and the verdict as plain text."""
+        return "\n".join([*(f"{table.text()}\n" for table in self.tables()), *self.remarks, self.verdict()])
 
 
 def identify(

@@ -23,6 +23,7 @@ from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
 from quadruped_env.utils.files import check_free, write_json
 from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.text_table import Table
 
 MODES: Final = ("kinematic", "dynamic")
 LIMIT_TOLERANCE: Final = 0.01
@@ -173,30 +174,56 @@ class Replay:
                 }
         return found
 
-    def table(self) -> str:
-        """The report as a plain-text table."""
-        report = self.report
-        dynamic = self.motion is not None
-        low, high = self.recorded.positions.min(axis=0), self.recorded.positions.max(axis=0)
-        head = f"{'joint':<16}{'recorded range':>20}{'RMS error':>14}{'max error':>14}{'at':>11}"
-        if dynamic:
-            head += f"{'lag':>9}{'at motor limit':>17}{'peak torque':>14}{'peak speed':>14}"
-        lines = [head]
-        for i, (name, error) in enumerate(report["tracking_error"]["joints"].items()):
+    def tables(self, compare: bool = False) -> list[Table]:
+        """The report's tables, for a terminal and for a page; `compare` adds the comparison's."""
+        report, recorded, ranges = self.report, self.recorded, []
+        for low, high in zip(recorded.positions.min(axis=0), recorded.positions.max(axis=0), strict=True):
             # Adding 0.0 turns a rounded -0.0 into 0.0.
-            span = f"{low[i].round(3) + 0.0:+.3f} .. {high[i].round(3) + 0.0:+.3f}"
-            line = f"{name:<16}{span:>20}{error['rms']:>10.4f} rad{error['max']:>10.4f} rad{error['max_at']:>9.2f} s"
-            if dynamic:
-                limits = report["limits"][name]
-                late = "-" if error["lag"] is None else f"{1000 * error['lag']:.0f} ms"
-                line += (
-                    f"{late:>9}{100 * limits['saturated']['share']:>15.1f} %{limits['largest_torque']:>10.2f} N m"
-                    f"{limits['fastest']:>8.2f} rad/s"
-                )
-            lines.append(line)
+            ranges.append(f"{low.round(3) + 0.0:+.3f} .. {high.round(3) + 0.0:+.3f}")
         everything = report["tracking_error"]["all"]
-        lines.append(f"{'all':<16}{'':>20}{everything['rms']:>10.4f} rad{everything['max']:>10.4f} rad")
-        return "\n".join([*lines, *self.remarks()])
+        tracking = Table(
+            "Tracking errors",
+            ["", "recorded (rad)", "RMS (rad)", "largest (rad)", "at (s)", "lag (ms)"],
+            [
+                [name, span, _shown(error["rms"], 4), _shown(error["max"], 4), _shown(error["max_at"]), lag]
+                for span, (name, error) in zip(ranges, report["tracking_error"]["joints"].items(), strict=True)
+                for lag in ["-" if error["lag"] is None else f"{1000 * error['lag']:.0f}"]
+            ]
+            + [["all", "", _shown(everything["rms"], 4), _shown(everything["max"], 4), "", ""]],
+            "Played minus recorded position at the same time. The lag is the first time shift with about the smallest "
+            "error; of a motion that repeats, it is known up to whole periods.",
+        )
+        limits = Table(
+            "Limits",
+            [
+                "",
+                "at motor limit (% of time)",
+                "first at (s)",
+                "torque requested (N m)",
+                "torque applied",
+                "speed recorded (rad/s)",
+                "speed played",
+                "positions clipped",
+            ],
+            [
+                [
+                    name,
+                    _shown(100 * limits["saturated"]["share"], 1),
+                    _shown(limits["saturated"]["first_at"]),
+                    _shown(limits["saturated"]["largest_torque_asked"]),
+                    *(_shown(limits[key]) for key in ("largest_torque", "fastest_recorded", "fastest")),
+                    str(limits["positions_clipped"]),
+                ]
+                for name, limits in (report["limits"].items() if self.motion is not None else ())
+            ],
+            "A motor is at its limit where its controller requests more torque than it can apply at its speed.",
+        )
+        tables = [tracking] if self.motion is None else [tracking, limits]
+        return [*tables, self.comparison.table()] if compare else tables
+
+    def text(self, compare: bool = False) -> str:
+        """The tables and remarks as plain text."""
+        return "\n".join([*(f"{table.text()}\n" for table in self.tables(compare)), *self.remarks()])
 
     def remarks(self) -> list[str]:
         """Remarks on the recording and the replay, in sentences."""
@@ -329,3 +356,7 @@ def _within_limits(robot: Robot, trajectory: JointTrajectory, clip: bool) -> tup
 
 def _summary(error: NDArray[np.float64]) -> dict[str, float]:
     return {"rms": float(np.sqrt(np.mean(error * error))), "max": float(np.max(np.abs(error)))}
+
+
+def _shown(value: float | None, digits: int = 2) -> str:
+    return "-" if value is None else f"{value:.{digits}f}"

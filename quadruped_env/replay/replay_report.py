@@ -2,7 +2,7 @@
 
 import dataclasses
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
@@ -30,95 +30,25 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
         MissingExtraError: if a library of the `report` extra is not installed.
         QuadrupedError: if the file cannot be written, or `measured` has no time in common with the replay.
     """
-    report = replay.report
-    error = report["tracking_error"]["all"]
+    error = replay.report["tracking_error"]["all"]
     fell = replay.motion is not None and replay.motion.fell_at is not None
     tracks = error["rms"] < _GOOD and (replay.motion is None or replay.motion.stayed_on_its_feet)
-    tables = [_tracking_table(report)]
     figures = [_tracking_figure(replay)]
     if replay.motion is not None:
-        tables.append(_limits_table(report))
         figures += _motor_figures(replay)
     if compare:
-        tables.append(_comparison_table(replay))
         figures += _comparison_figures(replay)
     context = {
         "title": f"Replay of {Path(replay.recorded.source.name).name}, {replay.mode}",
         "headline": f"Tracking error of the joints: {error['rms']:.4f} rad RMS, {error['max']:.4f} rad maximum.",
         "level": "poor" if fell else "good" if tracks else "fair",
         "remarks": replay.remarks(),
-        "tables": tables,
+        "tables": replay.tables(compare),
         "figures": figures,
         "document": provenance(command_line),
         "motors": dataclasses.asdict(replay.motors),
     }
     write_html(directory / REPORT_FILE, "motion.html", context)
-
-
-def _tracking_table(report: dict[str, Any]) -> dict[str, Any]:
-    rows = []
-    for name, error in report["tracking_error"]["joints"].items():
-        late = "-" if error["lag"] is None else f"{1000 * error['lag']:.0f}"
-        rows.append([name, f"{error['rms']:.4f}", f"{error['max']:.4f}", f"{error['max_at']:.2f}", late])
-    return {
-        "title": "Tracking errors",
-        "head": ["", "RMS (rad)", "largest (rad)", "at (s)", "lag (ms)"],
-        "rows": rows,
-        "note": "Played minus recorded position at the same time. The lag is the first time shift with about the "
-        "smallest error; of a motion that repeats, it is known up to whole periods.",
-    }
-
-
-def _limits_table(report: dict[str, Any]) -> dict[str, Any]:
-    rows = []
-    for name, limits in report["limits"].items():
-        saturated = limits["saturated"]
-        first = "-" if saturated["first_at"] is None else f"{saturated['first_at']:.2f}"
-        fastest = limits["fastest_recorded"]
-        rows.append(
-            [
-                name,
-                f"{100 * saturated['share']:.1f}",
-                first,
-                f"{saturated['largest_torque_asked']:.2f}",
-                f"{limits['largest_torque']:.2f}",
-                "-" if fastest is None else f"{fastest:.2f}",
-                f"{limits['fastest']:.2f}",
-                str(limits["positions_clipped"]),
-            ]
-        )
-    return {
-        "title": "Limits",
-        "head": [
-            "",
-            "at the motor's limit (% of time)",
-            "first at (s)",
-            "torque requested (N m)",
-            "torque applied",
-            "speed recorded (rad/s)",
-            "speed played",
-            "positions clipped",
-        ],
-        "rows": rows,
-        "note": "A motor is at its limit where its controller requests more torque than it can apply at its speed.",
-    }
-
-
-def _comparison_table(replay: Replay) -> dict[str, Any]:
-    rows = []
-    for signal, entry in replay.comparison.report().items():
-        for name, found in entry["joints"].items():
-            cells = [found[key] for key in ("rms", "mean", "max", "correlation")]
-            rows.append([f"{name}, {signal} ({entry['unit']})", *("-" if c is None else f"{c:.4f}" for c in cells)])
-    derived = (
-        " The recording has no velocities: they were computed from its positions." if replay.comparison.derived else ""
-    )
-    return {
-        "title": "Recorded against simulated",
-        "head": ["simulated minus recorded", "RMS", "mean", "largest", "correlation"],
-        "rows": rows,
-        "note": f"Recorded: {Path((replay.measured or replay.recorded).source.name).name}.{derived}",
-    }
 
 
 def _tracking_figure(replay: Replay) -> dict[str, str]:

@@ -1,6 +1,7 @@
 """Comparison of recorded and simulated joint signals."""
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.text_table import Table
 
 SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}
 """Array of a `JointTrajectory` -> unit."""
@@ -43,6 +45,8 @@ class Signals:
     simulated: dict[str, NDArray[np.float64]]
     derived: bool
     """True if the recorded velocities were computed from the recorded positions"""
+    source: str
+    """Name of the recording"""
 
     def difference(self, signal: str) -> NDArray[np.float64]:
         """Simulated minus recorded values (T, J); NaN where nothing was recorded."""
@@ -61,19 +65,20 @@ class Signals:
             for signal in self.recorded
         }
 
-    def table(self) -> str:
-        """The comparison as a plain-text table."""
-        lines = [f"{'simulated - recorded':<22}{'joint':<16}{'RMS':>10}{'mean':>10}{'max':>10}{'correlation':>13}"]
+    def table(self) -> Table:
+        """The comparison as a table."""
+        rows = []
         for signal, entry in self.report().items():
-            title = f"{signal} ({entry['unit']})"
             for name, found in entry["joints"].items():
                 cells = [found[key] for key in ("rms", "mean", "max", "correlation")]
-                texts = ["-" if cell is None else f"{cell:.4f}" for cell in cells]
-                lines.append(f"{title:<22}{name:<16}{texts[0]:>10}{texts[1]:>10}{texts[2]:>10}{texts[3]:>13}")
-                title = ""
-        if self.derived:
-            lines.append("The recording has no velocities: they were computed from its positions.")
-        return "\n".join(lines)
+                rows.append([f"{name}, {signal} ({entry['unit']})", *("-" if c is None else f"{c:.4f}" for c in cells)])
+        derived = " The recording has no velocities: they were computed from its positions." if self.derived else ""
+        return Table(
+            "Recorded against simulated",
+            ["simulated minus recorded", "RMS", "mean", "largest", "correlation"],
+            rows,
+            f"Recorded: {self.source}.{derived}",
+        )
 
 
 def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signals:
@@ -105,6 +110,7 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
         {kind: here[kind] for kind in both},
         {kind: there[kind][inside] for kind in both},
         derived,
+        Path(recorded.source.name).name,
     )
 
 

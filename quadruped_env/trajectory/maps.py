@@ -68,6 +68,7 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.rows import ARRAYS, TORQUE_ONLY
 from quadruped_env.utils.documents import read_toml
+from quadruped_env.utils.parameters import is_quantity
 
 STAMP_UNITS: Final = {"s": 9, "ms": 6, "us": 3, "ns": 0}
 """Unit of time -> its length in ns, as a power of ten."""
@@ -131,7 +132,7 @@ class ColumnMap:
             ),
             "missing": (
                 "a number, a text, or a list of them",
-                all(isinstance(mark, str) or _is_number(mark) for mark in self.marks),
+                all(isinstance(mark, str) or is_quantity(mark, -math.inf, math.inf) for mark in self.marks),
             ),
         }
         _check(self.name + ":", self, expected)
@@ -509,9 +510,5 @@ def _joints(given: Any) -> list[str]:
     return list(given) if isinstance(given, (list, dict)) else []
 
 
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
 def _is_finite(value: object) -> bool:
-    return isinstance(value, (int, float)) and _is_number(value) and abs(value) <= sys.float_info.max
+    return is_quantity(value, -sys.float_info.max, sys.float_info.max)

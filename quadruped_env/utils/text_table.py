@@ -1,6 +1,22 @@
-"""Tables as plain text."""
+"""Tables of results, for a terminal and for pages."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
+
+
+class Table(NamedTuple):
+    """A table of texts, which pages show as HTML."""
+
+    title: str
+    head: Sequence[str]
+    """Titles of the columns"""
+    rows: Sequence[Sequence[str]]
+    note: str = ""
+
+    def text(self) -> str:
+        """The table as plain text, between its title and its note."""
+        note = [self.note] if self.note else []
+        return "\n".join([self.title, text_table([self.head, *self.rows]), *note])
 
 
 def text_table(rows: Sequence[Sequence[str]], left: int = 1) -> str:

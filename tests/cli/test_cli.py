@@ -18,8 +18,6 @@ from quadruped_env.cli.invocation import SUMMARIES
 from quadruped_env.cli.main import main, make_parser
 from quadruped_env.live.nodes import SUMMARIES as NODES
 
-EARLIER = {"--out", "--results", "--runs"}
-"""Earlier spellings of options, which no help shows."""
 HEAVY = {
     "torch",
     "stable_baselines3",
@@ -72,10 +70,6 @@ def options_of(name):
     """The actions of a command, by option or destination."""
     commands = make_parser(only=name)._subparsers._group_actions[0].choices
     return {option: action for action in commands[name]._actions for option in action.option_strings or [action.dest]}
-
-
-def parse(*arguments):
-    return make_parser(only=arguments[0]).parse_args(arguments)
 
 
 def help_of(run, capsys):
@@ -152,7 +146,7 @@ def test_help_describes_the_options_that_matter_and_help_all_every_one(name, sho
         help_of(lambda option=option: main([name, option]), capsys) for option in ("--help", "--help-all")
     )
     assert len(re.findall("^  (?:-o DIR, )?--", text, re.MULTILINE)) == shown + len(["--help-all"])
-    options = {option for option in options_of(name) if option.startswith("--")} - EARLIER
+    options = {option for option in options_of(name) if option.startswith("--")}
     for option in options:
         assert re.search(rf"^  (-o DIR, )?{option}\b|^  --[a-z-]+, {option}\b", everything, re.MULTILINE), option
         assert option in text or option.startswith("--no-"), "at least its name"
@@ -182,14 +176,10 @@ def test_every_script_of_train_and_evaluate_is_a_command_or_a_tool():
     assert set(SCRIPTS.values()) == set(SUMMARIES) - {"live", "completion", "check-export", "demo", "page"}
 
 
-def test_output_has_one_name_in_every_command_and_earlier_spellings_still_work():
+def test_output_has_one_name_in_every_command():
     for name in set(SUMMARIES) - {"live", "completion", "check-export", "page"}:
         options = options_of(name)
         assert options["-o"] is options["--output"]
-        assert all(options[earlier].help == "==SUPPRESS==" for earlier in EARLIER & options.keys())
-    for *arguments, earlier in (("train", "--runs"), ("evaluate", "--out"), ("view", "--results")):
-        for option in (earlier, "--output", "-o"):
-            assert parse(*arguments, option, "there").output == Path("there")
 
 
 def test_convert_without_exactly_one_target_is_refused(tmp_path, monkeypatch, capsys):

@@ -35,7 +35,7 @@ def needs_warp(test):
 
 
 def command(runs, *arguments):
-    return [sys.executable, str(SCRIPT), "--runs", str(runs), *map(str, arguments)]
+    return [sys.executable, str(SCRIPT), "-o", str(runs), *map(str, arguments)]
 
 
 def learn(runs, config, resume=None):

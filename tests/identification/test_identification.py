@@ -291,7 +291,7 @@ class TestIdentify:
         assert widths["hip.stall_torque"] is widths["knee.stall_torque"] is None
         assert found.after.hip.stall_torque == 10.0
         assert found.after.hip.kp == pytest.approx(32.0, rel=0.05)
-        assert "not determined: stays" in found.table()
+        assert "not determined: stays" in found.text()
         assert found.assumed == ("stall_torque", "no_load_speed", "kd", "damping", "friction_loss", "armature", "delay")
 
     def test_subset_is_fitted_under_a_condition_that_every_result_states(self, short, tmp_path):
@@ -305,7 +305,7 @@ class TestIdentify:
             "Estimates and intervals hold only if the motors' other values are right, which are those of the start: "
             "stall_torque, no_load_speed, kd, damping, friction_loss, armature, delay."
         )
-        assert words in found.table()
+        assert words in found.text()
         save(found, tmp_path, "")
         assert json.loads((tmp_path / "identification.json").read_text())["assumed"] == list(found.assumed)
         assert words in html.unescape((tmp_path / "report.html").read_text())
@@ -318,12 +318,12 @@ class TestIdentify:
         broken = JointTrajectory(recording.stamps, JOINT_NAMES, positions, velocities, recording.efforts)
         start = with_values(TRUTH, {"hip.kp": 40.0})
         whole = identify(broken, commands, start=start, fitted=["kp"])
-        assert "RF_hip_joint moved 0." in whole.table()
-        assert "--without RF_hip_joint" in whole.table()
+        assert "RF_hip_joint moved 0." in whole.text()
+        assert "--without RF_hip_joint" in whole.text()
         part = identify(broken, commands, start=start, fitted=["kp"], without=["RF_hip_joint"])
         assert part.after.hip.kp == pytest.approx(32.0, rel=0.02)
         assert np.isnan(part.errors(after=True)["position"][2])
-        assert "RF_hip" not in part.table()
+        assert "RF_hip" not in part.text()
 
     def test_identify_a_walk_on_the_ground_with_a_fixed_base_warns_and_gives_no_interval(self, walked, tmp_path):
         commands, recording = walked
@@ -334,8 +334,8 @@ class TestIdentify:
         assert not found.base_fits
         assert found.verdict().startswith("Do not trust these motors: --base fixed does not fit.")
         assert all(estimate.half_width is None and estimate.determined for estimate in found.estimates)
-        assert found.table().count("unknown") == 2
-        assert "No intervals: " in found.table()
+        assert found.text().count("unknown") == 2
+        assert "No intervals: " in found.text()
         save(found, tmp_path, "")
         numbers = json.loads((tmp_path / "identification.json").read_text())
         assert numbers["base_fits"] is False
@@ -349,7 +349,7 @@ class TestIdentify:
         assert found.base_fits
         assert "Do not trust" not in found.verdict()
         assert all(estimate.half_width is None for estimate in found.estimates)
-        assert "No intervals: contacts" in found.table()
+        assert "No intervals: contacts" in found.text()
 
     @pytest.mark.parametrize("place", ["fixed", "free"])
     @pytest.mark.parametrize(
@@ -434,7 +434,7 @@ class TestProgram:
         output = capsys.readouterr().out
         assert "On held-out time the position error falls" in output
         assert output.endswith("motors, numbers and report: results/identify-walk\n")
-        assert main(["identify", "walk.csv", "--out", "results/identify-walk"]) == 2
+        assert main(["identify", "walk.csv", "-o", "results/identify-walk"]) == 2
         assert "motors.json: exists already" in capsys.readouterr().err
 
     def test_joints_to_leave_out_may_be_named_one_by_one_or_together(self):

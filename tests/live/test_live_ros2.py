@@ -73,14 +73,15 @@ def test_topic_message_is_equal_in_both_directions(nodes, ros2, name):
     assert node.graph.problems() == []
 
 
-def test_every_reliable_message_arrives_with_equal_values(nodes, ros2):
+@pytest.mark.parametrize("discovery", [{}, {"ROS_LOCALHOST_ONLY": "1"}], ids=["LOCALHOST", "ROS_LOCALHOST_ONLY"])
+def test_every_reliable_message_arrives_with_equal_values(nodes, ros2, discovery):
     from quadruped_env.ros import cdr
 
     sent = [plain(joint_state(*message)) for message in random_joint_states(COUNT)]
     node = nodes()
     publisher, subscription = node.publish(TO_PEER), node.subscribe(FROM_PEER)
     received = []
-    with ros2.node() as peer:
+    with ros2.node(**discovery) as peer:
         peer.subscribe(TO_PEER)
         peer.publish(FROM_PEER)
         wait_until(lambda: publisher.readers and subscription.writers, peer.state, peer.process)

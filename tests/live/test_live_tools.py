@@ -22,13 +22,13 @@ from waiting import DEADLINE, output_of, wait_until
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, asset_path
 from quadruped_env.live import Network, Topic
 from quadruped_env.live.__main__ import main
-from quadruped_env.live.gamepad import Gamepad
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
 from quadruped_env.live.listener import common_qos
 from quadruped_env.live.message_recorder import Recorder
 from quadruped_env.live.messages.message_text import as_csv, as_yaml, field_at, plain
 from quadruped_env.live.middleware.dds import open_participant
 from quadruped_env.live.middleware.topics import CMD_VEL, ESTOP, JOINT_STATES, ROBOT_DESCRIPTION, TF
+from quadruped_env.live.nodes.gamepad import Gamepad
 from quadruped_env.live.nodes.hz import rate_text
 from quadruped_env.live.nodes.teleop import after
 from quadruped_env.replay.replay import replay
@@ -195,7 +195,7 @@ def test_recording_of_a_gait_replays_to_the_same_motion(nodes, tmp_path):
     assert_read_by_others(bag, trajectory)
     expected, found = tmp_path / "expected", tmp_path / "found"
     replay(trajectory).save(expected)
-    subprocess.run([sys.executable, REPLAY, bag, "--out", found, "--no-report"], check=True, capture_output=True)
+    subprocess.run([sys.executable, REPLAY, bag, "-o", found, "--no-report"], check=True, capture_output=True)
     for name in ("link_poses.csv", "joint_states.csv"):
         assert (found / name).read_bytes() == (expected / name).read_bytes()
 

@@ -119,7 +119,7 @@ class TestReplay:
         assert result.played.positions[1, 3:5].tolist() == [0.0, -1.5]
         np.testing.assert_allclose(result.tracking_error()[1, 3:5], [-0.3, 0.2])
         assert result.report["clipped"] == 2
-        assert "2 recorded positions were moved" in result.table()
+        assert "2 recorded positions were moved" in result.text()
         positions[1, 5] = -1e200
         with pytest.raises(QuadrupedError, match=r"LH_knee_joint: -1e.200 rad .*too far to clip: fix"):
             replay(standing(positions=positions), clip=True)
@@ -214,13 +214,13 @@ class TestReplay:
         assert joints["LF_knee_joint"]["lag"] < 0.1
         assert joints["LF_knee_joint"]["lag_repeats_after"] == pytest.approx(0.2, abs=0.01)
         words = "The motion repeats, so a lag that is longer by 0.2 s fits as well: LF_hip_joint, "
-        assert words in result.table()
+        assert words in result.text()
 
     def test_gaps_are_reported(self):
         stamps = np.array([0, 20, 40, 60, 640, 660]) * 1_000_000
         result = replay(standing(stamps=stamps, positions=np.tile(STANCE, (6, 1))), "kinematic")
         assert result.report["gaps"] == [{"start": 0.06, "seconds": 0.58}]
-        assert "1 gaps in the recording, the longest of 0.58 s at 0.06 s" in result.table()
+        assert "1 gaps in the recording, the longest of 0.58 s at 0.06 s" in result.text()
 
     def test_other_motors(self):
         weak = JointMotor(stall_torque=0.5)
@@ -243,7 +243,7 @@ class TestReplay:
         positions_only = JointTrajectory(truth.stamps, JOINT_NAMES, truth.positions)
         signals = replay(commands, measured=positions_only).comparison
         assert list(signals.recorded) == ["positions", "velocities"]
-        assert "computed from its positions" in signals.table()
+        assert "computed from its positions" in signals.table().text()
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
         with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             _ = replay(commands, measured=later).comparison
@@ -255,7 +255,7 @@ class TestReplay:
             monkeypatch.setattr(replaying, name, lambda *args, f=function, n=name: calls.append(n) or f(*args))
         result = replay(standing())
         for _ in range(2):
-            result.table()
+            result.text()
             result.comparison.table()
         result.save(tmp_path, compare=True)
         assert sorted(calls) == ["lags", "saturation", "side_by_side"]

@@ -46,7 +46,7 @@ class TestPrograms:
         names = (*JOINT_NAMES, "tail_joint")
         wider = [np.c_[array, np.zeros(len(did))] for array in (did.positions, did.velocities, did.efforts)]
         JointTrajectory(did.stamps, names, *wider).save(tmp_path / "did.csv")
-        status, output, errors = run("replay", "told.csv", "--compare", "did.csv", "--out", "out")
+        status, output, errors = run("replay", "told.csv", "--compare", "did.csv", "-o", "out")
         assert status == 0
         assert errors == (
             "mini-quadruped replay: warning: did.csv: left out joints that this robot does not have: tail_joint\n"
@@ -63,7 +63,7 @@ class TestPrograms:
             pytest.skip("needs the recording of Dyna1 in ../shared/data/dyna1")
         layout = asset_path("dyna1.toml")
         files = (DYNA1 / "control.csv", "--compare", DYNA1 / "measured.csv", "--columns", layout, "--map", layout)
-        status, _, errors = run("replay", *files, "--out", "out", "--no-report")
+        status, _, errors = run("replay", *files, "-o", "out", "--no-report")
         assert status == 0, errors
         report = json.loads((tmp_path / "out" / "tracking.json").read_text())
         assert report["motion"]["fell_at"] is None
@@ -72,17 +72,17 @@ class TestPrograms:
         did = report["comparison"]["positions"]["joints"]
         assert did["RF_knee_joint"]["correlation"] > 0.99
         assert did["LF_hip_joint"]["rms"] > 0.1  # this motor of the real robot did not move
-        assert run("replay", DYNA1 / "control.csv", "--columns", layout, "--out", "other")[0] == 2
+        assert run("replay", DYNA1 / "control.csv", "--columns", layout, "-o", "other")[0] == 2
 
     def test_baseline_program_writes_the_tutorials_commands(self, tmp_path, run):
         arguments = ("--preset", "article", "--rate", "20", "--commands", "--seconds", "2", "--episodes", "1")
-        assert run("baseline", *arguments, "--out", "a.csv")[0] == 0
+        assert run("baseline", *arguments, "-o", "a.csv")[0] == 0
         commands = JointTrajectory.load(tmp_path / "a.csv")
         t = np.arange(41) / 20
         np.testing.assert_allclose(
             commands.positions, SinusoidalGait.preset("article").positions(t), rtol=0, atol=1e-12
         )
-        status, _, errors = run("baseline", *arguments, "--out", "a.csv")
+        status, _, errors = run("baseline", *arguments, "-o", "a.csv")
         assert status == 2
         assert errors.startswith("mini-quadruped baseline: error: a.csv: exists already")
 

@@ -231,7 +231,7 @@ def test_every_program_that_runs_the_robot_films_it(tmp_path, camera):
 
     short = ("--seeds", 1, "--seconds", 2, "--no-video")
     programs = {
-        "evaluate/baseline.py": ("--seconds", 1, "--episodes", 1, "--out", "walk.csv"),
+        "evaluate/baseline.py": ("--seconds", 1, "--episodes", 1, "-o", "walk.csv"),
         "evaluate/replay.py": ("walk.csv",),
         "evaluate/policy.py": ("flat", *short),
         "evaluate/compare.py": ("flat", "other", *short),

@@ -30,7 +30,7 @@ def assert_refused(tmp_path, arguments, message):
     output, errors = io.StringIO(), io.StringIO()
     with redirect_stdout(output), redirect_stderr(errors):
         try:
-            status = main(["train", "--runs", str(tmp_path / "runs"), *arguments])
+            status = main(["train", "-o", str(tmp_path / "runs"), *arguments])
         except SystemExit as ended:
             status = ended.code
     assert status == 2
@@ -92,7 +92,7 @@ def final_output(tmp_path, monkeypatch, capsys):
         return directory, True
 
     def run(*arguments):
-        monkeypatch.setattr(sys, "argv", ["train/ppo.py", "--runs", str(tmp_path / "my runs"), *arguments])
+        monkeypatch.setattr(sys, "argv", ["train/ppo.py", "-o", str(tmp_path / "my runs"), *arguments])
         with pytest.raises(SystemExit) as ended:
             runpy.run_path(str(SCRIPT), run_name="__main__")
         assert ended.value.code == 0
@@ -130,7 +130,7 @@ def test_short_training_reports_its_length_and_the_previous_latest_run(final_out
 
 
 def test_training_ends_with_what_it_added_over_the_zero_action_and_keeps_it_on_the_card(tmp_path, capsys):
-    assert main(["train", "--runs", str(tmp_path / "runs"), *TINY, "--hidden", "8"]) == 0
+    assert main(["train", "-o", str(tmp_path / "runs"), *TINY, "--hidden", "8"]) == 0
     lines = capsys.readouterr().out.splitlines()
     learning = load_policy(tmp_path / "runs" / "latest").card["learning"]
     assert learning["episodes"] == 2, "as many steps are measured as were trained, and two episodes at least"

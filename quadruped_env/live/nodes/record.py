@@ -32,7 +32,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="BAG",
         help="directory to create (default: results/recording, or that name with the next free number)",
     )
-    parser.add_argument("--out", dest="output", type=Path, default=argparse.SUPPRESS, help=argparse.SUPPRESS)
     parser.add_argument("-s", "--storage", choices=STORAGES, default="mcap", help="(default: %(default)s)")
 
 

@@ -162,6 +162,8 @@ def _named_files(path: Path) -> list[str]:
             for event in yaml.parse(text, yaml.CSafeLoader):
                 depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
                 deepest = max(deepest, depth)
+                if depth > MAX_DEPTH:
+                    break  # the parser takes quadratic time for what is deep
             metadata = yaml.load(text, yaml.CBaseLoader) if deepest <= MAX_DEPTH else None
             section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
             paths = section.get("relative_file_paths") if isinstance(section, dict) else None
