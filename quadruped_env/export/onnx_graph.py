@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Any, Final, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +19,8 @@ OPSET: Final = 18
 """Version of ONNX's operators by default: ONNX Runtime runs it from 1.14 on."""
 OPSETS: Final = range(10, 27)
 """Versions that the graph can state: its operators mean the same in all of them, and ONNX Runtime 1.31 runs them."""
+SWING: Final = "gait_swing"
+"""Name of an inner value: joint positions (N, J) of the scripted gait relative to the middle of its swing, rad."""
 BATCH: Final = "batch"
 """Name of the first axis of all inputs and outputs, of any length."""
 
@@ -56,15 +58,10 @@ def policy_graph(
     """
     if opset not in OPSETS:
         raise QuadrupedError(f"export: --opset: expected a number from {OPSETS[0]} to {OPSETS[-1]}; found {opset}")
-    graph = _Graph()
-    clock, phase = _clock(graph, interface)
-    observation = _with_history(graph, interface, _observation(graph, interface, clock))
-    action = _network(graph, interface, observation)
-    _joint_target(graph, interface, action, phase)
-    return graph.finish(name, interface.inputs, interface.outputs, opset, metadata or {})
+    return Graph.of(interface).onnx(name, interface.inputs, interface.outputs, opset, metadata or {})
 
 
-def _phase_step(graph: "_Graph", interface: PolicyInterface) -> str:
+def _phase_step(graph: "Graph", interface: PolicyInterface) -> str:
     """Advance of the gait clock in rad, (N, 1) or a constant."""
     frequency = interface.frequency
     if not isinstance(frequency, CommandedFrequency):
@@ -80,7 +77,7 @@ def _phase_step(graph: "_Graph", interface: PolicyInterface) -> str:
     return graph.add("Mul", present, graph.constant(interface.phase_step(1.0)))
 
 
-def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
+def _clock(graph: "Graph", interface: PolicyInterface) -> tuple[str, str]:
     """Sine and cosine of the phase, 0 where standing is commanded (N, 2), and the phase after this step (N, 1)."""
     if not interface.has_clock:
         return "", ""
@@ -95,7 +92,7 @@ def _clock(graph: "_Graph", interface: PolicyInterface) -> tuple[str, str]:
     return graph.add("Mul", both, moving), phase
 
 
-def _observation(graph: "_Graph", interface: PolicyInterface, clock: str) -> str:
+def _observation(graph: "Graph", interface: PolicyInterface, clock: str) -> str:
     """Observation (N, width): each input minus its offset, scaled and clipped."""
     layout = interface.layout
     columns = [clock if entry is observations.gait_clock else entry.name for entry in interface.policy.fields]
@@ -105,7 +102,7 @@ def _observation(graph: "_Graph", interface: PolicyInterface, clock: str) -> str
     return graph.clipped(scaled, layout.low, layout.high)
 
 
-def _with_history(graph: "_Graph", interface: PolicyInterface, present: str) -> str:
+def _with_history(graph: "Graph", interface: PolicyInterface, present: str) -> str:
     """Observation of this step and of those before (N, history * width)."""
     width = interface.history_width
     if not width:
@@ -118,7 +115,7 @@ def _with_history(graph: "_Graph", interface: PolicyInterface, present: str) -> 
     return stacked
 
 
-def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> str:
+def _network(graph: "Graph", interface: PolicyInterface, observation: str) -> str:
     """Action (N, J) in [-1, 1]."""
     policy = interface.policy
     *inner, last = zip(policy.weights, policy.biases, strict=True)
@@ -131,7 +128,7 @@ def _network(graph: "_Graph", interface: PolicyInterface, observation: str) -> s
     return graph.clipped(x, -1.0, 1.0, output=graph_io.ACTION)
 
 
-def _activation(graph: "_Graph", name: str, x: str) -> str:
+def _activation(graph: "Graph", name: str, x: str) -> str:
     """An activation function, made of operators that all of `OPSETS` have: Gelu came with 20, Mish with 18."""
     if name == "silu":
         return graph.add("Mul", x, graph.add("Sigmoid", x))
@@ -144,7 +141,7 @@ def _activation(graph: "_Graph", name: str, x: str) -> str:
     return graph.add(_OPERATORS[name], x)
 
 
-def _joint_target(graph: "_Graph", interface: PolicyInterface, action: str, phase: str) -> None:
+def _joint_target(graph: "Graph", interface: PolicyInterface, action: str, phase: str) -> None:
     """Joint targets (N, J): stance or scripted gait plus the scaled action, within the joints' ranges."""
     policy, robot = interface.policy, interface.policy.robot
     change = graph.add("Mul", action, graph.constant(policy.control.action.scale))
@@ -153,7 +150,7 @@ def _joint_target(graph: "_Graph", interface: PolicyInterface, action: str, phas
     graph.clipped(target, robot.joint_position_low, robot.joint_position_high, output=graph_io.JOINT_TARGET)
 
 
-def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
+def _gait(graph: "Graph", interface: PolicyInterface, phase: str) -> str:
     """Joint positions (N, J) of the scripted gait; see `CommandedGait.waves`."""
     gait = interface.gait
     assert gait is not None
@@ -188,27 +185,47 @@ def _gait(graph: "_Graph", interface: PolicyInterface, phase: str) -> str:
     sine, cosine, offset = waves
     angle = graph.add("Add", phase, graph.constant(interface.joint_phases))
     swing = graph.add(
-        "Add", graph.add("Mul", sine, graph.add("Sin", angle)), graph.add("Mul", cosine, graph.add("Cos", angle))
+        "Add",
+        graph.add("Mul", sine, graph.add("Sin", angle)),
+        graph.add("Mul", cosine, graph.add("Cos", angle)),
+        output=SWING,
     )
     return graph.add("Add", swing, offset)
 
 
-class _Graph:
-    """Builder of an ONNX graph, whose values are named in the order in which they are added."""
+class Graph:
+    """A graph of ONNX's operators, whose values are named in the order in which they are added.
+
+    It is data, and needs no library until `onnx` makes a file of it.
+    """
 
     def __init__(self) -> None:
-        try:
-            import onnx
-        except ImportError as error:
-            raise MissingExtraError("Export to ONNX", "export") from error
-        self._onnx: Any = onnx
-        self._nodes: list[Any] = []
-        self._constants: list[Any] = []
+        self.nodes: list[tuple[str, tuple[str, ...], str, dict[str, Any]]] = []
+        """Operator, names of the inputs, name of the output, and attributes of each node, in order."""
+        self.constants: dict[str, NDArray[Any]] = {}
+        """Constants by name, float32 or int64."""
+
+    @classmethod
+    def of(cls, interface: PolicyInterface) -> Self:
+        """The graph of a policy; see `policy_graph`."""
+        graph = cls()
+        clock, phase = _clock(graph, interface)
+        observation = _with_history(graph, interface, _observation(graph, interface, clock))
+        _joint_target(graph, interface, _network(graph, interface, observation), phase)
+        return graph
+
+    @classmethod
+    def of_gait(cls, interface: PolicyInterface) -> Self:
+        """The graph of a `residual` policy without its actions: the joint targets of the scripted gait alone."""
+        graph = cls()
+        _, phase = _clock(graph, interface)
+        _joint_target(graph, interface, graph.constant(np.zeros(interface.policy.robot.num_joints)), phase)
+        return graph
 
     def add(self, operator: str, *inputs: str, output: str = "", **attributes: Any) -> str:
         """Add a node; returns the name of its result."""
-        output = output or f"{operator.lower()}_{len(self._nodes)}"
-        self._nodes.append(self._onnx.helper.make_node(operator, inputs, [output], **attributes))
+        output = output or f"{operator.lower()}_{len(self.nodes)}"
+        self.nodes.append((operator, inputs, output, attributes))
         return output
 
     def clipped(self, value: str, low: ArrayLike, high: ArrayLike, output: str = "") -> str:
@@ -223,12 +240,12 @@ class _Graph:
         """Name of a constant, int64."""
         return self._constant(np.asarray(values, dtype=np.int64))
 
-    def _constant(self, values: Any) -> str:
-        name = f"constant_{len(self._constants)}"
-        self._constants.append(self._onnx.numpy_helper.from_array(np.ascontiguousarray(values), name))
+    def _constant(self, values: NDArray[Any]) -> str:
+        name = f"constant_{len(self.constants)}"
+        self.constants[name] = np.ascontiguousarray(values)
         return name
 
-    def finish(
+    def onnx(
         self,
         name: str,
         inputs: tuple[Input, ...],
@@ -236,14 +253,23 @@ class _Graph:
         opset: int,
         metadata: Mapping[str, str],
     ) -> bytes:
-        """The checked graph as a file."""
-        helper = self._onnx.helper
+        """The checked graph as a file. Raises a MissingExtraError if onnx is not installed."""
+        try:
+            import onnx
+        except ImportError as error:
+            raise MissingExtraError("Export to ONNX", "export") from error
+        helper: Any = onnx.helper
+
+        def value(entry: Input) -> Any:
+            text = f"{entry.description} Unit: {entry.unit}."
+            return helper.make_tensor_value_info(entry.name, _FLOAT, [BATCH, entry.width], text)
+
         graph = helper.make_graph(
-            self._nodes,
+            [helper.make_node(node, read, [output], **attributes) for node, read, output, attributes in self.nodes],
             name,
-            [self._value(entry) for entry in inputs],
-            [self._value(entry) for entry in outputs],
-            self._constants,
+            [value(entry) for entry in inputs],
+            [value(entry) for entry in outputs],
+            [onnx.numpy_helper.from_array(values, name) for name, values in self.constants.items()],
         )
         opsets = [helper.make_opsetid("", opset)]
         model = helper.make_model(
@@ -254,10 +280,6 @@ class _Graph:
             producer_version=__version__,
         )
         helper.set_model_props(model, metadata)
-        self._onnx.checker.check_model(model, full_check=True)
+        onnx.checker.check_model(model, full_check=True)
         content: bytes = model.SerializeToString(deterministic=True)
         return content
-
-    def _value(self, entry: Input) -> Any:
-        text = f"{entry.description} Unit: {entry.unit}."
-        return self._onnx.helper.make_tensor_value_info(entry.name, _FLOAT, [BATCH, entry.width], text)

@@ -70,6 +70,15 @@ def build_model(
 def _compiled(
     timestep: float | None, motors: MotorConfig | None, terrain: Terrain, robot: Robot, max_delay: float, _modified: int
 ) -> mujoco.MjModel:
+    model = build_spec(timestep, motors, terrain, robot, max_delay).compile()
+    robot.check_model(model)
+    return model
+
+
+def build_spec(
+    timestep: float | None, motors: MotorConfig | None, terrain: Terrain, robot: Robot, max_delay: float = 0.0
+) -> mujoco.MjSpec:
+    """Specification of the model that `build_model` compiles; see there."""
     spec = scene(robot)
     if timestep is not None:
         spec.option.timestep = timestep
@@ -79,10 +88,8 @@ def _compiled(
     motors.write_delay(spec, max(max_delay, motors.delay))
     heights = terrain.heights()
     if heights.any():
-        _lay(spec, heights, terrain.extent)
-    model = spec.compile()
-    robot.check_model(model)
-    return model
+        lay_ground(spec, heights, terrain.extent)
+    return spec
 
 
 def scene(robot: Robot) -> mujoco.MjSpec:
@@ -91,7 +98,7 @@ def scene(robot: Robot) -> mujoco.MjSpec:
     return mujoco.MjSpec.from_string(asset_path(_SCENE).read_text(), include={_ROBOT: robot.mjcf.encode()})
 
 
-def _lay(spec: mujoco.MjSpec, heights: NDArray[np.float64], extent: tuple[float, float]) -> None:
+def lay_ground(spec: mujoco.MjSpec, heights: NDArray[np.float64], extent: tuple[float, float]) -> None:
     """Replace the plane by a height field of an extent along x and y, m, and put a plane around it."""
     lowest, span = float(heights.min()), float(np.ptp(heights))
     rows, columns = heights.shape

@@ -1,0 +1,5 @@
+"""A policy as one HTML file, in which its robot walks in the reader's browser."""
+
+from quadruped_env.page.walking_page import PAGE_FILE, check_exportable, write_page
+
+__all__ = ["PAGE_FILE", "check_exportable", "write_page"]
