@@ -2,7 +2,8 @@
 
 import { Adam, Perceptron } from './network.mjs';
 
-const GAMMA = 0.98, LAMBDA = 0.95, CLIP = 0.2, EPOCHS = 4, BATCHES = 4;
+export const GAMMA = 0.98;
+const LAMBDA = 0.95, CLIP = 0.2, EPOCHS = 4, BATCHES = 4;
 const TARGET_KL = 0.01;  // per update: the step size follows it
 const RATES = [1e-4, 3e-3];  // bounds of the step size
 const LOG_STD = [-3, -1];  // lower bound and start of the noise's logarithm
@@ -26,20 +27,19 @@ export function advantages(rewards, values, ends, lastValues, gamma = GAMMA, lam
 /** Policy and value function in one array of parameters: the actor's, the noise's logarithms, the critic's. */
 export class ActorCritic {
   constructor(observations, actions, hidden = [64, 64]) {
-    this.actions = actions;
+    Object.assign(this, { observations, actions });
     this.actor = new Perceptron([observations, ...hidden, actions]);
     this.critic = new Perceptron([observations, ...hidden, 1]);
     this.length = this.actor.length + actions + this.critic.length;
     this.parameters = new Float32Array(this.length);
-    this.split();
-  }
-
-  split() {
-    const noise = this.actor.length, critic = noise + this.actions;
+    const noise = this.actor.length, critic = noise + actions;
     this.actorParameters = this.parameters.subarray(0, noise);
     this.logStd = this.parameters.subarray(noise, critic);
     this.criticParameters = this.parameters.subarray(critic);
   }
+
+  /** One for a `Residual`. */
+  static of(policy) { return new ActorCritic(policy.observation.length, policy.out.action.length); }
 
   initialize(random) {
     this.actor.initialize(this.actorParameters, random, 0.01);
@@ -50,6 +50,9 @@ export class ActorCritic {
   mean(observations, offset) { return this.actor.forward(this.actorParameters, observations, offset); }
 
   value(observations, offset) { return this.critic.forward(this.criticParameters, observations, offset)[0]; }
+
+  /** Mean of the noise's standard deviations. */
+  noise() { return this.logStd.reduce((sum, value) => sum + Math.exp(value) / this.actions, 0); }
 
   /** Log-density of an action, which begins at `offset`, around a mean; without its constant. */
   logDensity(mean, actions, offset) {
@@ -97,18 +100,18 @@ export class ActorCritic {
   }
 }
 
-/** Learner: each worker has one; all make the same steps, since their gradients are added. */
-export class Learner {
+/** Optimizer of one worker's copy of the parameters: all make the same steps, since their gradients are added. */
+export class Optimizer {
   /**
-   * @param {ActorCritic} model
-   * @param {Random} random shuffles this worker's samples.
-   * @param {(values: Float32Array) => Promise<Float32Array>} sum adds an array over the workers.
+   * @param model the `ActorCritic`
+   * @param random a `Random`, which shuffles this worker's samples
+   * @param sum function that adds an array over the workers
    */
   constructor(model, random, sum) {
     Object.assign(this, { model, random, sum, rate: 1e-3, adam: new Adam(model.length) });
   }
 
-  /** One update from a rollout, whose advantages are already normalized. */
+  /** One update from a rollout whose advantages are normalized over all workers. */
   async update(rollout) {
     const { model } = this, order = rollout.returns.map((_, i) => i), size = order.length / BATCHES;
     for (let epoch = 0; epoch < EPOCHS; epoch++) {
