@@ -22,6 +22,7 @@ from quadruped_env.page.learning import learning_document
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.robot.readings import sensor_columns
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import SingleSimulation, Terrain, Tiles, flat
 from quadruped_env.simulation.built_in_terrains import terrain_scale
 from quadruped_env.simulation.model import build_spec, lay_ground
@@ -65,7 +66,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
     """
     check_exportable(policy)
     config, robot = policy.config, policy.robot
-    reference = _reference(policy, config)
+    reference, terrains = _reference(policy, config), _terrains(config)
     ranges = {entry.name: entry.range for entry in config.commands[:2]}
     forward, turn = key_steps(robot)
     return {
@@ -81,11 +82,15 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
             "turn": list(ranges["yaw_rate"]),
             "key_steps": [forward, turn],
         },
+        "terrain": config.ground.name if any(config.ground.name == terrain.name for terrain in terrains) else flat.name,
         "robot": {
             "name": robot.name,
             "base": robot.base_name,
             "mass": robot.total_mass,
             "height": robot.stance_height,
+            "scale": scale_of("m", robot),
+            "friction": float(robot.model.geom_friction[:, 0].max()),
+            "contact": config.reward.contact_threshold,
             "decimation": config.decimation,
             "start": reference["start"],
             "columns": {
@@ -94,7 +99,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
             "servo": _servo(config),
             "legs": [{"name": leg, "colour": colour} for leg, colour in leg_colours(robot).items()],
         },
-        "terrains": [_terrain(terrain, config) for terrain in _terrains(config)],
+        "terrains": [_terrain(terrain, config) for terrain in terrains],
         "reference": reference,
     }
 

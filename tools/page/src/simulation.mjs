@@ -1,10 +1,9 @@
 // The robot on its ground in MuJoCo's WebAssembly build, stepped as quadruped_env/simulation/single_simulation.py does.
 
+import load from '@mujoco/mujoco';
+
 /** Load MuJoCo from the bytes of its WebAssembly module. */
-export async function loadMujoco(wasmBinary) {
-  const { default: load } = await import('@mujoco/mujoco');
-  return load({ wasmBinary });
-}
+export const loadMujoco = (wasmBinary) => load({ wasmBinary });
 
 /** Rotation matrix of a quaternion wxyz, by rows. */
 export function rotation([w, x, y, z]) {

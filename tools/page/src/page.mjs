@@ -1,0 +1,151 @@
+// The page that walks: it unpacks what it holds, and plays the robots in real time.
+
+import { Controls } from './controls.mjs';
+import { FeetDiagram } from './feet.mjs';
+import { Graph } from './policy.mjs';
+import { loadMujoco } from './simulation.mjs';
+import { preferred, say } from './texts.mjs';
+import { View } from './view.mjs';
+import { comparison, Walk } from './walk.mjs';
+
+/** Part of the speed limit with which the page begins. */
+const THROTTLE = 0.8;
+/** Speed of the slow motion. */
+const SLOW = 0.25;
+/** Longest time that a frame catches up with, s: a page that was in the background does not race. */
+const LONGEST = 0.1;
+/** Control steps of the comparison with Python per frame. */
+const CHECKED = 4;
+const TINT = { colour: 0xd55e00, share: 0.72 };
+
+class Page {
+  constructor(mujoco, content) {
+    this.walk = new Walk(mujoco, content);
+    Object.assign(this, { language: preferred(), paused: false, slow: false, throttle: 0, turn: 0, checked: null });
+    this.view = new View(document.getElementById('view'), this.walk.scale);
+    this.feet = new FeetDiagram(document.getElementById('feet'), content.robot.legs, content.control.timestep);
+    this.controls = new Controls(this);
+    this.check = comparison(mujoco, content);
+    this.due = 0;
+    this.redraw();
+    this.controls.translate();
+    this.controls.steer(THROTTLE, 0);
+  }
+
+  /** Draw the ground and the robots again. */
+  redraw() {
+    const { walk, view, feet } = this;
+    view.setTerrain(walk.terrain);
+    view.setSlope(walk.settings.slope);
+    view.setRobots(walk.walkers.map(({ simulation }) => simulation), [null, TINT]);
+    feet.clear();
+  }
+
+  // --- actions
+
+  setPaused(paused) {
+    this.paused = paused;
+    this.controls.showPaused(paused);
+  }
+
+  setSlow(slow) {
+    this.slow = slow;
+    this.controls.showSlow(slow);
+  }
+
+  setLanguage(language) {
+    this.language = language;
+    this.controls.translate();
+  }
+
+  /** Change settings of the world or the robots; see `Walk.standard`. */
+  set(settings) {
+    Object.assign(this.walk.settings, settings);
+    this.walk.apply();
+    this.view.setSlope(this.walk.settings.slope);
+  }
+
+  setTerrain(terrain) {
+    this.walk.settings.terrain = terrain;
+    this.walk.rebuild();
+    this.redraw();
+  }
+
+  setCompare(compare) {
+    this.walk.compare = compare;
+    this.walk.rebuild();
+    this.redraw();
+  }
+
+  reset() {
+    this.walk.reset();
+    this.redraw();
+    this.view.resetCamera();
+  }
+
+  /** Push robots in a horizontal direction of the world, which is a unit vector. */
+  push(direction, robots) {
+    for (const index of robots) this.walk.walkers[index].simulation.push(direction.map((part) => part * this.strength));
+    this.view.showPush(robots[0], direction);
+  }
+
+  pushSomewhere() {
+    const angle = 2 * Math.PI * Math.random();
+    this.push([Math.cos(angle), Math.sin(angle), 0], [...this.walk.walkers.keys()]);
+  }
+
+  // --- time
+
+  /** Advance by a number of control steps, whatever the clock says. */
+  step(count = 1) {
+    for (let i = 0; i < count; i++) {
+      this.walk.step();
+      this.view.record();
+      this.feet.record(this.walk.contacts());
+    }
+  }
+
+  frame(seconds) {
+    const { timestep } = this.walk.content.control;
+    this.controls.pollGamepad();
+    if (!this.paused) {
+      this.due += Math.min(seconds, LONGEST) * (this.slow ? SLOW : 1);
+      const steps = Math.floor(this.due / timestep);
+      this.step(steps);
+      this.due -= steps * timestep;
+    }
+    if (!this.checked && (this.checked = this.check(CHECKED))) this.controls.showCheck();
+    this.view.draw(this.due / timestep, seconds);
+    this.feet.draw();
+    this.controls.show();
+  }
+
+  run() {
+    let last = performance.now();
+    const frame = (now) => {
+      this.frame(Math.max(0, now - last) / 1000);
+      last = now;
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+}
+
+/** Bytes of a gzipped part of the page. */
+async function part(id) {
+  const bytes = Uint8Array.from(atob(document.getElementById(id).textContent.trim()), (c) => c.charCodeAt(0));
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+}
+
+const message = document.getElementById('message');
+try {
+  Object.assign(message, { hidden: false, textContent: say(preferred(), 'loading') });
+  const content = JSON.parse(new TextDecoder().decode(await part('document')));
+  const page = new Page(await loadMujoco(await part('wasm')), content);
+  // For tests, and for readers with a console.
+  window.quadruped = { page, Graph, walk: page.walk };
+  page.run();
+} catch (error) {
+  Object.assign(message, { hidden: false, textContent: say(preferred(), 'failed', error.message ?? error) });
+  throw error;
+}

@@ -1,0 +1,246 @@
+// Drawing with three.js: the ground, robots made of the model's geoms, and a camera that follows.
+
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
+
+const BACKGROUND = 0xdce6f0, FLOOR = ['#edf1f6', '#cfd7e1'], PUSH = 0xe69f00;
+/** Side length of the floor's squares, m. */
+const SQUARE = 0.5;
+/** MuJoCo's types of geoms that have a shape of their own. */
+const [SPHERE, CAPSULE, ELLIPSOID, CYLINDER, BOX, MESH] = [2, 3, 4, 5, 6, 7];
+/** First of the groups that MuJoCo's viewer hides: shapes for contacts. */
+const HIDDEN_GROUP = 3;
+
+export class View {
+  /** @param canvas where to draw; @param scale size of the robot relative to the built-in one */
+  constructor(canvas, scale) {
+    Object.assign(this, { canvas, scale, follow: true, robots: [], target: new THREE.Vector3() });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = THREE.PCFShadowMap;
+    this.renderer.toneMapping = THREE.NeutralToneMapping;
+    this.scene = new THREE.Scene();
+    this.scene.background = new THREE.Color(BACKGROUND);
+    this.scene.fog = new THREE.Fog(BACKGROUND, 4 * scale, 16 * scale);
+    this.scene.environment = new THREE.PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04).texture;
+    this.scene.environmentIntensity = 0.55;
+    /** Everything on the ground; it tilts with the slope. */
+    this.world = this.scene.add(new THREE.Group()).children.at(-1);
+    this.camera = new THREE.PerspectiveCamera(38, 1, 0.01 * scale, 60 * scale);
+    this.camera.up.set(0, 0, 1);
+    this.orbit = new OrbitControls(this.camera, canvas);
+    Object.assign(this.orbit, {
+      enableDamping: true, enablePan: false, minDistance: 0.3 * scale, maxDistance: 6 * scale, maxPolarAngle: 1.52,
+    });
+    this.resetCamera();
+    this.light = new THREE.DirectionalLight(0xffffff, 2.2);
+    this.light.castShadow = true;
+    this.light.shadow.mapSize.set(1024, 1024);
+    Object.assign(this.light.shadow.camera, { left: -scale, right: scale, top: scale, bottom: -scale, near: 0.1, far: 6 * scale });
+    Object.assign(this.light.shadow, { radius: 4, bias: -0.0005, normalBias: 0.01 * scale });
+    this.scene.add(this.light, this.light.target);
+    const canvasTexture = new THREE.CanvasTexture(checker());
+    canvasTexture.colorSpace = THREE.SRGBColorSpace;
+    canvasTexture.wrapS = canvasTexture.wrapT = THREE.RepeatWrapping;
+    canvasTexture.anisotropy = this.renderer.capabilities.getMaxAnisotropy();
+    this.floor = new THREE.MeshStandardMaterial({ map: canvasTexture, roughness: 0.95, envMapIntensity: 0.6 });
+    this.arrow = new THREE.ArrowHelper(new THREE.Vector3(1, 0, 0), new THREE.Vector3(), 0.3 * scale, PUSH, 0.12 * scale, 0.09 * scale);
+    this.arrow.visible = false;
+    this.world.add(this.arrow);
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.resize();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    // A narrow screen sees as much to the sides as a square one.
+    this.camera.fov = 38 * Math.min(1.5, Math.max(1, 1 / this.camera.aspect));
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** Look at the robot from the side and a little from the front, as in the project's films. */
+  resetCamera() {
+    this.camera.position.copy(this.target).add(new THREE.Vector3(0.62, -1.0, 0.42).multiplyScalar(this.scale));
+  }
+
+  /** Draw another ground. */
+  setTerrain(terrain) {
+    this.ground?.traverse((part) => part.geometry?.dispose());
+    this.ground?.removeFromParent();
+    this.ground = new THREE.Group();
+    const side = 80 * this.scale, plane = new THREE.PlaneGeometry(side, side);
+    tile(plane, this.scale);
+    this.plane = new THREE.Mesh(plane, this.floor);
+    this.plane.receiveShadow = true;
+    this.ground.add(this.plane);
+    if (terrain.grid) {
+      const { shape: [rows, columns], extent, lowest, span } = terrain.grid;
+      const field = new THREE.PlaneGeometry(...extent, columns - 1, rows - 1), points = field.attributes.position;
+      for (let i = 0; i < points.count; i++) {
+        // three.js counts rows from the far edge.
+        const row = rows - 1 - Math.floor(i / columns);
+        points.setZ(i, lowest + span * terrain.heights[row * columns + (i % columns)]);
+      }
+      tile(field, this.scale);
+      field.computeVertexNormals();
+      this.ground.add(Object.assign(new THREE.Mesh(field, this.floor), { receiveShadow: true, castShadow: false }));
+      this.plane.position.z = lowest - 0.01 * this.scale;
+    }
+    this.world.add(this.ground);
+  }
+
+  /** Tilt the ground, so that it rises along x by an angle, rad. */
+  setSlope(angle) {
+    this.world.rotation.y = -angle;
+  }
+
+  /** Draw these simulations; a tint (colour and its share, 0 to 1) tells the second one from the first. */
+  setRobots(simulations, tints) {
+    for (const robot of this.robots) robot.group.removeFromParent();
+    this.robots = simulations.map((simulation, i) => new DrawnRobot(simulation, tints[i]));
+    for (const robot of this.robots) this.world.add(robot.group);
+  }
+
+  /** Remember the robots' poses after a control step, between which `draw` interpolates. */
+  record() {
+    for (const robot of this.robots) robot.record();
+  }
+
+  /** Draw a moment between the last two control steps, from 0 to 1. */
+  draw(share, seconds) {
+    for (const robot of this.robots) robot.place(share);
+    const [x, y, z] = this.robots[0].position(share);
+    const at = this.world.localToWorld(new THREE.Vector3(x, y, z));
+    if (this.follow) {
+      const moved = at.clone().sub(this.target);
+      // The height follows slowly, so that steps do not shake the picture.
+      moved.z *= Math.min(1, 4 * seconds);
+      this.target.add(moved);
+      this.camera.position.add(moved);
+    }
+    this.orbit.target.copy(this.target);
+    this.orbit.update();
+    this.light.target.position.copy(at);
+    this.light.position.copy(at).add(new THREE.Vector3(0.5, 0.9, 2.2).multiplyScalar(this.scale));
+    const square = 2 * SQUARE * this.scale;
+    this.plane.position.setX(square * Math.round(x / square)).setY(square * Math.round(y / square));
+    if (this.arrow.visible && (this.arrow.left -= seconds) < 0) this.arrow.visible = false;
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Show a push of a robot in a direction of the world for a moment. */
+  showPush(index, direction) {
+    const { scale } = this, [x, y, z] = this.robots[index].position(1), away = new THREE.Vector3(...direction).normalize();
+    this.arrow.position.set(x, y, z).addScaledVector(away, -0.5 * scale);
+    this.arrow.setDirection(away);
+    Object.assign(this.arrow, { visible: true, left: 0.5 });
+  }
+
+  /** The robot at a point of the canvas, and the horizontal direction in which a click pushes it; null if there is none. */
+  pick(x, y) {
+    const ray = new THREE.Raycaster(), { width, height } = this.canvas.getBoundingClientRect();
+    ray.setFromCamera(new THREE.Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
+    const [hit] = ray.intersectObjects(this.robots.map((robot) => robot.group));
+    if (!hit) return null;
+    const index = this.robots.findIndex((robot) => robot.meshes.includes(hit.object));
+    const away = ray.ray.direction.clone().applyQuaternion(this.world.quaternion.clone().invert()).setZ(0).normalize();
+    return { index, direction: away.toArray() };
+  }
+}
+
+/** A robot as three.js draws it: a group per body, with the geoms that MuJoCo's viewer shows. */
+class DrawnRobot {
+  constructor(simulation, tint) {
+    this.simulation = simulation;
+    this.group = new THREE.Group();
+    this.meshes = [];
+    const { model } = simulation;
+    this.bodies = Array.from({ length: model.nbody }, () => this.group.add(new THREE.Group()).children.at(-1));
+    for (let i = 0; i < model.ngeom; i++) {
+      const body = model.geom_bodyid[i], shape = body && model.geom_group[i] < HIDDEN_GROUP ? geometry(model, i) : null;
+      if (!shape) continue;
+      const mesh = new THREE.Mesh(shape, material(model, i, tint));
+      mesh.position.fromArray(model.geom_pos, 3 * i);
+      mesh.quaternion.copy(quaternion(model.geom_quat, i));
+      mesh.castShadow = mesh.receiveShadow = true;
+      this.bodies[body].add(mesh);
+      this.meshes.push(mesh);
+    }
+    this.record();
+    this.record();
+  }
+
+  record() {
+    const { xpos, xquat } = this.simulation.data;
+    this.before = this.now ?? { xpos: xpos.slice(), xquat: xquat.slice() };
+    this.now = { xpos: xpos.slice(), xquat: xquat.slice() };
+  }
+
+  place(share) {
+    this.bodies.forEach((body, i) => {
+      body.position.fromArray(this.before.xpos, 3 * i).lerp(new THREE.Vector3().fromArray(this.now.xpos, 3 * i), share);
+      body.quaternion.copy(quaternion(this.before.xquat, i)).slerp(quaternion(this.now.xquat, i), share);
+    });
+  }
+
+  /** Position of the base. */
+  position(share) {
+    const at = 3 * this.simulation.base;
+    return [0, 1, 2].map((i) => (1 - share) * this.before.xpos[at + i] + share * this.now.xpos[at + i]);
+  }
+}
+
+/** The i-th of MuJoCo's quaternions wxyz. */
+const quaternion = (values, i) => new THREE.Quaternion(values[4 * i + 1], values[4 * i + 2], values[4 * i + 3], values[4 * i]);
+
+function geometry(model, i) {
+  const [a, b, c] = model.geom_size.slice(3 * i, 3 * i + 3);
+  switch (model.geom_type[i]) {
+    case SPHERE: return new THREE.SphereGeometry(a, 32, 16);
+    case CAPSULE: return new THREE.CapsuleGeometry(a, 2 * b, 8, 24).rotateX(Math.PI / 2);
+    case ELLIPSOID: return new THREE.SphereGeometry(1, 32, 16).scale(a, b, c);
+    case CYLINDER: return new THREE.CylinderGeometry(a, a, 2 * b, 32).rotateX(Math.PI / 2);
+    case BOX: return new THREE.BoxGeometry(2 * a, 2 * b, 2 * c);
+    case MESH: return meshOf(model, model.geom_dataid[i]);
+    default: return null;
+  }
+}
+
+function meshOf(model, id) {
+  const { mesh_vert: points, mesh_vertadr, mesh_vertnum, mesh_face: faces, mesh_faceadr, mesh_facenum } = model;
+  const shape = new THREE.BufferGeometry(), start = mesh_vertadr[id], face = mesh_faceadr[id];
+  shape.setAttribute('position', new THREE.BufferAttribute(points.slice(3 * start, 3 * (start + mesh_vertnum[id])), 3));
+  shape.setIndex(Array.from(faces.slice(3 * face, 3 * (face + mesh_facenum[id]))));
+  shape.computeVertexNormals();
+  return shape;
+}
+
+function material(model, i, tint) {
+  const id = model.geom_matid[i], [r, g, b] = id >= 0 ? model.mat_rgba.slice(4 * id, 4 * id + 3) : model.geom_rgba.slice(4 * i, 4 * i + 3);
+  const color = new THREE.Color().setRGB(r, g, b, THREE.SRGBColorSpace);
+  if (tint) color.lerp(new THREE.Color(tint.colour), tint.share);
+  return new THREE.MeshStandardMaterial({ color, roughness: 0.45, metalness: 0.1 });
+}
+
+/** Texture coordinates, so that squares lie on the grid of the world. */
+function tile(shape, scale) {
+  const { position, uv } = shape.attributes, period = 2 * SQUARE * scale;
+  for (let i = 0; i < position.count; i++) uv.setXY(i, position.getX(i) / period, position.getY(i) / period);
+}
+
+function checker() {
+  const canvas = document.createElement('canvas'), size = 256, half = size / 2;
+  canvas.width = canvas.height = size;
+  const pen = canvas.getContext('2d');
+  for (const [i, colour] of FLOOR.entries()) {
+    pen.fillStyle = colour;
+    pen.fillRect(0, i * half, half, half);
+    pen.fillRect(half, (1 - i) * half, half, half);
+  }
+  return canvas;
+}
