@@ -40,7 +40,7 @@ async function measure(page, workers, seed, limit) {
   const start = seconds(), clock = performance.now();
   let apart = 0, reached = null, iteration = 0;
   const threads = ports.map((own) => new Worker(new URL(import.meta.url), {
-    workerData: { page, ports: own, settings: { seed, command, weights: learning.weights } }, transferList: own.filter(Boolean),
+    workerData: { page, ports: own, settings: { seed, command, turns: null, weights: learning.weights } }, transferList: own.filter(Boolean),
   }));
   await new Promise((resolve) => threads[0].on('message', (result) => {
     const used = seconds() - start - apart;

@@ -2,6 +2,7 @@
 
 import { Controls } from './controls.mjs';
 import { FeetDiagram } from './feet.mjs';
+import { LearningPanel } from './learn/panel.mjs';
 import { Graph } from './policy.mjs';
 import { loadMujoco } from './simulation.mjs';
 import { preferred, say } from './texts.mjs';
@@ -19,12 +20,13 @@ const CHECKED = 4;
 const TINT = { colour: 0xd55e00, share: 0.72 };
 
 class Page {
-  constructor(mujoco, content) {
+  constructor(mujoco, content, worker, wasm) {
     this.walk = new Walk(mujoco, content);
     Object.assign(this, { language: preferred(), paused: false, slow: false, throttle: 0, turn: 0, checked: null });
     this.view = new View(document.getElementById('view'), this.walk.scale);
     this.feet = new FeetDiagram(document.getElementById('feet'), content.robot.legs, content.control.timestep);
     this.controls = new Controls(this);
+    this.learning = new LearningPanel(this, worker, wasm);
     this.check = comparison(mujoco, content);
     this.due = 0;
     this.redraw();
@@ -77,6 +79,20 @@ class Page {
     this.redraw();
   }
 
+  /**
+   * Let the robot walk with a policy that is being learned, or with the page's own again.
+   * @param policy a `Residual`, or null
+   * @param settings what it learns, which limits the steering
+   */
+  learned(policy, { command: [forward], turns } = {}) {
+    const { walk, controls } = this;
+    controls.limitTo(policy && [forward, turns ?? 0]);
+    if (policy === walk.learned) return;
+    walk.learned = policy;
+    walk.rebuild();
+    this.redraw();
+  }
+
   reset() {
     this.walk.reset();
     this.redraw();
@@ -102,6 +118,7 @@ class Page {
       this.walk.step();
       this.view.record();
       this.feet.record(this.walk.contacts());
+      this.learning.watch(this.walk.walkers[0], this.walk.content.control.timestep);
     }
   }
 
@@ -141,7 +158,8 @@ const message = document.getElementById('message');
 try {
   Object.assign(message, { hidden: false, textContent: say(preferred(), 'loading') });
   const content = JSON.parse(new TextDecoder().decode(await part('document')));
-  const page = new Page(await loadMujoco(await part('wasm')), content);
+  const wasm = await part('wasm'), worker = new TextDecoder().decode(await part('worker'));
+  const page = new Page(await loadMujoco(wasm), content, worker, wasm);
   // For tests, and for readers with a console.
   window.quadruped = { page, Graph, walk: page.walk };
   page.run();

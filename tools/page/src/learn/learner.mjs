@@ -47,10 +47,10 @@ class Rollout {
 
   /** Draw an action for an observation, and note both. */
   act(observation, random) {
-    const { agent, at } = this, mean = agent.mean(observation), first = at * agent.actions;
+    const { agent, at } = this, mean = agent.mean(observation), first = at * agent.actions, std = Math.exp(agent.logStd);
     this.observations.set(observation, at * agent.observations);
     for (let j = 0; j < agent.actions; j++) {
-      this.actions[first + j] = this.noisy ? mean[j] + Math.exp(agent.logStd[j]) * random.normal() : 0;
+      this.actions[first + j] = this.noisy ? mean[j] + std * random.normal() : 0;
     }
     this.logDensities[at] = agent.logDensity(mean, this.actions, first);
     this.values[at] = agent.value(observation);
@@ -80,7 +80,7 @@ class Rollout {
  * Learn, one iteration per turn. In the first one all actions are zero: what the gait alone earns.
  * @param mujoco result of `loadMujoco`
  * @param page content of the page; see quadruped_env/page/document.py
- * @param settings `{seed, command, weights}`
+ * @param settings `{seed, command, turns, weights}`: seed of all random numbers, and see `Episode`
  * @param ports as of `adder`
  * @yields results of an iteration over all workers
  */
@@ -98,6 +98,7 @@ export async function* learn(mujoco, page, settings, ports) {
   const samples = new Rollout(agent, envs);
   for (let iteration = 0; ; iteration++) {
     samples.noisy = iteration > 0;
+    agent.setNoise(iteration * STEPS * NUM_ENVS);
     const totals = samples.collect(), { advantages: found } = samples;
     const squares = found.reduce((total, value) => total + value * value, 0);
     const [count, all, allSquares, reward, speed, falls] = await sum(
@@ -108,7 +109,7 @@ export async function* learn(mujoco, page, settings, ports) {
     const seconds = count * control.timestep;
     yield {
       steps: iteration * count, reward: reward / seconds, speed: speed / count, falls: falls / seconds,
-      noise: agent.noise(), rate: optimizer.rate, actor: agent.actorParameters.slice(),
+      noise: Math.exp(agent.logStd), rate: optimizer.rate, actor: agent.actorParameters.slice(),
     };
   }
 }

@@ -62,20 +62,21 @@ export class Perceptron {
 
 /** Adam (Kingma and Ba, arXiv 1412.6980). */
 export class Adam {
-  constructor(length) {
-    this.mean = new Float64Array(length);
-    this.square = new Float64Array(length);
-    this.steps = 0;
+  constructor(parameters) {
+    Object.assign(this, { parameters, steps: 0 });
+    this.mean = new Float64Array(parameters.length);
+    this.square = new Float64Array(parameters.length);
   }
 
-  /** Move parameters (length,) against the gradient (length or more,). */
-  step(parameters, gradient, rate) {
+  /** Move the parameters (n,) against a gradient, the first n numbers of an array. */
+  step(gradient, rate) {
+    const { parameters, mean, square } = this;
     this.steps++;
-    const size = rate * Math.sqrt(1 - 0.999 ** this.steps) / (1 - 0.9 ** this.steps);
+    const size = (rate * Math.sqrt(1 - 0.999 ** this.steps)) / (1 - 0.9 ** this.steps);
     for (let i = 0; i < parameters.length; i++) {
-      this.mean[i] += 0.1 * (gradient[i] - this.mean[i]);
-      this.square[i] += 0.001 * (gradient[i] * gradient[i] - this.square[i]);
-      parameters[i] -= size * this.mean[i] / (Math.sqrt(this.square[i]) + 1e-8);
+      mean[i] += 0.1 * (gradient[i] - mean[i]);
+      square[i] += 0.001 * (gradient[i] * gradient[i] - square[i]);
+      parameters[i] -= (size * mean[i]) / (Math.sqrt(square[i]) + 1e-8);
     }
   }
 }
@@ -92,8 +93,16 @@ export class Random {
     return ((bits ^ (bits >>> 14)) >>> 0) / 2 ** 32;
   }
 
-  /** Number between two others. */
-  between(low, high) { return low + (high - low) * this.uniform(); }
+  /** Number between -size and size. */
+  either(size) { return size * (2 * this.uniform() - 1); }
+
+  /** Put an array's values in another order. */
+  shuffle(values) {
+    for (let i = values.length - 1; i > 0; i--) {
+      const j = Math.floor((i + 1) * this.uniform());
+      [values[i], values[j]] = [values[j], values[i]];
+    }
+  }
 
   /** Number of the standard normal distribution (Box and Muller). */
   normal() { return Math.sqrt(-2 * Math.log(1 - this.uniform())) * Math.cos(2 * Math.PI * this.uniform()); }

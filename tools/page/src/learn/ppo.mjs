@@ -4,12 +4,12 @@ import { Adam, Perceptron } from './network.mjs';
 
 export const GAMMA = 0.98;
 const LAMBDA = 0.95, CLIP = 0.2, EPOCHS = 4, BATCHES = 4;
-const TARGET_KL = 0.01;  // per update: the step size follows it
-const RATES = [1e-4, 3e-3];  // bounds of the step size
-const LOG_STD = [-3, -1];  // lower bound and start of the noise's logarithm
-const STATISTICS = 3;  // behind a gradient: sums of KL, of ratios that are clipped, and number of samples
+/** The actor's step size follows the Kullback-Leibler divergence of an update, within bounds. */
+const TARGET_KL = 0.01, RATES = [1e-4, 3e-3], CRITIC_RATE = 1e-3;
+/** Logarithm of the noise's standard deviation: at the start, at the end, and the number of steps between. */
+const NOISE = [-1, -2.2, 400_000];
 
-/** Advantages and returns (T * N,) of rewards, values and ends (T * N,), and the last values (N,). */
+/** Advantages and returns (T * N,) from rewards, values and ends (T * N,), and the values after the last step (N,). */
 export function advantages(rewards, values, ends, lastValues, gamma = GAMMA, lambda = LAMBDA) {
   const n = lastValues.length, found = new Float32Array(rewards.length);
   for (let env = 0; env < n; env++) {
@@ -24,79 +24,67 @@ export function advantages(rewards, values, ends, lastValues, gamma = GAMMA, lam
   return { advantages: found, returns: found.map((advantage, i) => advantage + values[i]) };
 }
 
-/** Policy and value function in one array of parameters: the actor's, the noise's logarithms, the critic's. */
+/** Policy and value function, whose parameters are one array: the actor's, then the critic's. */
 export class ActorCritic {
   constructor(observations, actions, hidden = [64, 64]) {
-    Object.assign(this, { observations, actions });
+    Object.assign(this, { observations, actions, logStd: NOISE[0] });
     this.actor = new Perceptron([observations, ...hidden, actions]);
     this.critic = new Perceptron([observations, ...hidden, 1]);
-    this.length = this.actor.length + actions + this.critic.length;
+    this.length = this.actor.length + this.critic.length;
     this.parameters = new Float32Array(this.length);
-    const noise = this.actor.length, critic = noise + actions;
-    this.actorParameters = this.parameters.subarray(0, noise);
-    this.logStd = this.parameters.subarray(noise, critic);
-    this.criticParameters = this.parameters.subarray(critic);
+    this.actorParameters = this.parameters.subarray(0, this.actor.length);
+    this.criticParameters = this.parameters.subarray(this.actor.length);
   }
 
   /** One for a `Residual`. */
   static of(policy) { return new ActorCritic(policy.observation.length, policy.out.action.length); }
 
   initialize(random) {
+    // Of a small last layer: the first actions are nearly zero.
     this.actor.initialize(this.actorParameters, random, 0.01);
-    this.logStd.fill(LOG_STD[1]);
     this.critic.initialize(this.criticParameters, random, 1);
+  }
+
+  /** Reduce the noise as the steps go on. */
+  setNoise(steps) {
+    const [first, last, length] = NOISE;
+    this.logStd = first + (last - first) * Math.min(1, steps / length);
   }
 
   mean(observations, offset) { return this.actor.forward(this.actorParameters, observations, offset); }
 
   value(observations, offset) { return this.critic.forward(this.criticParameters, observations, offset)[0]; }
 
-  /** Mean of the noise's standard deviations. */
-  noise() { return this.logStd.reduce((sum, value) => sum + Math.exp(value) / this.actions, 0); }
-
-  /** Log-density of an action, which begins at `offset`, around a mean; without its constant. */
+  /** Logarithm of the density of an action, which begins at `offset`, around a mean; without its constant. */
   logDensity(mean, actions, offset) {
+    const precision = Math.exp(-2 * this.logStd);
     let sum = 0;
-    for (let j = 0; j < this.actions; j++) {
-      const z = (actions[offset + j] - mean[j]) * Math.exp(-this.logStd[j]);
-      sum -= 0.5 * z * z + this.logStd[j];
-    }
-    return sum;
+    for (let j = 0; j < this.actions; j++) sum -= 0.5 * precision * (actions[offset + j] - mean[j]) ** 2;
+    return sum - this.actions * this.logStd;
   }
 
   /**
-   * Add the loss's gradient at some samples to `gradient` (length + STATISTICS,), with sums for the statistics.
+   * Add the gradient of the loss over some samples to `gradient` (length + 2,); at its end, the divergence and the number of samples.
    *
-   * The loss of a sample: -min(r A, clip(r) A) + (V - R)^2 / 2, with the ratio of densities r.
+   * The loss of a sample with the ratio r of the densities is -min(r A, clip(r) A) + (V - R)^2 / 2.
    */
   addGradient(gradient, rollout, samples) {
-    const { actor, critic, actions, logStd, length } = this, noise = actor.length;
-    const g = gradient.subarray(0, noise), gNoise = gradient.subarray(noise, noise + actions);
-    const gCritic = gradient.subarray(noise + actions, length);
-    const slope = new Float64Array(actions), valueSlope = new Float64Array(1);
-    let loss = 0;
+    const { actor, critic, actions, observations, length } = this, precision = Math.exp(-2 * this.logStd);
+    const ofActor = gradient.subarray(0, actor.length), ofCritic = gradient.subarray(actor.length, length);
+    const slope = new Float64Array(actions), error = new Float64Array(1);
     for (const i of samples) {
-      const observation = i * actor.sizes[0], action = i * actions, advantage = rollout.advantages[i];
-      const mean = this.mean(rollout.observations, observation);
-      const change = this.logDensity(mean, rollout.actions, action) - rollout.logDensities[i], ratio = Math.exp(change);
-      const clipped = advantage > 0 ? ratio > 1 + CLIP : ratio < 1 - CLIP;
-      loss -= clipped ? advantage * (advantage > 0 ? 1 + CLIP : 1 - CLIP) : ratio * advantage;
-      if (!clipped) {
-        for (let j = 0; j < actions; j++) {
-          const precision = Math.exp(-2 * logStd[j]), away = rollout.actions[action + j] - mean[j];
-          slope[j] = -ratio * advantage * away * precision;
-          gNoise[j] -= ratio * advantage * (away * away * precision - 1);
-        }
-        actor.backward(this.actorParameters, g, slope);
+      const advantage = rollout.advantages[i], mean = this.mean(rollout.observations, i * observations);
+      const change = this.logDensity(mean, rollout.actions, i * actions) - rollout.logDensities[i], ratio = Math.exp(change);
+      // Beyond the clip the loss is constant.
+      if (advantage > 0 ? ratio < 1 + CLIP : ratio > 1 - CLIP) {
+        for (let j = 0; j < actions; j++) slope[j] = -ratio * advantage * precision * (rollout.actions[i * actions + j] - mean[j]);
+        actor.backward(this.actorParameters, ofActor, slope);
       }
-      valueSlope[0] = this.value(rollout.observations, observation) - rollout.returns[i];
-      loss += 0.5 * valueSlope[0] ** 2;
-      critic.backward(this.criticParameters, gCritic, valueSlope);
-      gradient[length] += ratio - 1 - change;  // an estimate of KL without bias that is never negative
-      gradient[length + 1] += clipped;
+      error[0] = this.value(rollout.observations, i * observations) - rollout.returns[i];
+      critic.backward(this.criticParameters, ofCritic, error);
+      gradient[length] += ratio - 1 - change;  // an estimate that is never negative
     }
-    gradient[length + 2] += samples.length;
-    return loss;
+    gradient[length + 1] += samples.length;
   }
 }
 
@@ -108,26 +96,25 @@ export class Optimizer {
    * @param sum function that adds an array over the workers
    */
   constructor(model, random, sum) {
-    Object.assign(this, { model, random, sum, rate: 1e-3, adam: new Adam(model.length) });
+    Object.assign(this, { model, random, sum, rate: CRITIC_RATE });
+    this.actor = new Adam(model.actorParameters);
+    this.critic = new Adam(model.criticParameters);
   }
 
   /** One update from a rollout whose advantages are normalized over all workers. */
   async update(rollout) {
-    const { model } = this, order = rollout.returns.map((_, i) => i), size = order.length / BATCHES;
+    const { model, actor, critic } = this, order = Uint32Array.from(rollout.returns, (_, i) => i), size = order.length / BATCHES;
     for (let epoch = 0; epoch < EPOCHS; epoch++) {
-      for (let i = order.length - 1; i > 0; i--) {
-        const j = Math.floor(this.random.uniform() * (i + 1));
-        [order[i], order[j]] = [order[j], order[i]];
-      }
+      this.random.shuffle(order);
       for (let batch = 0; batch < BATCHES; batch++) {
-        const own = new Float32Array(model.length + STATISTICS);
+        const own = new Float32Array(model.length + 2);
         model.addGradient(own, rollout, order.subarray(Math.round(batch * size), Math.round((batch + 1) * size)));
-        const all = await this.sum(own), count = all[model.length + 2], kl = all[model.length] / count;
-        for (let i = 0; i < model.length; i++) all[i] /= count;
-        if (kl > 2 * TARGET_KL) this.rate = Math.max(RATES[0], this.rate / 1.5);
-        else if (kl < TARGET_KL / 2) this.rate = Math.min(RATES[1], this.rate * 1.5);
-        this.adam.step(model.parameters, all, this.rate);
-        for (let j = 0; j < model.actions; j++) model.logStd[j] = Math.max(LOG_STD[0], model.logStd[j]);
+        const all = await this.sum(own), count = all[model.length + 1], divergence = all[model.length] / count;
+        const gradient = all.map((value) => value / count);
+        if (divergence > 2 * TARGET_KL) this.rate = Math.max(RATES[0], this.rate / 1.5);
+        else if (divergence < TARGET_KL / 2) this.rate = Math.min(RATES[1], this.rate * 1.5);
+        actor.step(gradient, this.rate);
+        critic.step(gradient.subarray(model.actor.length), CRITIC_RATE);
       }
     }
   }

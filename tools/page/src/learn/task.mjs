@@ -26,13 +26,13 @@ export class Episode {
   }
 
   reset() {
-    const { random, simulation, walker, learning } = this, either = (size) => size * (2 * random.uniform() - 1);
+    const { random, simulation, walker, learning } = this;
     const start = [...simulation.robot.start];
     start[2] += 0.03 * simulation.robot.height;  // above the ground, whatever the joints do
-    start.splice(3, 4, 1, either(START.tilt / 2), either(START.tilt / 2), 0);
-    walker.reset(start.map((value, i) => (i < 7 ? value : value + either(START.joints))), this.drawCommand());
+    start.splice(3, 4, 1, random.either(START.tilt / 2), random.either(START.tilt / 2), 0);
+    walker.reset(start.map((value, i) => (i < 7 ? value : value + random.either(START.joints))), this.drawCommand());
     walker.memory.gait_phase[0] = 2 * Math.PI * random.uniform();
-    for (let i = 0; i < 3; i++) simulation.data.qvel[i] = either(START.velocity * learning.unit[0]);
+    for (let i = 0; i < 3; i++) simulation.data.qvel[i] = random.either(START.velocity * learning.unit[0]);
     simulation.mujoco.mj_forward(simulation.model, simulation.data);
     this.previous.fill(0);
     this.smooth = [0, 0];
@@ -41,7 +41,7 @@ export class Episode {
   /** The command to learn; or one that goes slower and turns, which every second one does. */
   drawCommand() {
     const { random, settings: { command: [forward, turn], turns } } = this;
-    return turns === null || random.uniform() < 0.5 ? [forward, turn] : [forward * random.uniform(), turns * (2 * random.uniform() - 1)];
+    return turns === null || random.uniform() < 0.5 ? [forward, turn] : [forward * random.uniform(), random.either(turns)];
   }
 
   /** One control step; returns the reward, and sets `fell` and `ended`. */
@@ -57,6 +57,7 @@ export class Episode {
     this.ended = this.fell || walker.time >= EPISODE;
     let reward = 0;
     for (const [name, value] of Object.entries(this.terms())) reward += this.settings.weights[name] * value;
+    if (!Number.isFinite(reward)) reward = this.settings.weights.fall;  // the simulation has diverged
     this.previous.set(this.policy.out.action);
     return dt * reward;
   }
