@@ -15,7 +15,7 @@ export class School {
   constructor(source, wasm, { terrains, robot, control, learning }, settings, report, count = workerCount()) {
     Object.assign(this, { settings, paused: false });
     const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
-    this.workers = Array.from({ length: count }, () => new Worker(url));
+    this.workers = Array.from({ length: count }, () => new Worker(url, { type: 'module' }));
     const ports = this.workers.map(() => Array(count).fill(null));
     for (let a = 0; a < count; a++) {
       for (let b = 0; b < a; b++) {
