@@ -56,6 +56,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         with_zero_action,
     )
     from quadruped_env.evaluation.verdict import verdict
+    from quadruped_env.page import PAGE_FILE, write_page
     from quadruped_env.reporting.films.video import prepare_video, save_film
     from quadruped_env.reporting.pages.evaluation_report import write_report
     from quadruped_env.reporting.pages.learning import learning_clips
@@ -73,6 +74,11 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     comparison = compared(evaluated.policy, arguments)
     gain = gain_of(evaluated.policy, arguments)
     suite = _suite(evaluated, arguments.quick) if arguments.suite else None
+    page, unwritten = evaluated.output / PAGE_FILE, []
+    try:
+        write_page(evaluated.policy, page, evaluated.name)
+    except QuadrupedError as error:
+        unwritten = [f"no {PAGE_FILE}: {error}"]
     report, numbers, missing = write_report(
         evaluated,
         comparison,
@@ -81,6 +87,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         ProgressLine("filming"),
         suite,
         gain,
+        None if unwritten else page.name,
     )
     if arguments.video:
         save_film(arguments.video, filmed(comparison), ProgressLine("filming"))
@@ -92,7 +99,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
             (row["name"], row) for row in (*with_zero_action(suite), *references_for(suite, read_references()))
         )
         print(f"{score_table([row for _, row in ranking])}\n")
-    print_results(report, numbers, missing, arguments.video)
+    print_results(report, numbers, [*missing, *unwritten], arguments.video)
+    if not unwritten:
+        print(f"page:    {page}")
     return 0
 
 

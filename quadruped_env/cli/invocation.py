@@ -16,6 +16,7 @@ SUMMARIES: Final = {
     "evaluate": "evaluate a policy against the scripted gaits, and write a report",
     "compare": "compare several policies on the same episodes",
     "sim2sim": "run a policy in a second physics engine, and measure what it loses there",
+    "page": "write one HTML file in which a policy's robot walks in any browser",
     "export": "write a policy as ONNX with a manifest, for a robot or a model hub",
     "check-export": "compare runtimes, or a program of your own, with an export's golden trace",
     "view": "watch and steer the robot in a browser",

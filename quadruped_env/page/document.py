@@ -89,7 +89,8 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
             "mass": robot.total_mass,
             "height": robot.stance_height,
             "scale": scale_of("m", robot),
-            "friction": float(robot.model.geom_friction[:, 0].max()),
+            "friction": reference["friction"],
+            "foot_radius": robot.foot_radius,
             "contact": config.reward.contact_threshold,
             "decimation": config.decimation,
             "start": reference["start"],
@@ -97,7 +98,10 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
                 field: [columns.start, columns.stop] for field, columns in sensor_columns(robot.model, robot).items()
             },
             "servo": _servo(config),
-            "legs": [{"name": leg, "colour": colour} for leg, colour in leg_colours(robot).items()],
+            "legs": [
+                {"name": leg, "colour": colour, "site": site}
+                for (leg, colour), site in zip(leg_colours(robot).items(), robot.foot_sites, strict=True)
+            ],
         },
         "terrains": [_terrain(terrain, config) for terrain in terrains],
         "reference": reference,
@@ -190,4 +194,7 @@ def _reference(policy: Policy, config: TaskConfig) -> dict[str, Any]:
     steps = round(SECONDS / config.control_timestep)
     for _ in range(steps):
         observation = task.step(policy.predict(observation)).observation
-    return {"start": start, "command": velocity, "steps": steps, "end": simulation.data.qpos[:7].tolist()}
+    # In a contact the larger friction of the two counts.
+    colliding = (simulation.model.geom_contype | simulation.model.geom_conaffinity) > 0
+    friction = float(simulation.model.geom_friction[colliding, 0].max())
+    return {"start": start, "friction": friction, "command": velocity, "steps": steps, "end": simulation.data.qpos[:7].tolist()}

@@ -34,6 +34,7 @@ def write_report(
     progress: Progress | None = None,
     suite: Mapping[str, Any] | None = None,
     gain: LearningGain | None = None,
+    walking_page: str | None = None,
 ) -> tuple[Path, Path, list[str]]:
     """Write the report and the numbers into the policy's output directory; existing files are replaced.
 
@@ -45,6 +46,7 @@ def write_report(
         progress: called with the fraction of the films that is rendered.
         suite: the policy's results of the suite, which are written to a file of their own, too; None: it was not run.
         gain: the policy against the zero action; None: it was not measured.
+        walking_page: file next to the report in which the robot walks, to which the report links; None: there is none.
 
     Returns:
         The paths of the report and of the numbers, and a message for each part that could not be made.
@@ -94,6 +96,7 @@ def write_report(
         "learning": None if gain is None else gain_section({evaluated.name: gain}),
         "learning_film": learning,
         "scene": replay,
+        "walking_page": walking_page,
         "figures": drawn.result(),
         "suite": None if suite is None else section(suite),
         "second_engine": _second_engine(evaluated),

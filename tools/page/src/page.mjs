@@ -17,14 +17,24 @@ const SLOW = 0.25;
 const LONGEST = 0.1;
 /** Control steps of the comparison with Python per frame. */
 const CHECKED = 4;
+/** Colour of the robot with the scripted gait. */
 const TINT = { colour: 0xd55e00, share: 0.72 };
+
+const $ = (id) => document.getElementById(id);
+
+/** Parts of the window at its edges that lie under cards, pixels. */
+function covered() {
+  const panel = $('panel').getBoundingClientRect();
+  if (panel.width && panel.left > innerWidth / 2) return { top: 0, right: innerWidth - panel.left, bottom: 0 };
+  return { top: $('hud').getBoundingClientRect().bottom, right: 0, bottom: innerHeight - $('stick').getBoundingClientRect().top };
+}
 
 class Page {
   constructor(mujoco, content, worker, wasm) {
     this.walk = new Walk(mujoco, content);
     Object.assign(this, { language: preferred(), paused: false, slow: false, throttle: 0, turn: 0, checked: null });
-    this.view = new View(document.getElementById('view'), this.walk.scale);
-    this.feet = new FeetDiagram(document.getElementById('feet'), content.robot.legs, content.control.timestep);
+    this.view = new View($('view'), content.robot, covered);
+    this.feet = new FeetDiagram($('feet'), content.robot.legs, content.control.timestep);
     this.controls = new Controls(this);
     this.learning = new LearningPanel(this, worker, wasm);
     this.check = comparison(mujoco, content);
@@ -150,11 +160,11 @@ class Page {
 
 /** Bytes of a gzipped part of the page. */
 async function part(id) {
-  const bytes = Uint8Array.from(atob(document.getElementById(id).textContent.trim()), (c) => c.charCodeAt(0));
+  const bytes = Uint8Array.from(atob($(id).textContent.trim()), (c) => c.charCodeAt(0));
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }
 
-const message = document.getElementById('message');
+const message = $('message');
 try {
   Object.assign(message, { hidden: false, textContent: say(preferred(), 'loading') });
   const content = JSON.parse(new TextDecoder().decode(await part('document')));

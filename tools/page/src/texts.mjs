@@ -16,7 +16,7 @@ export const TEXTS = {
     disturb: 'Push',
     disturb_hint: 'Click on the robot: it is pushed away from you.',
     push_strength: 'Strength',
-    push: 'Push somewhere',
+    push: 'Random push',
     ground: 'Ground',
     terrain: 'Terrain',
     slope: 'Slope',

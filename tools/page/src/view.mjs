@@ -2,6 +2,7 @@
 
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { RoundedBoxGeometry } from 'three/addons/geometries/RoundedBoxGeometry.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 
 const BACKGROUND = 0xdce6f0, FLOOR = ['#edf1f6', '#cfd7e1'], PUSH = 0xe69f00;
@@ -13,9 +14,15 @@ const [SPHERE, CAPSULE, ELLIPSOID, CYLINDER, BOX, MESH] = [2, 3, 4, 5, 6, 7];
 const HIDDEN_GROUP = 3;
 
 export class View {
-  /** @param canvas where to draw; @param scale size of the robot relative to the built-in one */
-  constructor(canvas, scale) {
-    Object.assign(this, { canvas, scale, follow: true, robots: [], target: new THREE.Vector3() });
+  /**
+   * @param canvas where to draw
+   * @param robot the document's description of the robot
+   * @param covered function that returns the parts of the canvas that lie under cards, `{top, right, bottom}`, pixels
+   */
+  constructor(canvas, robot, covered) {
+    const { scale } = robot;
+    Object.assign(this, { canvas, robot, scale, covered, follow: true, robots: [] });
+    this.target = new THREE.Vector3(0, 0, robot.height);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.shadowMap.enabled = true;
@@ -25,7 +32,7 @@ export class View {
     this.scene.background = new THREE.Color(BACKGROUND);
     this.scene.fog = new THREE.Fog(BACKGROUND, 4 * scale, 16 * scale);
     this.scene.environment = new THREE.PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04).texture;
-    this.scene.environmentIntensity = 0.55;
+    this.scene.environmentIntensity = 0.8;
     /** Everything on the ground; it tilts with the slope. */
     this.world = this.scene.add(new THREE.Group()).children.at(-1);
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.01 * scale, 60 * scale);
@@ -60,12 +67,13 @@ export class View {
     this.camera.aspect = width / height;
     // A narrow screen sees as much to the sides as a square one.
     this.camera.fov = 38 * Math.min(1.5, Math.max(1, 1 / this.camera.aspect));
-    this.camera.updateProjectionMatrix();
+    const { top, right, bottom } = this.covered();
+    this.camera.setViewOffset(width, height, right / 2, (bottom - top) / 2, width, height);
   }
 
   /** Look at the robot from the side and a little from the front, as in the project's films. */
   resetCamera() {
-    this.camera.position.copy(this.target).add(new THREE.Vector3(0.62, -1.0, 0.42).multiplyScalar(this.scale));
+    this.camera.position.copy(this.target).add(new THREE.Vector3(0.75, -1.25, 0.6).multiplyScalar(this.scale));
   }
 
   /** Draw another ground. */
@@ -102,7 +110,7 @@ export class View {
   /** Draw these simulations; a tint (colour and its share, 0 to 1) tells the second one from the first. */
   setRobots(simulations, tints) {
     for (const robot of this.robots) robot.group.removeFromParent();
-    this.robots = simulations.map((simulation, i) => new DrawnRobot(simulation, tints[i]));
+    this.robots = simulations.map((simulation, i) => new DrawnRobot(simulation, tints[i], this.robot));
     for (const robot of this.robots) this.world.add(robot.group);
   }
 
@@ -126,7 +134,7 @@ export class View {
     this.orbit.target.copy(this.target);
     this.orbit.update();
     this.light.target.position.copy(at);
-    this.light.position.copy(at).add(new THREE.Vector3(0.5, 0.9, 2.2).multiplyScalar(this.scale));
+    this.light.position.copy(at).add(new THREE.Vector3(0.7, -0.7, 2.2).multiplyScalar(this.scale));
     const square = 2 * SQUARE * this.scale;
     this.plane.position.setX(square * Math.round(x / square)).setY(square * Math.round(y / square));
     if (this.arrow.visible && (this.arrow.left -= seconds) < 0) this.arrow.visible = false;
@@ -155,7 +163,7 @@ export class View {
 
 /** A robot as three.js draws it: a group per body, with the geoms that MuJoCo's viewer shows. */
 class DrawnRobot {
-  constructor(simulation, tint) {
+  constructor(simulation, tint, robot) {
     this.simulation = simulation;
     this.group = new THREE.Group();
     this.meshes = [];
@@ -171,7 +179,15 @@ class DrawnRobot {
       this.bodies[body].add(mesh);
       this.meshes.push(mesh);
     }
-    this.record();
+    // Feet in the colours of the diagram of contacts.
+    for (const { site, colour } of tint ? [] : robot.legs) {
+      const id = simulation.mujoco.mj_name2id(model, simulation.mujoco.mjtObj.mjOBJ_SITE.value, site);
+      const foot = new THREE.Mesh(new THREE.SphereGeometry(1.06 * robot.foot_radius, 32, 16), surface(new THREE.Color(colour)));
+      foot.position.fromArray(model.site_pos, 3 * id);
+      foot.castShadow = true;
+      this.bodies[model.site_bodyid[id]].add(foot);
+      this.meshes.push(foot);
+    }
     this.record();
   }
 
@@ -205,7 +221,7 @@ function geometry(model, i) {
     case CAPSULE: return new THREE.CapsuleGeometry(a, 2 * b, 8, 24).rotateX(Math.PI / 2);
     case ELLIPSOID: return new THREE.SphereGeometry(1, 32, 16).scale(a, b, c);
     case CYLINDER: return new THREE.CylinderGeometry(a, a, 2 * b, 32).rotateX(Math.PI / 2);
-    case BOX: return new THREE.BoxGeometry(2 * a, 2 * b, 2 * c);
+    case BOX: return new RoundedBoxGeometry(2 * a, 2 * b, 2 * c, 4, 0.2 * Math.min(a, b, c));
     case MESH: return meshOf(model, model.geom_dataid[i]);
     default: return null;
   }
@@ -224,8 +240,10 @@ function material(model, i, tint) {
   const id = model.geom_matid[i], [r, g, b] = id >= 0 ? model.mat_rgba.slice(4 * id, 4 * id + 3) : model.geom_rgba.slice(4 * i, 4 * i + 3);
   const color = new THREE.Color().setRGB(r, g, b, THREE.SRGBColorSpace);
   if (tint) color.lerp(new THREE.Color(tint.colour), tint.share);
-  return new THREE.MeshStandardMaterial({ color, roughness: 0.45, metalness: 0.1 });
+  return surface(color);
 }
+
+const surface = (color) => new THREE.MeshStandardMaterial({ color, roughness: 0.5, metalness: 0.05 });
 
 /** Texture coordinates, so that squares lie on the grid of the world. */
 function tile(shape, scale) {

@@ -15,7 +15,7 @@ export class School {
   constructor(source, wasm, { terrains, robot, control, learning }, settings, report, count = workerCount()) {
     Object.assign(this, { settings, paused: false });
     const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
-    this.workers = Array.from({ length: count }, () => new Worker(url, { type: 'module' }));
+    this.workers = Array.from({ length: count }, () => new Worker(url));
     const ports = this.workers.map(() => Array(count).fill(null));
     for (let a = 0; a < count; a++) {
       for (let b = 0; b < a; b++) {
@@ -26,7 +26,7 @@ export class School {
     const ground = terrains.filter(({ heights }) => !heights).slice(0, 1);
     this.workers.forEach((worker, i) => {
       worker.onmessage = ({ data }) => report(data);
-      worker.onerror = ({ message }) => report({ error: message });
+      worker.onerror = ({ message }) => report({ error: message ?? 'a worker does not start' });
       const content = { terrains: ground, robot, control, learning };
       worker.postMessage({ wasm, content, settings, ports: ports[i] }, ports[i].filter(Boolean));
     });
