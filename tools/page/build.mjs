@@ -25,8 +25,8 @@ const bundled = async (file, options) => (await build({
   external: ['module', 'node:*', 'fs', 'path', 'url', 'worker_threads', 'crypto'],
   ...options,
 })).outputFiles[0].text;
-// Pages from the disk start no workers that are modules; a script has no `import.meta`.
-const workerOptions = { format: 'iife', define: { 'import.meta.url': 'location.href' } };
+// Pages from the disk start no workers that are modules; a script has no address that MuJoCo could take.
+const workerOptions = { format: 'iife', define: { 'import.meta.url': '"file:///"' } };
 const style = await build({ entryPoints: [path.join(here, 'src/style.css')], minify: true, write: false });
 const outputs = {
   // Within the page, this would end the script's element.

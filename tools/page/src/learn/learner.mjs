@@ -1,6 +1,7 @@
 // One worker's part of learning: rollouts with its own robots, then updates in lockstep with the other workers.
 
 import { Simulation } from '../simulation.mjs';
+import { adder } from './adder.mjs';
 import { Random } from './network.mjs';
 import { ActorCritic, GAMMA, Optimizer, advantages } from './ppo.mjs';
 import { Residual } from './residual.mjs';
@@ -8,31 +9,6 @@ import { Episode } from './task.mjs';
 
 const NUM_ENVS = 64;  // of all workers together
 const STEPS = 32;  // control steps of an env per rollout
-
-/**
- * Function that adds an array over all workers, in their order, so that each of them has the same bits.
- * @param ports message port to each worker, null for this one
- */
-export function adder(ports) {
-  const arrived = ports.map(() => []), waiting = ports.map(() => null);
-  ports.forEach((port, i) => {
-    if (!port) return;
-    port.onmessage = ({ data }) => {
-      if (waiting[i]) waiting[i](data);
-      else arrived[i].push(data);
-      waiting[i] = null;
-    };
-  });
-  const next = (i) => arrived[i].shift() ?? new Promise((resolve) => { waiting[i] = resolve; });
-  return async (values) => {
-    for (const port of ports) port?.postMessage(values);
-    const total = new Float32Array(values.length);
-    for (const one of await Promise.all(ports.map((port, i) => (port ? next(i) : values)))) {
-      for (let k = 0; k < total.length; k++) total[k] += one[k];
-    }
-    return total;
-  };
-}
 
 /** What the robots of one worker did in some control steps: arrays (T * N, ...), by steps. */
 class Rollout {

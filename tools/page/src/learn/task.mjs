@@ -52,19 +52,21 @@ export class Episode {
       simulation.push([size * Math.cos(direction), size * Math.sin(direction), 0]);
       walker.requested = this.drawCommand();
     }
+    const command = [...walker.command];  // in force during the step
     walker.step();
     this.fell = simulation.fallen();
     this.ended = this.fell || walker.time >= EPISODE;
     let reward = 0;
-    for (const [name, value] of Object.entries(this.terms())) reward += this.settings.weights[name] * value;
+    this.values = this.terms(command);
+    for (const [name, value] of Object.entries(this.values)) reward += this.settings.weights[name] * value;
     if (!Number.isFinite(reward)) reward = this.settings.weights.fall;  // the simulation has diverged
     this.previous.set(this.policy.out.action);
     return dt * reward;
   }
 
-  /** Values of the reward terms by name. */
-  terms() {
-    const { simulation, learning, smooth, walker, policy } = this, { command } = walker;
+  /** Values of the reward terms by name, for a command. */
+  terms(command) {
+    const { simulation, learning, smooth, walker, policy } = this;
     const gravity = simulation.projectedGravity(), v = simulation.reading('linear_velocity_b');
     const w = simulation.reading('angular_velocity_b');
     this.velocity = v[0];
