@@ -1,5 +1,6 @@
-"""Learning on the page: its mathematics against NumPy and torch, its task against the package's, and a page that learns."""
+"""Learning on the page: mathematics against NumPy and torch, the task against the package's, a page that learns."""
 
+import itertools
 import json
 import math
 import shutil
@@ -45,7 +46,7 @@ def test_advantages_of_two_robots_equal_values_by_hand():
         "advantages", rewards=np.ravel(rewards), values=np.ravel(values), ends=np.ravel(ends), last=[4.0, 2.0],
         gamma=0.5, **{"lambda": 0.5},
     )  # fmt: skip
-    # Errors r + V' / 2 - V: 1, 1, 3 and 0, -2, 5; a quarter of each is added to the one before it, where the episode goes on.
+    # Errors r + V' / 2 - V: 1, 1, 3 and 0, -2, 5. A quarter of an advantage is added to the one before it.
     expected = np.array([[1.25, 0.0 + 0.25 * (-2 + 0.25 * 5)], [1.0, -2 + 0.25 * 5], [3.0, 5.0]])
     np.testing.assert_allclose(np.reshape(found["advantages"], (3, 2)), expected)
     np.testing.assert_allclose(np.reshape(found["returns"], (3, 2)), expected + values)
@@ -53,7 +54,7 @@ def test_advantages_of_two_robots_equal_values_by_hand():
 
 def perceptron(parameters, sizes, inputs):
     """Outputs of a perceptron with elu (M, sizes[-1]), and the parameters that are left."""
-    for inner, (n, m) in enumerate(zip(sizes, sizes[1:], strict=False), start=2):
+    for inner, (n, m) in enumerate(itertools.pairwise(sizes), start=2):
         weights, biases, parameters = np.split(parameters, [n * m, (n + 1) * m])
         inputs = inputs @ weights.reshape(m, n).T + biases
         if inner < len(sizes):
@@ -77,7 +78,7 @@ def loss(parameters, sizes, log_std, rollout, samples):
 
 def test_gradient_equals_finite_differences_of_the_loss():
     rng, sizes, log_std, count = np.random.default_rng(0), (5, (4, 3), 2), -0.7, 40
-    length = sum((n + 1) * m for *_, n, m in ()) + (6 * 4 + 5 * 3 + 4 * 2) + (6 * 4 + 5 * 3 + 4)
+    length = (6 * 4 + 5 * 3 + 4 * 2) + (6 * 4 + 5 * 3 + 4)
     parameters = rng.normal(size=length).astype(np.float32).astype(np.float64)
     rollout = {
         "observations": rng.normal(size=count * 5),
@@ -179,17 +180,22 @@ def test_page_from_the_disk_learns_more_than_a_zero_action_earns(tmp_path):
         page.goto((tmp_path / "walk.html").as_uri())
         waiting.wait_until(lambda: page.evaluate("Boolean(window.quadruped)"), "the page")
         page.evaluate("document.getElementById('learn_go').click()")
-        learning = "quadruped.page.learning"
 
-        def learned():
-            assert page.evaluate(f"{learning}.error") is None
-            found = page.evaluate(f"{learning}.results.map(({{ steps, reward, speed }}) => [steps, reward, speed])")
-            assert not found or found[-1][0] < 400_000, "no gain in as many steps as walking takes"
-            return len(found) > 1 and found[-1][1] > found[0][1] + 1.0 and found[-1][2] > 0.1
+        def after(count):
+            """Steps, reward per second and speed of each iteration, once there are more than some."""
+            results = "quadruped.page.learning.results"
+            waiting.wait_until(lambda: page.evaluate(f"{results}.length") > count, "an iteration", interval=0.2)
+            assert page.evaluate("quadruped.page.learning.error") is None
+            return page.evaluate(f"{results}.map(({{ steps, reward, speed }}) => [steps, reward, speed])")
 
-        waiting.wait_until(learned, "learning", timeout=40 * waiting.DEADLINE)
+        # A zero action earns 11.7 per second at 0.01 m/s; the noise of the first steps costs 3.
+        found = after(0)
+        while found[-1][1] < found[0][1] + 1.0 or found[-1][2] < 0.1:
+            assert found[-1][0] < 200_000, found[-1]
+            found = after(len(found))
         page.evaluate("document.getElementById('learn_go').click()")
         assert page.evaluate("quadruped.walk.walkers[0].graph === quadruped.page.learning.policy")
         page.evaluate("document.getElementById('learn_again').click()")
         assert page.evaluate("quadruped.walk.learned") is None
-        assert not page.watched.errors and not page.watched.outside()
+        assert not page.watched.errors
+        assert not page.watched.outside()

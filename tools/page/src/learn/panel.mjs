@@ -171,7 +171,7 @@ export class LearningPanel {
       if (goal !== undefined) line(goal, goal.toFixed(2), [1, 2], colour);
       pen.fillStyle = COLOURS.zero;
       pen.textAlign = 'right';
-      pen.fillText(zeroName, width - 4, y(zero) + (row ? 12 : -4));
+      pen.fillText(zeroName, width - 4, row * each + 11);
       pen.textAlign = 'left';
       pen.setLineDash([]);
       pen.strokeStyle = pen.fillStyle = colour;
