@@ -157,8 +157,10 @@ export class Controls {
 
   toggle(open = !$('panel').classList.contains('open')) {
     $('panel').classList.toggle('open', open);
+    document.body.classList.toggle('sheet', open);
     $('open').setAttribute('aria-expanded', open);
     $('open').textContent = open ? '✕' : '⚙';
+    this.page.view.resize();
   }
 
   // --- what is shown
@@ -214,6 +216,9 @@ export class Controls {
     $('wanted_rate').textContent = wanted(walker.command[1]);
     $('distance').textContent = `${walker.travelled.toFixed(1)} m`;
     $('time').textContent = `${walk.time.toFixed(1)} s`;
+    const [, gait] = walk.walkers;
+    $('other').hidden = !gait;
+    if (gait) $('other').textContent = say(language, 'other', number(gait.speed), gait.travelled.toFixed(1), gait.falls, walker.falls);
     if (walker.downFor > 0.1) this.tell('fell');
     else this.tell(null);
   }
