@@ -11,6 +11,9 @@ import { Residual } from './src/learn/residual.mjs';
 import { loadMujoco, Simulation } from './src/simulation.mjs';
 import { Walker } from './src/walker.mjs';
 
+/** Iterations between two walks, and number of walks in a row that have to meet the command. */
+const EVERY = 5, KEPT = 3;
+
 const wasm = fs.readFileSync(createRequire(import.meta.url).resolve('@mujoco/mujoco/mujoco.wasm'));
 const seconds = () => process.cpuUsage().user / 1e6 + process.cpuUsage().system / 1e6;
 
@@ -38,24 +41,27 @@ async function measure(page, workers, seed, limit) {
     for (let b = 0; b < a; b++) { const { port1, port2 } = new MessageChannel(); ports[a][b] = port1; ports[b][a] = port2; }
   }
   const start = seconds(), clock = performance.now();
-  let apart = 0, reached = null, iteration = 0;
+  // Time of this thread's own walks, iterations, and the first of the latest walks that met the command.
+  let apart = 0, iteration = 0, met = [];
   const threads = ports.map((own) => new Worker(new URL(import.meta.url), {
     workerData: { page, ports: own, settings: { seed, command, turns: null, weights: learning.weights } }, transferList: own.filter(Boolean),
   }));
-  await new Promise((resolve) => threads[0].on('message', (result) => {
+  await new Promise((resolve) => threads[0].on('message', ({ actor, ...result }) => {
     const used = seconds() - start - apart;
-    if (iteration++ % 5 === 0) {
-      agent.actorParameters.set(result.actor);
-      const before = seconds(), velocity = walk(walker, command);
-      apart += seconds() - before;
-      // As "commands met" of the package's suite.
-      if (velocity && Math.abs(velocity[0] - command[0]) < 0.05 && Math.abs(velocity[1] - command[1]) < 0.1) reached ??= [result.steps, used];
-      console.log(JSON.stringify({ seed, cpu: +used.toFixed(1), wall: +((performance.now() - clock) / 1000).toFixed(1), ...result, actor: undefined, walks: velocity?.map((v) => +v.toFixed(3)) ?? null, reached: reached !== null }));
-    }
-    if (used > limit) resolve();
+    if (iteration++ % EVERY) return;
+    agent.actorParameters.set(actor);
+    const velocity = walk(walker, command);
+    apart = seconds() - start - used;
+    // As "commands met" of the package's suite.
+    const meets = velocity && Math.abs(velocity[0] - command[0]) < 0.05 && Math.abs(velocity[1] - command[1]) < 0.1;
+    met = meets ? [...met, { steps: result.steps, used }] : [];
+    console.log(JSON.stringify({ seed, cpu: used, wall: (performance.now() - clock) / 1000, ...result, velocity },
+      (_, value) => (typeof value === 'number' ? Number(value.toPrecision(4)) : value)));
+    if (met.length === KEPT || used > limit) resolve();
   }));
   threads.forEach((thread) => thread.terminate());
-  console.log(`seed ${seed}: ${reached ? `0.5 m/s after ${reached[0]} steps and ${reached[1].toFixed(1)} s of processor time` : 'not reached'}`);
+  const how = met.length === KEPT ? `met from ${met[0].steps} steps and ${met[0].used.toFixed(1)} s of processor time on` : 'not met';
+  console.log(`seed ${seed}, ${workers} workers: ${command[0]} m/s ${how}`);
 }
 
 if (isMainThread) {

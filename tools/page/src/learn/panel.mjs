@@ -134,7 +134,7 @@ export class LearningPanel {
     $('learn_curve').hidden = $('learn_numbers').hidden = !results.length;
     const last = results.at(-1), first = results[0];
     $('learn_state').textContent = this.error ? words('failed', this.error)
-      : !school ? words('learn_workers', workerCount()) : !last ? words('learn_starting', workerCount())
+      : !school || school.paused ? words('learn_workers', workerCount()) : !last ? words('learn_starting', workerCount())
         : this.reached !== null ? words('learn_reached', this.reached.toFixed(0), school.settings.command[0].toFixed(2))
           : words('learn_running', workerCount());
     if (!last) return;
@@ -171,7 +171,7 @@ export class LearningPanel {
       if (goal !== undefined) line(goal, goal.toFixed(2), [1, 2], colour);
       pen.fillStyle = COLOURS.zero;
       pen.textAlign = 'right';
-      pen.fillText(zeroName, width - 4, row * each + 11);
+      if (row === 0) pen.fillText(zeroName, width - 4, 11);
       pen.textAlign = 'left';
       pen.setLineDash([]);
       pen.strokeStyle = pen.fillStyle = colour;
