@@ -25,7 +25,7 @@ export class Controls {
     };
     for (const [id, [min, max, value, text, act]] of Object.entries(this.sliders)) {
       const input = $(id), shown = input.closest('label').querySelector('output');
-      Object.assign(input, { min, max, step: id === 'slope' ? 1 : (max - min) / 100, value });
+      Object.assign(input, { min, max, step: id === 'slope' ? 1 : 0.01, value });
       input.addEventListener('input', () => { shown.textContent = text(input.valueAsNumber); act(input.valueAsNumber); });
       shown.textContent = text(value);
     }
