@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.control.control_config import clock_frequency
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait, joint_phases
@@ -38,7 +39,7 @@ def learning_document(config: TaskConfig) -> dict[str, Any] | None:
     """
     robot, step = config.robot, config.control_timestep
     task = TaskConfig().for_robot(robot)
-    frequency = task.control.clock_frequency
+    frequency = clock_frequency(robot)
     try:
         gait = CommandedGait.sinusoid(robot, frequency)
     except QuadrupedError:

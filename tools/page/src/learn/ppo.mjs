@@ -5,9 +5,9 @@ import { Adam, Perceptron } from './network.mjs';
 export const GAMMA = 0.98;
 const LAMBDA = 0.95, CLIP = 0.2, EPOCHS = 4, BATCHES = 4;
 /** The actor's step size follows the Kullback-Leibler divergence of an update, within bounds. */
-const TARGET_KL = 0.01, RATES = [1e-4, 3e-3], CRITIC_RATE = 1e-3;
+const TARGET_KL = 0.02, RATES = [1e-4, 3e-3], CRITIC_RATE = 1e-3;
 /** Logarithm of the noise's standard deviation: at the start, at the end, and the number of steps between. */
-const NOISE = [-1, -2.5, 250_000];
+const NOISE = [-1, -2.5, 300_000];
 
 /** Advantages and returns (T * N,) from rewards, values and ends (T * N,), and the values after the last step (N,). */
 export function advantages(rewards, values, ends, lastValues, gamma = GAMMA, lambda = LAMBDA) {
