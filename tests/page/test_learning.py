@@ -7,12 +7,12 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import browser
 import numpy as np
 import pytest
 import tasks
 import torch
 import waiting
-from browser import launched, opened
 
 from quadruped_env.page import write_page
 from quadruped_env.page.learning import TERMS, learning_document
@@ -173,29 +173,51 @@ def document_width(document):
 # --- the page
 
 
-@pytest.mark.slow
-def test_page_from_the_disk_learns_more_than_a_zero_action_earns(tmp_path):
+@pytest.fixture
+def learning_page(chromium, tmp_path):
+    """A page from the disk that has begun to learn; it must make no request and no error."""
     write_page(load_policy("flat"), tmp_path / "walk.html", "flat")
-    with launched() as browser, opened(browser) as page:
+    with browser.opened(chromium) as page:
         page.goto((tmp_path / "walk.html").as_uri())
         waiting.wait_until(lambda: page.evaluate("Boolean(window.quadruped)"), "the page")
         page.evaluate("document.getElementById('learn_go').click()")
+        yield page
+        assert page.watched.errors == []
+        assert page.watched.outside() == []
 
-        def after(count):
-            """Steps, reward per second and speed of each iteration, once there are more than some."""
-            results = "quadruped.page.learning.results"
-            waiting.wait_until(lambda: page.evaluate(f"{results}.length") > count, "an iteration", interval=0.2)
-            assert page.evaluate("quadruped.page.learning.error") is None
-            return page.evaluate(f"{results}.map(({{ steps, reward, speed }}) => [steps, reward, speed])")
 
-        # A zero action earns 11.7 per second at 0.01 m/s; the noise of the first steps costs 3.
-        found = after(0)
-        while found[-1][1] < found[0][1] + 1.0 or found[-1][2] < 0.1:
-            assert found[-1][0] < 200_000, found[-1]
-            found = after(len(found))
-        page.evaluate("document.getElementById('learn_go').click()")
-        assert page.evaluate("quadruped.walk.walkers[0].graph === quadruped.page.learning.policy")
-        page.evaluate("document.getElementById('learn_again').click()")
-        assert page.evaluate("quadruped.walk.learned") is None
-        assert not page.watched.errors
-        assert not page.watched.outside()
+def results(page, after):
+    """Steps, reward per second and speed of each iteration (I, 3), once there are more than some."""
+    found = "quadruped.page.learning.results"
+    waiting.wait_until(lambda: page.evaluate(f"{found}.length") > after, "an iteration", interval=0.2)
+    assert page.evaluate("quadruped.page.learning.error") is None
+    return np.array(page.evaluate(f"{found}.map(({{ steps, reward, speed }}) => [steps, reward, speed])"))
+
+
+def test_robot_walks_with_what_is_learned_until_it_is_forgotten(learning_page):
+    page = learning_page
+    [steps, reward, speed] = results(page, after=0)[0]
+    # Marching on the spot earns for the clock, upright and straight, and nothing for speed.
+    assert steps == 0
+    assert 9.0 < reward < 14.0
+    assert abs(speed) < 0.03
+    page.evaluate("quadruped.page.controls.steer(-1, 1)")
+    assert page.evaluate("[quadruped.walk.learned === quadruped.page.learning.policy, quadruped.walk.request]") == [
+        True,
+        [0.5, 0.0],
+    ], "steered beyond what it learns"
+    page.evaluate("document.getElementById('learn_turn').click(), quadruped.page.controls.steer(-1, 1)")
+    assert page.evaluate("quadruped.walk.request") == pytest.approx([0.0, 0.48])
+    page.evaluate("document.getElementById('learn_go').click()")
+    assert page.locator("#learn_go").text_content() == "Go on"
+    page.evaluate("document.getElementById('learn_again').click(), quadruped.page.controls.steer(-1, 1)")
+    assert page.evaluate("[quadruped.walk.learned, quadruped.walk.request]") == [None, [-0.3, 0.8]]
+
+
+@pytest.mark.slow
+def test_page_learns_more_than_a_zero_action_earns(learning_page):
+    found = results(learning_page, after=0)
+    # The noise of the first steps costs a quarter of the reward.
+    while found[-1, 1] < found[0, 1] + 1.0 or found[-1, 2] < 0.1:
+        assert found[-1, 0] < 200_000, found[-1]
+        found = results(learning_page, after=len(found))

@@ -96,9 +96,9 @@ class Page {
    * @param policy a `Residual`, or null
    * @param settings what it learns, which limits the steering
    */
-  learned(policy, { command: [forward], turns } = {}) {
+  learned(policy, settings) {
     const { walk, controls } = this;
-    controls.limitTo(policy && [forward, turns ?? 0]);
+    controls.limitTo(policy && [settings.command[0], settings.turns ?? 0]);
     if (policy === walk.learned) return;
     walk.learned = policy;
     walk.rebuild();
