@@ -96,6 +96,8 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         "assets/mini_quadruped/scene.xml",
         "control/shipped/flat/policy.safetensors",
         "export/firmware/firmware.ino",
+        "page/assets/mujoco.wasm.gz",
+        "page/assets/page.js",
         "py.typed",
     ):
         assert f"quadruped_env/{part}" in names

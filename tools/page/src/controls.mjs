@@ -196,7 +196,7 @@ export class Controls {
   showCheck() {
     const { page } = this, { language, checked } = page;
     $('check').textContent = checked
-      ? say(language, 'check', checked.seconds, checked.speed, checked.here.toFixed(2), checked.there.toFixed(2), page.walk.content.versions.mujoco, checked.percent.toFixed(2))
+      ? say(language, 'check', checked.seconds, checked.speed, checked.here.toFixed(2), checked.there.toFixed(2), page.walk.content.versions.mujoco, (100 * Math.abs(checked.here - checked.there)).toFixed(1))
       : say(language, 'checking');
   }
 
