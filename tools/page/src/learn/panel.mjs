@@ -24,16 +24,16 @@ export class LearningPanel {
     this.policy.act = (observation) => this.agent.mean(observation);
     this.clear();
     const { unit, command, weights } = learning, [, fastest] = page.walk.content.control.forward;
-    /** Each slider: range, value, its text, and the settings that it changes. */
+    /** Each slider: range, step, value and its text. The values are whole steps, or the browser would round them. */
     this.sliders = {
-      learn_speed: [0.2 * fastest, fastest, command[0], (v) => `${v.toFixed(2)} m/s`],
-      learn_lift: [0, 3, 1, (v) => `${(v * weights.gait_clock).toFixed(0)}`],
-      learn_smooth: [0, 10, 1, (v) => `${(v * weights.action_rate).toFixed(1)}`],
+      learn_speed: [fastest / 6, fastest, fastest / 12, command[0], (v) => `${v.toFixed(2)} m/s`],
+      learn_lift: [0, 2, 0.1, 1, (v) => `${(v * weights.gait_clock).toFixed(0)}`],
+      learn_smooth: [0, 10, 0.5, 1, (v) => `${(v * weights.action_rate).toFixed(1)}`],
     };
-    for (const [id, [min, max, value, text]] of Object.entries(this.sliders)) {
+    for (const [id, [min, max, step, value, text]] of Object.entries(this.sliders)) {
       const input = $(id), output = input.closest('label').querySelector('output');
-      Object.assign(input, { min, max, step: (max - min) / 20, value });
-      output.textContent = text(value);
+      Object.assign(input, { min, max, step, value });
+      output.textContent = text(input.valueAsNumber);
       input.addEventListener('input', () => { output.textContent = text(input.valueAsNumber); this.change(); });
     }
     $('learn_turn').addEventListener('change', () => this.change());
