@@ -18,6 +18,7 @@ from quadruped_env.control.steering import key_steps
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.export.onnx_graph import Graph
 from quadruped_env.export.onnx_interface import PolicyInterface
+from quadruped_env.page.learning import learning_document
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.robot.readings import sensor_columns
@@ -73,6 +74,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
         "versions": {"mini_quadruped": __version__, "mujoco": mujoco.__version__},
         "policy": graph_document(Graph.of(interface := PolicyInterface(policy)), interface),
         "gait": _gait(policy),
+        "learning": learning_document(config),
         "control": {
             "timestep": config.control_timestep,
             "command_rate": list(policy.control.command_rate),

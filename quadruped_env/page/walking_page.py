@@ -41,6 +41,7 @@ def write_page(policy: Policy, path: Path, name: str = "policy") -> None:
         "style": style,
         "script": script,
         "wasm": base64.b64encode((_ASSETS / "mujoco.wasm.gz").read_bytes()).decode(),
+        "worker": base64.b64encode((_ASSETS / "worker.js.gz").read_bytes()).decode(),
         "document": base64.b64encode(gzip.compress(content, mtime=0)).decode(),
     }
     template = (_ASSETS / "page.html").read_text()

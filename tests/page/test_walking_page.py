@@ -51,8 +51,8 @@ def test_assets_are_built_from_these_sources():
     built = json.loads((ASSETS / "built.json").read_text())
     lock = json.loads((SOURCES / "package-lock.json").read_text())["packages"]
     assert built["packages"] == {name: lock[f"node_modules/{name}"]["version"] for name in built["packages"]}
-    ours = {path.name for path in (SOURCES / "src").iterdir()}
-    assert ours == {name.removeprefix("src/") for name in built["sources"] if name.startswith("src/")}
+    ours = {str(path.relative_to(SOURCES)) for path in (SOURCES / "src").rglob("*") if path.is_file()}
+    assert ours == {name for name in built["sources"] if name.startswith("src/")}
     for folder, files in ((SOURCES, built["sources"]), (ASSETS, built["outputs"])):
         for name, sha256 in files.items():
             found = hashlib.sha256((folder / name).read_bytes()).hexdigest()

@@ -95,6 +95,7 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         "control/shipped/flat/policy.safetensors",
         "export/firmware/firmware.ino",
         "page/assets/mujoco.wasm.gz",
+        "page/assets/worker.js.gz",
         "page/assets/page.js",
         "py.typed",
     ):

@@ -18,22 +18,28 @@ This file contains MuJoCo, Copyright DeepMind Technologies Limited, licensed und
 
 ${read('node_modules/three/LICENSE')}*/`;
 
-const { outputFiles: [script] } = await build({
-  entryPoints: [path.join(here, 'src/page.mjs')],
+const bundled = async (file, options) => (await build({
+  entryPoints: [path.join(here, file)],
   bundle: true, minify: true, format: 'esm', target: 'es2022', charset: 'utf8', legalComments: 'none', write: false, banner: { js: banner }, plugins: [withoutEval],
   // MuJoCo's loader imports them in Node.js alone.
   external: ['module', 'node:*', 'fs', 'path', 'url', 'worker_threads', 'crypto'],
-});
+  ...options,
+})).outputFiles[0].text;
+// Pages from the disk start no workers that are modules; a script has no address that MuJoCo could take.
+const workerOptions = { format: 'iife', define: { 'import.meta.url': '"file:///"' } };
 const style = await build({ entryPoints: [path.join(here, 'src/style.css')], minify: true, write: false });
 const outputs = {
   // Within the page, this would end the script's element.
-  'page.js': script.text.replaceAll('</script', '<\\/script'),
+  'page.js': (await bundled('src/page.mjs')).replaceAll('</script', '<\\/script'),
   'page.css': style.outputFiles[0].text,
   'page.html': read('src/index.html'),
+  'worker.js.gz': gzipSync(await bundled('src/learn/worker.mjs', workerOptions), { level: 9 }),
   'mujoco.wasm.gz': gzipSync(read('node_modules/@mujoco/mujoco/mujoco.wasm'), { level: 9 }),
 };
 const version = (name) => JSON.parse(read('node_modules', name, 'package.json')).version;
-const sources = ['package.json', 'package-lock.json', 'build.mjs', 'without-eval.mjs', ...fs.readdirSync(path.join(here, 'src')).sort().map((name) => `src/${name}`)];
+const sourceFiles = fs.readdirSync(path.join(here, 'src'), { recursive: true, withFileTypes: true })
+  .filter((entry) => entry.isFile()).map((entry) => path.relative(here, path.join(entry.parentPath, entry.name))).sort();
+const sources = ['package.json', 'package-lock.json', 'build.mjs', 'without-eval.mjs', ...sourceFiles];
 const built = {
   packages: Object.fromEntries(packages.map((name) => [name, version(name)])),
   sources: Object.fromEntries(sources.map((name) => [name, sha256(read(name))])),

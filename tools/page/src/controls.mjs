@@ -30,8 +30,8 @@ export class Controls {
       shown.textContent = text(value);
     }
     page.limit = high;
+    this.limits = { lowest: low, highest: high, turn: control.turn[1] };
     page.strength = this.sliders.strength[2] * Math.sqrt(walk.scale);
-    this.low = low;
     // Without a clock the policy has no frequency, and without a gait of its own nothing to scale.
     $('frequency').closest('label').hidden = !('gait_phase' in policy.inputs);
     $('amplitude').closest('label').hidden = !policy.nodes.some(([, , output]) => output === 'gait_swing');
@@ -106,9 +106,16 @@ export class Controls {
   steer(throttle = this.page.throttle, turn = this.page.turn) {
     const { page } = this, clip = (value) => Math.min(1, Math.max(-1, value));
     Object.assign(page, { throttle: clip(throttle), turn: clip(turn) });
-    const forward = page.throttle < 0 ? Math.max(page.throttle * page.limit, this.low) : page.throttle * page.limit;
-    page.walk.request = [forward, page.turn * page.walk.content.control.turn[1]];
+    const { lowest, highest, turn: fastest } = this.limits, forward = page.throttle * page.limit;
+    page.walk.request = [Math.min(highest, Math.max(lowest, forward)), page.turn * fastest];
     $('knob').style.transform = `translate(${-36 * page.turn}%, ${-36 * page.throttle}%) translate(${-page.turn * 30}px, ${-page.throttle * 30}px)`;
+  }
+
+  /** Limit the steering to what a learned policy has learned, `[forward velocity, yaw rate]`; null: to the page's own commands. */
+  limitTo(learned) {
+    const { forward: [lowest, highest], turn: [, turn] } = this.page.walk.content.control;
+    this.limits = learned ? { lowest: learned[1] ? 0 : learned[0], highest: learned[0], turn: learned[1] } : { lowest, highest, turn };
+    this.steer(learned ? 1 : undefined, 0);
   }
 
   stop() {
@@ -173,6 +180,7 @@ export class Controls {
     $('about').textContent = words('about', name, versions.mini_quadruped);
     this.showPaused(paused);
     this.showCheck();
+    this.page.learning.translate();
   }
 
   showPaused(paused) {

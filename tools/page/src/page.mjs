@@ -2,6 +2,7 @@
 
 import { Controls } from './controls.mjs';
 import { FeetDiagram } from './feet.mjs';
+import { LearningPanel } from './learn/panel.mjs';
 import { Graph } from './policy.mjs';
 import { loadMujoco } from './simulation.mjs';
 import { preferred, say } from './texts.mjs';
@@ -30,12 +31,13 @@ function covered() {
 }
 
 class Page {
-  constructor(mujoco, content) {
+  constructor(mujoco, content, worker, wasm) {
     this.walk = new Walk(mujoco, content);
     Object.assign(this, { language: preferred(), paused: false, slow: false, throttle: 0, turn: 0, checked: null });
     this.view = new View($('view'), content.robot, covered);
     this.feet = new FeetDiagram($('feet'), content.robot.legs, content.control.timestep);
     this.controls = new Controls(this);
+    this.learning = new LearningPanel(this, worker, wasm);
     this.check = comparison(mujoco, content);
     this.due = 0;
     this.redraw();
@@ -89,6 +91,20 @@ class Page {
     this.view.resetCamera(compare ? 1.25 : 1);
   }
 
+  /**
+   * Let the robot walk with a policy that is being learned, or with the page's own again.
+   * @param policy a `Residual`, or null
+   * @param settings what it learns, which limits the steering
+   */
+  learned(policy, settings) {
+    const { walk, controls } = this;
+    controls.limitTo(policy && [settings.command[0], settings.turns ?? 0]);
+    if (policy === walk.learned) return;
+    walk.learned = policy;
+    walk.rebuild();
+    this.redraw();
+  }
+
   reset() {
     this.walk.reset();
     this.redraw();
@@ -114,6 +130,7 @@ class Page {
       this.walk.step();
       this.view.record();
       this.feet.record(this.walk.contacts());
+      this.learning.watch(this.walk.walkers[0], this.walk.content.control.timestep);
     }
   }
 
@@ -160,7 +177,8 @@ const message = $('message');
 try {
   Object.assign(message, { hidden: false, textContent: say(preferred(), 'loading') });
   const content = JSON.parse(new TextDecoder().decode(await part('document')));
-  const page = new Page(await loadMujoco(await part('wasm')), content);
+  const wasm = await part('wasm'), worker = new TextDecoder().decode(await part('worker'));
+  const page = new Page(await loadMujoco(wasm), content, worker, wasm);
   // For tests, and for readers with a console.
   window.quadruped = { page, walk: page.walk, Graph, Walk };
   page.run();

@@ -8,6 +8,8 @@ import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 const BACKGROUND = 0xdce6f0, FLOOR = ['#edf1f6', '#cfd7e1'], PUSH = 0xe69f00;
 /** Side length of the floor's squares, m. */
 const SQUARE = 0.5;
+/** Mean time of a frame from which on fewer pixels are drawn, s. */
+const SLOW_FRAME = 0.05;
 /** MuJoCo's types of geoms that have a shape of their own. */
 const [SPHERE, CAPSULE, ELLIPSOID, CYLINDER, BOX, MESH] = [2, 3, 4, 5, 6, 7];
 /** First of the groups that MuJoCo's viewer hides: shapes for contacts. */
@@ -25,6 +27,7 @@ export class View {
     this.target = new THREE.Vector3(0, 0, robot.height);
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    Object.assign(this, { frames: 0, frameTime: 0 });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.renderer.toneMapping = THREE.NeutralToneMapping;
@@ -124,6 +127,7 @@ export class View {
 
   /** Draw a moment between the last two control steps, from 0 to 1. */
   draw(share, seconds) {
+    this.saveTime(seconds);
     for (const robot of this.robots) robot.place(share);
     const [robot, other] = this.robots.map((drawn) => new THREE.Vector3(...drawn.position(share))), { x, y } = robot;
     const at = this.world.localToWorld(robot.clone());
@@ -143,6 +147,15 @@ export class View {
     this.plane.position.setX(square * Math.round(x / square)).setY(square * Math.round(y / square));
     if (this.arrow.visible && (this.arrow.left -= seconds) < 0) this.arrow.visible = false;
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Where there is no GPU, draw fewer pixels rather than fewer frames. */
+  saveTime(seconds) {
+    this.frameTime += (Math.min(seconds, 0.2) - this.frameTime) / 10;
+    const ratio = this.renderer.getPixelRatio();
+    if (++this.frames < 30 || this.frameTime < SLOW_FRAME || ratio < 0.5) return;
+    this.frames = 0;
+    this.renderer.setPixelRatio(0.7 * ratio);
   }
 
   /** Show a push of a robot in a direction of the world for a moment. */

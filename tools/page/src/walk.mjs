@@ -19,6 +19,8 @@ export class Walk {
     this.terrains = content.terrains.map((terrain) => new Terrain(terrain));
     this.settings = this.standard();
     this.compare = false;
+    /** Policy that is being learned, which then walks in the place of the page's own; else null. */
+    this.learned = null;
     this.request = [0, 0];
     this.rebuild();
   }
@@ -37,8 +39,9 @@ export class Walk {
   /** Make the robots again, for another terrain or number of them. */
   rebuild() {
     for (const { simulation } of this.walkers) simulation.delete();
-    const { mujoco, content, terrain } = this, graphs = this.compare && content.gait ? [content.policy, content.gait] : [content.policy];
-    this.walkers = graphs.map((graph) => new Walker(new Simulation(mujoco, terrain, content.robot), new Graph(graph), content.control));
+    const { mujoco, content, terrain } = this, graphs = [this.learned ?? new Graph(content.policy)];
+    if (this.compare && content.gait) graphs.push(new Graph(content.gait));
+    this.walkers = graphs.map((graph) => new Walker(new Simulation(mujoco, terrain, content.robot), graph, content.control));
     this.reset();
   }
 

@@ -30,17 +30,23 @@ export class Walker {
     this.time = 0;
   }
 
-  /** Advance one control step. */
-  step() {
-    const { simulation, graph, memory, frequency } = this;
-    const out = graph.run({
+  /** The graph's inputs at present. */
+  inputs() {
+    const { simulation } = this;
+    return {
       projected_gravity: simulation.projectedGravity(),
       angular_velocity: simulation.reading('angular_velocity_b'),
       joint_position: simulation.reading('joint_position'),
       joint_velocity: simulation.reading('joint_velocity'),
       command: this.command,
-      ...memory,
-    }, { [SWING]: this.amplitude });
+      ...this.memory,
+    };
+  }
+
+  /** Advance one control step. */
+  step() {
+    const { simulation, graph, memory, frequency } = this;
+    const out = graph.run(this.inputs(), { [SWING]: this.amplitude });
     if (out.action) memory.last_action.set(out.action);
     if (out.next_observation_history) memory.observation_history.set(out.next_observation_history);
     if (out.next_gait_phase) {
