@@ -40,7 +40,7 @@ assert 2.0 < distance < 3.0, distance
 assert "torch" not in sys.modules
 print(f"Python {sys.version.split()[0]}, MuJoCo {mujoco.__version__}: {distance:.2f} m in 5 s")
 """
-EVERYTHING = "report,viewer,ros,dds,identify,export"
+EVERYTHING = "report,viewer,ros,dds,identify,export,hub"
 """Extras that need no torch."""
 
 

@@ -12,14 +12,13 @@ from typing import Any
 from sphinx.application import Sphinx
 
 from quadruped_env import __version__
-from quadruped_env.cli.invocation import SUMMARIES
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 PICTURE = "[![The robot walking at 0.5 m/s](../assets/pictures/walk.webp)](programs.md#the-viewer)"
 """Line of the first page that the walking page replaces."""
 EMBEDDED = """```{raw} html
-<iframe class="walk" src="../walk.html" title="The robot, walking in this page" allow="gamepad; fullscreen"></iframe>
+<iframe class="walk" src="../walk.html" title="The robot, walking" allow="gamepad *; fullscreen *"></iframe>
 <p class="walk">Arrow keys steer, a click pushes. <a href="../walk.html">Open it alone</a></p>
 ```"""
 
@@ -55,24 +54,31 @@ html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_extra_path = ["_redirect"]
 html_copy_source = False
+html_show_copyright = False
 html_show_sphinx = False
 
 
 def write_walking_page(app: Sphinx) -> None:
-    """Write the page that walks into the site, with a command that not every version of the package has."""
-    if app.builder.name == "html" and "page" in SUMMARIES:
-        app.outdir.mkdir(parents=True, exist_ok=True)
-        (app.outdir / "walk.html").unlink(missing_ok=True)
-        command = [sys.executable, "-m", "quadruped_env", "page", "flat", "-o", str(app.outdir / "walk.html")]
-        subprocess.run(command, check=True, capture_output=True)  # noqa: S603
+    """Write the page that walks into the site, for the shipped policy."""
+    app.outdir.mkdir(parents=True, exist_ok=True)
+    command = [
+        sys.executable,
+        "-m",
+        "quadruped_env",
+        "page",
+        "flat",
+        "--overwrite",
+        "-o",
+        str(app.outdir / "walk.html"),
+    ]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)  # noqa: S603
 
 
 def embed_walking_page(app: Sphinx, page: str, source: list[str]) -> None:
-    """Show the page that walks in place of the first page's picture, which stays where there is none."""
+    """Show the page that walks in place of the first page's picture, which is for GitHub."""
     if page == root_doc:
         assert PICTURE in source[0], f"{root_doc}.md: PICTURE of conf.py is not there"
-        if (app.outdir / "walk.html").is_file():
-            source[0] = source[0].replace(PICTURE, EMBEDDED)
+        source[0] = source[0].replace(PICTURE, EMBEDDED)
 
 
 def convert_docstring(app: Sphinx, what: str, name: str, value: Any, options: Any, lines: list[str]) -> None:

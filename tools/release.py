@@ -25,7 +25,7 @@ PLACEHOLDER = re.compile(r"git clone URL (\S+).*")
 
 
 class ReleaseError(Exception):
-    """What has to be changed before a release."""
+    """A release that cannot be made; the message says what to change."""
 
 
 def check_release(folder: Path, tag: str) -> None:

@@ -1,7 +1,7 @@
 """Write one HTML file in which a policy's robot walks, in any browser: to open, to send, or to put on a web site.
 
-It opens from the disk without a server, and makes no request: it holds MuJoCo, the robot and the policy. Keys, touch and
-a gamepad steer; a click on the robot pushes it; sliders change its world. The policy's training is not needed.
+It opens from the disk without a server, and makes no request: it holds MuJoCo, the robot and the policy. Keys, touch
+and a gamepad steer; a click on the robot pushes it; sliders change its world. No extra is needed to write it.
 
     mini-quadruped page                        the latest run in runs/, or the shipped policy flat: walk.html
     mini-quadruped page runs/<name>            a run; if it was interrupted, its last checkpoint

@@ -44,7 +44,7 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
 
 
 def _front_matter(manifest: Mapping[str, Any]) -> str:
-    """What hubs read; the results are JSON, which YAML contains."""
+    """Metadata for hubs, as YAML; the results in it are JSON, which YAML contains."""
     fields = [
         "tags:",
         *(f"  - {tag}" for tag in TAGS),

@@ -1,4 +1,4 @@
-"""Files and results that a model hub reads beside an exported policy."""
+"""Files and results for a model hub, in addition to an exported policy."""
 
 import inspect
 import pprint

@@ -195,10 +195,5 @@ def _reference(policy: Policy, config: TaskConfig) -> dict[str, Any]:
     # In a contact the larger friction of the two counts.
     colliding = (simulation.model.geom_contype | simulation.model.geom_conaffinity) > 0
     friction = float(simulation.model.geom_friction[colliding, 0].max())
-    return {
-        "start": start,
-        "friction": friction,
-        "command": velocity,
-        "steps": steps,
-        "end": simulation.data.qpos[:7].tolist(),
-    }
+    end = simulation.data.qpos[:7].tolist()
+    return {"start": start, "friction": friction, "command": velocity, "steps": steps, "end": end}

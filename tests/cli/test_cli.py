@@ -179,11 +179,11 @@ def test_script_is_its_command(monkeypatch, capsys):
 def test_every_script_of_train_and_evaluate_is_a_command_or_a_tool():
     scripts = {str(path.relative_to(ROOT)) for folder in ("train", "evaluate") for path in (ROOT / folder).glob("*.py")}
     assert scripts - {f"evaluate/{tool}.py" for tool in ("throughput", "learning_speed", "live")} == set(SCRIPTS)
-    assert set(SCRIPTS.values()) == set(SUMMARIES) - {"live", "completion", "check-export"}
+    assert set(SCRIPTS.values()) == set(SUMMARIES) - {"live", "completion", "check-export", "demo", "page"}
 
 
 def test_output_has_one_name_in_every_command_and_earlier_spellings_still_work():
-    for name in set(SUMMARIES) - {"live", "completion", "check-export"}:
+    for name in set(SUMMARIES) - {"live", "completion", "check-export", "page"}:
         options = options_of(name)
         assert options["-o"] is options["--output"]
         assert all(options[earlier].help == "==SUPPRESS==" for earlier in EARLIER & options.keys())

@@ -39,6 +39,7 @@ pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[exp
 
 FILES = {"README.md", "controllers.yaml", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx"}
 FILES |= {"policy.safetensors", "robot.urdf", "robot.xml"}
+FOR_HUB = {"env.py", "results.json", "walk.html"}
 
 WALK = """
 import json, re, sys
@@ -398,7 +399,7 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     policy = load_policy("flat")
     of_metadata = metadata(policy, PolicyInterface(policy)).keys()
     in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE}
-    assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c
+    assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c | FOR_HUB
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
 
@@ -462,7 +463,7 @@ def test_folder_for_a_hub_adds_page_results_and_env_and_its_card_has_the_results
     hub = pytest.importorskip("huggingface_hub", reason="the hub's client is not installed: pip install -e '.[hub]'")
     results = json.loads((for_hub / "results.json").read_text())
     assert (for_hub / "walk.html").read_text() == "page"
-    assert set(json.loads((for_hub / "manifest.json").read_text())["files"]) >= {"walk.html", "results.json", "env.py"}
+    assert set(json.loads((for_hub / "manifest.json").read_text())["files"]) >= FOR_HUB
     card = hub.ModelCard.load(for_hub / "README.md")
     found = {result.metric_name: result for result in card.data.eval_results}
     for motion, values in results["metrics"].items():

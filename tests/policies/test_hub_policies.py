@@ -39,16 +39,16 @@ assert "torch" not in sys.modules
 
 
 class Hub(BaseHTTPRequestHandler):
-    """Files of `me/walker` at the revisions main and v1, and a repository `me/empty`; it records what is asked for."""
+    """Files of `me/walker` at the revisions main and v1, and a repository `me/empty`; it records the requests."""
 
     files: ClassVar = {}
-    asked: ClassVar = []
+    requests: ClassVar = []
 
     def do_HEAD(self):
         self.do_GET()
 
     def do_GET(self):
-        self.asked.append(self.path)
+        self.requests.append(self.path)
         parts = self.path.strip("/").split("/")
         owner, name, _, revision, file = parts if len(parts) == 5 else ("", "", "", "", "")
         code, content = "", b""
@@ -79,7 +79,7 @@ def load(tmp_path, monkeypatch):
     """Load addresses in a process of their own; what it prints, line by line, and the actions."""
     pytest.importorskip("huggingface_hub", reason="the hub's client is not installed: pip install -e '.[hub]'")
     monkeypatch.setattr(Hub, "files", make_policy().files() | {"env.py": b"raise SystemExit('executed')"})
-    monkeypatch.setattr(Hub, "asked", [])
+    monkeypatch.setattr(Hub, "requests", [])
     server = ThreadingHTTPServer(("127.0.0.1", 0), Hub)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     variables = {"HF_ENDPOINT": f"http://127.0.0.1:{server.server_port}", "HF_HOME": str(tmp_path / "cache")}
@@ -103,11 +103,11 @@ def load(tmp_path, monkeypatch):
     server.server_close()
 
 
-def test_policy_of_the_hub_acts_as_the_uploaded_one_also_offline_and_only_two_files_are_asked_for(load):
+def test_policy_of_the_hub_acts_as_the_uploaded_one_also_offline_and_only_two_files_are_downloaded(load):
     (line,), actions = load("hf://me/walker@v1")
     assert line == "policy walker@v1 walker hf://me/walker@v1 results/walker results/walker"
     np.testing.assert_array_equal(actions, make_policy().predict(observations((3,))))
-    downloaded = {path.rsplit("/")[-1] for path in Hub.asked if "/resolve/" in path}
+    downloaded = {path.rsplit("/")[-1] for path in Hub.requests if "/resolve/" in path}
     assert downloaded == {"policy.json", "policy.safetensors"}
     _, actions = load("hf://me/walker@v1", HF_HUB_OFFLINE="1")
     np.testing.assert_array_equal(actions, make_policy().predict(observations((3,))))

@@ -1,5 +1,7 @@
 """Everything that the pages name exists: nodes, programs, options, make targets, links."""
 
+import ast
+import importlib
 import re
 import shlex
 import subprocess
@@ -11,7 +13,7 @@ from pages import DOCS, FENCED, PAGES, anchors, commands_of, links
 from paths import ROOT
 from waiting import output_of
 
-from quadruped_env import SinusoidalGait
+from quadruped_env import MissingExtraError, SinusoidalGait
 from quadruped_env.cli.invocation import SUMMARIES as COMMANDS
 from quadruped_env.cli.main import make_parser
 from quadruped_env.live.__main__ import make_parser as make_node_parser
@@ -151,6 +153,19 @@ def test_the_code_of_the_page_about_other_algorithms_runs(tmp_path, monkeypatch,
     run, finished = train(config, tmp_path, "test")
     assert finished
     assert load_policy(run).activation == "elu"
+
+
+def test_python_on_every_page_compiles_and_imports_names_that_exist():
+    for page in PAGES:
+        for code in snippets(page):
+            for node in ast.walk(ast.parse(code)):
+                if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("quadruped_env"):
+                    try:
+                        module = importlib.import_module(node.module)
+                        names = [alias.name for alias in node.names if not hasattr(module, alias.name)]
+                    except MissingExtraError:
+                        continue  # the extra is not installed here
+                    assert not names, f"{page.name}: {ast.unparse(node)}"
 
 
 @pytest.mark.slow

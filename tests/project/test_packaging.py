@@ -94,12 +94,14 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         "assets/mini_quadruped/scene.xml",
         "control/shipped/flat/policy.safetensors",
         "export/firmware/firmware.ino",
+        "page/assets/mujoco.wasm.gz",
+        "page/assets/page.js",
         "py.typed",
     ):
         assert f"quadruped_env/{part}" in names
     assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
 
-    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | {"BROWSER": "true"}
     environment = tmp_path / "venv"
     venv.create(environment, with_pip=True)
     python = environment / "bin" / "python"
@@ -117,6 +119,9 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         program = [environment / "bin" / "mini-quadruped", *arguments]
         return subprocess.run(program, cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
 
+    shown = command("demo", "-o", "walk.html")
+    assert shown.returncode == 0, shown.stderr
+    assert (tmp_path / "walk.html").stat().st_size > 1_000_000
     listed = command("--help")
     assert listed.returncode == 0, listed.stderr
     assert all(name in listed.stdout for name in SUMMARIES)

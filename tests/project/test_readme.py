@@ -73,7 +73,7 @@ def test_readme_is_one_page_in_the_agreed_order():
         "Documentation",
     ]
     assert README.index("walk.webp") < README.index("A small four-legged robot") < README.index("## Install")
-    assert len(table_lines(sections(README)["Commands"])) == 1 + 6
+    assert len(table_lines(sections(README)["Commands"])) == 1 + 7
     assert len(table_lines(sections(README)["Results"])) == 1 + 3
 
 

@@ -1,4 +1,4 @@
-"""What brings the package to others: index page, changelog, workflow, conda recipe and container."""
+"""Release and packages: index page, changelog, workflow, conda recipe and container."""
 
 import os
 import re

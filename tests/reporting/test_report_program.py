@@ -61,7 +61,8 @@ def test_program_evaluates_a_run(run_directory, tmp_path):
     assert result.returncode == 0, result.stderr
     assert "Forwards: velocity error (m/s)" in result.stdout
     assert str(tmp_path / "out" / "report.html") in result.stdout
-    assert (tmp_path / "out" / "report.html").is_file()
+    assert '<a href="walk.html">' in (tmp_path / "out" / "report.html").read_text()
+    assert (tmp_path / "out" / "walk.html").is_file()
     assert json.loads((tmp_path / "out" / "metrics.json").read_text())["command_line"] == (
         "mini-quadruped evaluate runs/20260101-000000-ppo --seeds 1 --seconds 2"
     )

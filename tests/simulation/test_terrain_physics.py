@@ -64,13 +64,13 @@ def plane_beside_the_field(spec, heights, extent):
     spec.geom("surroundings").pos = [0.0, 0.0, 0.0]
 
 
-lay = model_module._lay
+lay = model_module.lay_ground
 
 
 @pytest.fixture
 def doubled(monkeypatch):
     """A level height field with the plane at the same height."""
-    monkeypatch.setattr(model_module, "_lay", plane_beside_the_field)
+    monkeypatch.setattr(model_module, "lay_ground", plane_beside_the_field)
     return build_model(terrain=dataclasses.replace(level_field, name="doubled"))
 
 
@@ -125,7 +125,7 @@ def body_on_slope(shape, *geoms):
     spec.option.timestep, spec.option.impratio = 0.002, 100.0
     spec.option.cone = build_model().opt.cone
     spec.worldbody.add_geom(name="ground", type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0, 0, 0.05], friction=_FRICTION)
-    model_module._lay(spec, shape.heights(), shape.extent)
+    model_module.lay_ground(spec, shape.heights(), shape.extent)
     body = spec.worldbody.add_body()
     body.add_freejoint()
     for geom in geoms:

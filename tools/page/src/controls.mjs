@@ -25,7 +25,7 @@ export class Controls {
     };
     for (const [id, [min, max, value, text, act]] of Object.entries(this.sliders)) {
       const input = $(id), shown = input.closest('label').querySelector('output');
-      Object.assign(input, { min, max, step: id === 'slope' ? 1 : (max - min) / 100, value });
+      Object.assign(input, { min, max, step: id === 'slope' ? 1 : 0.01, value });
       input.addEventListener('input', () => { shown.textContent = text(input.valueAsNumber); act(input.valueAsNumber); });
       shown.textContent = text(value);
     }
@@ -150,8 +150,10 @@ export class Controls {
 
   toggle(open = !$('panel').classList.contains('open')) {
     $('panel').classList.toggle('open', open);
+    document.body.classList.toggle('sheet', open);
     $('open').setAttribute('aria-expanded', open);
     $('open').textContent = open ? '✕' : '⚙';
+    this.page.view.resize();
   }
 
   // --- what is shown
@@ -186,7 +188,7 @@ export class Controls {
   showCheck() {
     const { page } = this, { language, checked } = page;
     $('check').textContent = checked
-      ? say(language, 'check', checked.seconds, checked.speed, checked.here.toFixed(2), checked.there.toFixed(2), page.walk.content.versions.mujoco, checked.percent.toFixed(2))
+      ? say(language, 'check', checked.seconds, checked.speed, checked.here.toFixed(2), checked.there.toFixed(2), page.walk.content.versions.mujoco, (100 * Math.abs(checked.here - checked.there)).toFixed(1))
       : say(language, 'checking');
   }
 
@@ -206,6 +208,9 @@ export class Controls {
     $('wanted_rate').textContent = wanted(walker.command[1]);
     $('distance').textContent = `${walker.travelled.toFixed(1)} m`;
     $('time').textContent = `${walk.time.toFixed(1)} s`;
+    const [, gait] = walk.walkers;
+    $('other').hidden = !gait;
+    if (gait) $('other').textContent = say(language, 'other', number(gait.speed), gait.travelled.toFixed(1), gait.falls, walker.falls);
     if (walker.downFor > 0.1) this.tell('fell');
     else this.tell(null);
   }

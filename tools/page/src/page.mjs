@@ -24,8 +24,9 @@ const $ = (id) => document.getElementById(id);
 /** Parts of the window at its edges that lie under cards, pixels. */
 function covered() {
   const panel = $('panel').getBoundingClientRect();
-  if (panel.width && panel.left > innerWidth / 2) return { top: 0, right: innerWidth - panel.left, bottom: 0 };
-  return { top: $('hud').getBoundingClientRect().bottom, right: 0, bottom: innerHeight - $('stick').getBoundingClientRect().top };
+  if (panel.left > innerWidth / 2) return { top: 0, right: innerWidth - panel.left, bottom: 0 };
+  const below = panel.width ? panel : $('stick').getBoundingClientRect();
+  return { top: $('hud').getBoundingClientRect().bottom, right: 0, bottom: innerHeight - below.top };
 }
 
 class Page {
@@ -85,6 +86,7 @@ class Page {
     this.walk.compare = compare;
     this.walk.rebuild();
     this.redraw();
+    this.view.resetCamera(compare ? 1.25 : 1);
   }
 
   reset() {
@@ -115,6 +117,13 @@ class Page {
     }
   }
 
+  /** Go on with the comparison with Python by some control steps. */
+  compare(steps) {
+    if (this.checked) return;
+    this.checked = this.check(steps);
+    if (this.checked) this.controls.showCheck();
+  }
+
   frame(seconds) {
     const { timestep } = this.walk.content.control;
     this.controls.pollGamepad();
@@ -124,7 +133,7 @@ class Page {
       this.step(steps);
       this.due -= steps * timestep;
     }
-    if (!this.checked && (this.checked = this.check(CHECKED))) this.controls.showCheck();
+    this.compare(CHECKED);
     this.view.draw(this.due / timestep, seconds);
     this.feet.draw();
     this.controls.show();
@@ -153,7 +162,7 @@ try {
   const content = JSON.parse(new TextDecoder().decode(await part('document')));
   const page = new Page(await loadMujoco(await part('wasm')), content);
   // For tests, and for readers with a console.
-  window.quadruped = { page, Graph, walk: page.walk };
+  window.quadruped = { page, walk: page.walk, Graph, Walk };
   page.run();
 } catch (error) {
   Object.assign(message, { hidden: false, textContent: say(preferred(), 'failed', error.message ?? error) });

@@ -32,7 +32,7 @@ export class View {
     this.scene.background = new THREE.Color(BACKGROUND);
     this.scene.fog = new THREE.Fog(BACKGROUND, 4 * scale, 16 * scale);
     this.scene.environment = new THREE.PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04).texture;
-    this.scene.environmentIntensity = 0.8;
+    this.scene.environmentIntensity = 0.62;
     /** Everything on the ground; it tilts with the slope. */
     this.world = this.scene.add(new THREE.Group()).children.at(-1);
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.01 * scale, 60 * scale);
@@ -42,7 +42,7 @@ export class View {
       enableDamping: true, enablePan: false, minDistance: 0.3 * scale, maxDistance: 6 * scale, maxPolarAngle: 1.52,
     });
     this.resetCamera();
-    this.light = new THREE.DirectionalLight(0xffffff, 2.2);
+    this.light = new THREE.DirectionalLight(0xffffff, 2.8);
     this.light.castShadow = true;
     this.light.shadow.mapSize.set(1024, 1024);
     Object.assign(this.light.shadow.camera, { left: -scale, right: scale, top: scale, bottom: -scale, near: 0.1, far: 6 * scale });
@@ -72,8 +72,8 @@ export class View {
   }
 
   /** Look at the robot from the side and a little from the front, as in the project's films. */
-  resetCamera() {
-    this.camera.position.copy(this.target).add(new THREE.Vector3(0.75, -1.25, 0.6).multiplyScalar(this.scale));
+  resetCamera(distance = 1) {
+    this.camera.position.copy(this.target).add(new THREE.Vector3(0.75, -1.25, 0.6).multiplyScalar(distance * this.scale));
   }
 
   /** Draw another ground. */
@@ -96,7 +96,10 @@ export class View {
       }
       tile(field, this.scale);
       field.computeVertexNormals();
-      this.ground.add(Object.assign(new THREE.Mesh(field, this.floor), { receiveShadow: true, castShadow: false }));
+      relief(field);
+      const surface = this.floor.clone();
+      surface.vertexColors = true;
+      this.ground.add(Object.assign(new THREE.Mesh(field, surface), { receiveShadow: true }));
       this.plane.position.z = lowest - 0.01 * this.scale;
     }
     this.world.add(this.ground);
@@ -122,10 +125,11 @@ export class View {
   /** Draw a moment between the last two control steps, from 0 to 1. */
   draw(share, seconds) {
     for (const robot of this.robots) robot.place(share);
-    const [x, y, z] = this.robots[0].position(share);
-    const at = this.world.localToWorld(new THREE.Vector3(x, y, z));
+    const [robot, other] = this.robots.map((drawn) => new THREE.Vector3(...drawn.position(share))), { x, y } = robot;
+    const at = this.world.localToWorld(robot.clone());
     if (this.follow) {
-      const moved = at.clone().sub(this.target);
+      const middle = other ? robot.clone().add(other.sub(robot).multiplyScalar(0.4).clampLength(0, 0.35 * this.scale)) : robot;
+      const moved = this.world.localToWorld(middle.clone()).sub(this.target);
       // The height follows slowly, so that steps do not shake the picture.
       moved.z *= Math.min(1, 4 * seconds);
       this.target.add(moved);
@@ -244,6 +248,19 @@ function material(model, i, tint) {
 }
 
 const surface = (color) => new THREE.MeshStandardMaterial({ color, roughness: 0.5, metalness: 0.05 });
+
+/** Shade a height field: the steeper, the darker, and hollows a little darker than hills. */
+function relief(field) {
+  const { position, normal } = field.attributes, colours = new Float32Array(3 * position.count);
+  field.computeBoundingBox();
+  const { min: { z: lowest }, max: { z: highest } } = field.boundingBox;
+  for (let i = 0; i < position.count; i++) {
+    const steep = Math.min(1, 16 * (1 - normal.getZ(i))), low = (highest - position.getZ(i)) / (highest - lowest);
+    const shade = (1 - 0.5 * steep) * (1 - 0.2 * low);
+    colours.set([shade * (1 - 0.06 * low), shade * (1 - 0.02 * low), shade], 3 * i);
+  }
+  field.setAttribute('color', new THREE.BufferAttribute(colours, 3));
+}
 
 /** Texture coordinates, so that squares lie on the grid of the world. */
 function tile(shape, scale) {

@@ -47,11 +47,11 @@ export class Walk {
     this.apply();
     const { height } = this.content.robot;
     this.walkers.forEach((walker, i) => {
-      const y = this.walkers.length > 1 ? (0.5 - i) * LANE * this.scale : 0, start = [...this.content.robot.start];
+      const y = this.walkers.length > 1 ? (i - 0.5) * LANE * this.scale : 0, start = [...this.content.robot.start];
       start[1] = y;
       start[2] = height + this.terrain.highest(0, y, 0.2 * this.scale);
       walker.reset(start);
-      Object.assign(walker, { downFor: 0, travelled: 0, speed: 0, rate: 0 });
+      Object.assign(walker, { downFor: 0, travelled: 0, speed: 0, rate: 0, falls: 0 });
     });
     this.time = 0;
   }
@@ -88,14 +88,14 @@ export class Walk {
 
   /** Let a robot stand up where it is. */
   standUp(walker) {
-    const { simulation, travelled } = walker, start = [...this.content.robot.start];
+    const { simulation, travelled, falls } = walker, start = [...this.content.robot.start];
     const [x, y] = simulation.position(), yaw = simulation.yaw();
     if (Number.isFinite(x + y + yaw)) {
       [start[0], start[1], start[3], start[6]] = [x, y, Math.cos(yaw / 2), Math.sin(yaw / 2)];
       start[2] = this.content.robot.height + this.terrain.highest(x, y, 0.2 * this.scale);
     }
     walker.reset(start);
-    Object.assign(walker, { downFor: 0, travelled, speed: 0, rate: 0 });
+    Object.assign(walker, { downFor: 0, travelled, speed: 0, rate: 0, falls: falls + 1 });
   }
 
   /** Contacts of the feet of a robot, as booleans. */
@@ -119,8 +119,8 @@ export function comparison(mujoco, content) {
     for (; some > 0 && left > 0; some--, left--) walker.step();
     if (left) return null;
     const [here, there] = [simulation.position(), end].map(([x, y]) => Math.hypot(x, y));
-    const result = { seconds: steps * content.control.timestep, speed: command[0], here, there, qpos: [...simulation.data.qpos] };
+    const result = { seconds: steps * content.control.timestep, speed: command[0], here, there };
     simulation.delete();
-    return { ...result, percent: (100 * Math.abs(here - there)) / there };
+    return result;
   };
 }

@@ -1,0 +1,321 @@
+"""The page that walks, in a real browser opened from the disk: against Python, and used as a reader would."""
+
+import hashlib
+import json
+from types import SimpleNamespace
+
+import browser
+import numpy as np
+import pytest
+import second_robot
+from comparisons import random_policy
+from paths import ROOT
+from waiting import wait_until
+
+from quadruped_env import QuadrupedError
+from quadruped_env.cli.main import main
+from quadruped_env.control.activations import ACTIVATIONS
+from quadruped_env.control.observations import observation
+from quadruped_env.export import PolicyInterface, runtime
+from quadruped_env.export.onnx_graph import Graph, policy_graph
+from quadruped_env.page import write_page
+from quadruped_env.page.document import graph_document, page_document
+from quadruped_env.policies import load_policy
+from quadruped_env.robot.motors import MOTOR_PRESETS
+from quadruped_env.simulation import SingleSimulation, flat
+from quadruped_env.task import Task
+
+SOURCES, ASSETS = ROOT / "tools" / "page", ROOT / "quadruped_env" / "page" / "assets"
+ENV = np.zeros(1, dtype=np.intp)
+GRAPH = """([graph, inputs]) => {
+    const made = new quadruped.Graph(graph);
+    const vector = values => values.map(value => value ?? NaN);
+    return inputs.map(one => Object.fromEntries(Object.entries(
+        made.run(Object.fromEntries(Object.entries(one).map(([name, values]) => [name, vector(values)])))
+    ).map(([name, values]) => [name, [...values]])));
+}"""
+STEPS = """([content, name, command, steps]) => {
+    const walk = new quadruped.Walk(quadruped.walk.mujoco, content), [walker] = walk.walkers;
+    walker.graph = new quadruped.Graph(content[name]);
+    const start = [...content.reference.start];
+    start[2] += 1;
+    walker.reset(start, command);
+    return Array.from({ length: steps }, () => {
+        walker.step();
+        return ['joint_position', 'joint_torque'].map(name => [...walker.simulation.reading(name)]);
+    });
+}"""
+
+
+def test_assets_are_built_from_these_sources():
+    built = json.loads((ASSETS / "built.json").read_text())
+    lock = json.loads((SOURCES / "package-lock.json").read_text())["packages"]
+    assert built["packages"] == {name: lock[f"node_modules/{name}"]["version"] for name in built["packages"]}
+    ours = {path.name for path in (SOURCES / "src").iterdir()}
+    assert ours == {name.removeprefix("src/") for name in built["sources"] if name.startswith("src/")}
+    for folder, files in ((SOURCES, built["sources"]), (ASSETS, built["outputs"])):
+        for name, sha256 in files.items():
+            found = hashlib.sha256((folder / name).read_bytes()).hexdigest()
+            assert found == sha256, f"{name} has changed: cd tools/page && npm ci && npm run build"
+    assert "Permission is hereby granted" in (ASSETS / "page.js").read_text(), "the licence of three.js"
+
+
+def test_policies_that_a_page_cannot_run_are_refused(tmp_path):
+    class Stand:
+        def reset(self, begun):
+            pass
+
+        def predict(self, observation):
+            return np.zeros((*observation.shape[:-1], 8), np.float32)
+
+    @observation(unit="m", mirror=(1.0,))
+    def height(readings, control):
+        """Height of the base."""
+        return readings.base_position[:, 2:]
+
+    policy = random_policy("position")
+    code = SimpleNamespace(**{**vars(policy), "agent": Stand()})
+    with pytest.raises(QuadrupedError, match="is a policy of Python code"):
+        write_page(type(policy)(**vars(code)), tmp_path / "walk.html")
+    own = type(policy)(**{**vars(policy), "fields": (*policy.fields, height)})
+    with pytest.raises(QuadrupedError, match="observes height of the task's own file"):
+        write_page(own, tmp_path / "walk.html")
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.fixture(scope="module")
+def opened(chromium, tmp_path_factory):
+    """The page of the shipped policy as the command writes it, paused; simulated time passes in `step` alone."""
+    path = tmp_path_factory.mktemp("page") / "walk.html"
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(path.parent)
+        assert main(["page", "flat"]) == 0
+        assert main(["page", "flat"]) != 0, "the file exists"
+    with browser.opened(chromium) as page:
+        page.set_viewport_size({"width": 1020, "height": 400})
+        page.goto(path.as_uri())
+        wait_until(lambda: page.evaluate("Boolean(window.quadruped)"), "the page to load")
+        page.evaluate("quadruped.page.setPaused(true)")
+        yield page
+        assert page.watched.errors == []
+        assert page.watched.requests == [path.as_uri()]
+
+
+@pytest.fixture
+def page(opened):
+    """That page at its start, standing, with its standard settings."""
+    opened.evaluate("""() => {
+        const { page } = quadruped;
+        page.setLanguage('en'); page.controls.standard(); page.setCompare(false); page.reset(); page.controls.stop();
+    }""")
+    return opened
+
+
+def python_walk(policy, command, steps, act):
+    """Joint positions and torques (steps, 2, J) of steps in the air in Python, with actions of `act`."""
+    config, robot = policy.config.without_randomization().on_terrain(flat), policy.robot
+    task = Task(SingleSimulation(config.compiled_model(), robot), config)
+    task.reset(ENV, seeds=[0], command=command)
+    start = np.array([[0.0, 0.0, robot.stance_height + 1.0, 1.0, 0.0, 0.0, 0.0, *robot.stance]])
+    task.place(ENV, start, np.zeros((1, robot.num_velocities)))
+    task.control.reset(ENV, 0.0, np.array([command]))
+    seen, observed = [], task.observe()
+    for _ in range(steps):
+        observed = task.step(act(observed)).observation
+        readings = task.simulation.readings
+        seen.append([readings.joint_position[0].copy(), readings.joint_torque[0].copy()])
+    return np.array(seen)
+
+
+@pytest.mark.parametrize("activation", sorted(ACTIVATIONS))
+def test_graph_in_javascript_equals_onnx_runtime(opened, activation):
+    pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
+    clock = {"clock_frequency": {"speeds": [0.0, 0.6], "frequencies": [2.6, 3.2]}} if activation == "elu" else {}
+    policy = random_policy("position" if activation == "relu" else "residual", **clock)
+    policy = type(policy)(**{**vars(policy), "activation": activation, "output": "tanh" if clock else "clip"})
+    interface = PolicyInterface(policy)
+    inputs = runtime.random_inputs(interface, 100)
+    expected = runtime.run(runtime.session_of(policy_graph(interface, "test")), inputs)
+    rows = [
+        {name: [None if np.isnan(v) else float(v) for v in values[i]] for name, values in inputs.items()}
+        for i in range(100)
+    ]
+    found = opened.evaluate(GRAPH, [graph_document(Graph.of(interface), interface), rows])
+    assert set(found[0]) == set(expected)
+    for name, values in expected.items():
+        assert runtime.difference(name, np.array([row[name] for row in found]), values).max() < 1e-5, name
+
+
+@pytest.mark.parametrize("case", ["residual", "gait", "other robot", "hobby servos"])
+def test_joints_move_and_pull_as_in_python(opened, case):
+    # In the air and with small steps: MuJoCo 3.14 and 4.0 differ in contacts, and in motors at their limits.
+    policy = random_policy("residual")
+    if case == "other robot":
+        config = policy.config.for_robot(second_robot.ROBOT)
+        policy = type(policy).for_task(policy.weights, policy.biases, policy.activation, config, {})
+    elif case == "hobby servos":
+        policy = random_policy("position", motor=MOTOR_PRESETS["mg996r"])
+    zero = np.zeros((1, policy.robot.num_joints))
+    command, steps = [0.04, 0.03], 20
+    content = json.loads(json.dumps(page_document(policy, case)))
+    found = np.array(opened.evaluate(STEPS, [content, "gait" if case == "gait" else "policy", command, steps]))
+    expected = python_walk(policy, command, steps, (lambda _: zero) if case == "gait" else policy.predict)
+    assert np.ptp(expected[:, 0], axis=0).max() > 0.02, "the joints move"
+    np.testing.assert_allclose(found[:, 0], expected[:, 0], atol=1e-5)
+    np.testing.assert_allclose(found[:, 1], expected[:, 1], atol=1e-3)
+
+
+def test_distance_in_ten_seconds_is_that_of_python(page):
+    checked = page.evaluate("quadruped.page.compare(1000), quadruped.page.checked")
+    assert checked["seconds"] == pytest.approx(10.0)
+    assert checked["there"] > 1.0
+    assert checked["here"] == pytest.approx(checked["there"], rel=0.03)
+    shown = page.locator("#check").inner_text()
+    assert f"{checked['here']:.2f} m here, {checked['there']:.2f} m in Python" in shown
+    assert page.locator("#engine").inner_text().startswith("MuJoCo 3.")
+
+
+def state(page, expression):
+    return page.evaluate(
+        f"(() => {{ const {{ walk, page }} = quadruped, [walker] = walk.walkers; return {expression}; }})()"
+    )
+
+
+def test_keys_steer(page):
+    page.locator("#view").focus()
+    high, turn = state(page, "walk.content.control.forward[1]"), state(page, "walk.content.control.turn[1]")
+    for _ in range(3):
+        page.keyboard.press("ArrowUp")
+    assert state(page, "walk.request") == pytest.approx([0.6 * high, 0.0])
+    page.keyboard.down("ArrowLeft")
+    page.evaluate("quadruped.page.step(150)")
+    yaw = state(page, "walker.simulation.yaw()")
+    assert 0.5 * turn * 3.0 < yaw < 1.5 * turn * 3.0
+    page.keyboard.up("ArrowLeft")
+    assert state(page, "walk.request") == pytest.approx([0.6 * high, 0.0])
+    page.keyboard.press("0")
+    assert state(page, "walk.request") == [0, 0]
+    page.keyboard.press("ArrowDown")
+    low = state(page, "walk.content.control.forward[0]")
+    assert state(page, "walk.request[0]") == pytest.approx(max(-0.2 * high, low))
+
+
+def test_stick_turns_while_it_is_held_and_keeps_the_speed(page):
+    box = page.locator("#stick").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 0.36 * box["width"], y - 0.36 * box["height"])
+    assert state(page, "[page.throttle, page.turn]") == pytest.approx([1.0, 1.0])
+    page.mouse.up()
+    assert state(page, "[page.throttle, page.turn]") == pytest.approx([1.0, 0.0])
+
+
+def test_a_click_on_the_robot_pushes_it_away_and_a_click_beside_does_not(page):
+    page.evaluate("quadruped.page.step(25)")
+    browser.draw(page)
+    box = page.locator("#view").bounding_box()
+    panel = page.locator("#panel").bounding_box()
+    middle = panel["x"] / 2, box["height"] / 2
+    assert state(page, "page.view.pick(5, 250)") is None
+    before = np.array(state(page, "[...walker.simulation.data.qvel.slice(0, 3)]"))
+    page.mouse.click(5, 250)
+    assert state(page, "[...walker.simulation.data.qvel.slice(0, 3)]") == before.tolist()
+    page.mouse.click(*middle)
+    change = state(page, "[...walker.simulation.data.qvel.slice(0, 3)]") - before
+    assert np.linalg.norm(change) == pytest.approx(state(page, "page.strength"))
+    camera = np.array(state(page, "page.view.camera.position.toArray()"))
+    base = np.array(state(page, "[...walker.simulation.position()]"))
+    away = (base - camera)[:2] / np.linalg.norm((base - camera)[:2])
+    assert change[2] == 0.0
+    assert change[:2] @ away > 0.9 * np.linalg.norm(change)
+    # It moves, and recovers.
+    page.evaluate("quadruped.page.step(10)")
+    moved = state(page, "[...walker.simulation.position()]") - base
+    assert moved[:2] @ away > 0.01
+
+
+def slide(page, name, value):
+    page.locator(f"#{name}").evaluate(
+        "(input, value) => { input.value = value; input.dispatchEvent(new Event('input')); }", value
+    )
+
+
+def test_sliders_change_physics(page):
+    model, base = "walker.simulation.model", "walker.simulation.base"
+    mass = state(page, f"{model}.body_subtreemass[1]")
+    slide(page, "payload", 1.0)
+    slide(page, "friction", 0.3)
+    slide(page, "slope", 6)
+    assert state(page, f"{model}.body_subtreemass[{base}]") == pytest.approx(mass + 1.0, abs=0.02)
+    assert set(state(page, f"[...{model}.geom_friction].filter((_, i) => i % 3 === 0)")) == {0.3}
+    gravity = state(page, "walker.simulation.projectedGravity()")
+    assert gravity == pytest.approx([-np.sin(np.radians(6)), 0.0, -np.cos(np.radians(6))], abs=1e-6)
+    assert page.locator("#payload").locator("xpath=..").locator("output").inner_text() == "1.0 kg"
+    slide(page, "amplitude", 0)
+    page.evaluate("quadruped.page.step(1)")
+    assert not np.any(state(page, "[...walker.graph.values.gait_swing]"))
+    phase = state(page, "walker.memory.gait_phase[0]")
+    slide(page, "frequency", 0.5)
+    page.evaluate("quadruped.page.step(1)")
+    assert state(page, "walker.memory.gait_phase[0]") - phase == pytest.approx(0.5 * phase, rel=1e-3)
+    page.locator("#standard").click()
+    assert state(page, f"{model}.body_subtreemass[1]") == pytest.approx(mass)
+    assert state(page, "walker.simulation.projectedGravity()") == pytest.approx([0, 0, -1], abs=1e-6)
+
+
+def test_terrains_carry_the_robot_and_the_gait_walks_beside_it(page):
+    names = [option.get_attribute("value") for option in page.locator("#terrain option").all()]
+    assert {"flat", "rough", "stairs", "wave"} <= set(names)
+    page.locator("#compare").check()
+    page.locator("#terrain").select_option("wave")
+    page.evaluate("quadruped.page.controls.steer(0.8, 0), quadruped.page.step(100)")
+    heights = state(
+        page,
+        """walk.walkers.map(({ simulation }) => {
+            const [x, y, z] = simulation.position();
+            return z - walk.terrain.highest(x, y, 0.1);
+        })""",
+    )
+    expected = load_policy("flat").robot.stance_height
+    assert heights == pytest.approx([expected] * 2, abs=0.05)
+    assert page.locator("#other").is_visible()
+    page.locator("#compare").uncheck()
+    assert state(page, "walk.walkers.length") == 1
+
+
+def test_a_fallen_robot_stands_up_where_it_lies(page):
+    page.evaluate("""() => {
+        const [walker] = quadruped.walk.walkers, start = [...quadruped.walk.content.robot.start];
+        [start[0], start[1], start[3], start[4]] = [1, 2, 0, 1];
+        walker.simulation.reset(start);
+        quadruped.page.step(20);
+    }""")
+    assert state(page, "walker.simulation.fallen()")
+    browser.draw(page)
+    assert page.locator("#message").inner_text() == "It fell. It stands up again in a moment."
+    page.evaluate("quadruped.page.step(75)")
+    assert not state(page, "walker.simulation.fallen()")
+    assert state(page, "[...walker.simulation.position()].slice(0, 2)") == pytest.approx([1, 2], abs=0.4)
+
+
+def test_language_and_phone(page):
+    assert page.locator("#push").inner_text() == "Random push"
+    page.locator("#language").click()
+    assert page.locator("#push").inner_text() == "随机推一下"
+    assert page.evaluate("document.documentElement.lang") == "zh-CN"
+    left = page.evaluate(
+        "[...document.querySelectorAll('[data-text], option')].map(e => e.textContent).filter(t => /^[a-z_]+$/.test(t))"
+    )
+    assert left == [], "words without a translation"
+    page.set_viewport_size({"width": 400, "height": 720})
+    for action in ("", "quadruped.page.controls.toggle(true)"):
+        page.evaluate(action or "0")
+        assert page.evaluate("document.documentElement.scrollWidth") <= 400
+        assert page.evaluate("document.body.scrollWidth") <= 400
+    for name in ("speed", "stick", "pause"):
+        assert page.locator(f"#{name}").count() == 1
+    page.evaluate("quadruped.page.controls.toggle(false)")
+    stick, actions = (page.locator(name).bounding_box() for name in ("#stick", "#actions"))
+    assert stick["x"] + stick["width"] < actions["x"]
+    page.set_viewport_size({"width": 1020, "height": 400})
