@@ -12,7 +12,7 @@ from waiting import output_of
 from quadruped_env.policies import load_policy
 
 PAGE = (ROOT / "docs" / "first-change.md").read_text().replace("\\\n", " ")
-LOOK = (ROOT / "docs" / "my-training-does-not-work.md").read_text().partition("\n## ")[0]
+SYMPTOMS = (ROOT / "docs" / "my-training-does-not-work.md").read_text().partition("\n## ")[0]
 PIECE = re.compile(
     r"^```python\n# (?P<file>\S+\.py)\n(?P<code>.*?)^```$|^ {4}(?P<command>(?:mini-quadruped|python) [^\n]*)$",
     re.MULTILINE | re.DOTALL,
@@ -33,7 +33,7 @@ def test_files_and_commands_of_the_page_run_in_order(tmp_path):
     program = f"{shlex.quote(sys.executable)} -m quadruped_env"
     shell = f'mini-quadruped() {{ {program} "$@"; }}; python() {{ {shlex.quote(sys.executable)} "$@"; }}; '
     printed = {}
-    for piece in PIECE.finditer(PAGE + LOOK):
+    for piece in PIECE.finditer(PAGE + SYMPTOMS):
         if piece["file"]:
             (tmp_path / piece["file"]).write_text(piece["code"])
             continue
