@@ -1,4 +1,4 @@
-"""The page *Your first change*: its files and commands, in the page's order, with small budgets."""
+"""The page *Your first change*: its files and commands, in its order, with small budgets; then `look.py`."""
 
 import re
 import shlex
@@ -11,17 +11,19 @@ from waiting import output_of
 
 from quadruped_env.policies import load_policy
 
-PAGE = (ROOT / "docs" / "first-change.md").read_text()
+PAGE = (ROOT / "docs" / "first-change.md").read_text().replace("\\\n", " ")
+SYMPTOMS = (ROOT / "docs" / "my-training-does-not-work.md").read_text().partition("\n## ")[0]
 PIECE = re.compile(
     r"^```python\n# (?P<file>\S+\.py)\n(?P<code>.*?)^```$|^ {4}(?P<command>(?:mini-quadruped|python) [^\n]*)$",
     re.MULTILINE | re.DOTALL,
 )
 SMALL = {
     "train": "--timesteps 6144",
-    "compare": "--seeds 1 --seconds 1 --no-video",
+    "compare": "--seeds 1 --seconds 2 --no-video",
     "baseline": "--episodes 1 --seconds 1",
     "view": "--measure 0.1",
-    "steps.py": "",
+    "drive.py": "",
+    "look.py": "",
 }
 """Second word of a command -> options that make it short; the last value of an option counts."""
 
@@ -31,7 +33,7 @@ def test_files_and_commands_of_the_page_run_in_order(tmp_path):
     program = f"{shlex.quote(sys.executable)} -m quadruped_env"
     shell = f'mini-quadruped() {{ {program} "$@"; }}; python() {{ {shlex.quote(sys.executable)} "$@"; }}; '
     printed = {}
-    for piece in PIECE.finditer(PAGE):
+    for piece in PIECE.finditer(PAGE + SYMPTOMS):
         if piece["file"]:
             (tmp_path / piece["file"]).write_text(piece["code"])
             continue
@@ -41,12 +43,14 @@ def test_files_and_commands_of_the_page_run_in_order(tmp_path):
         with subprocess.Popen(["bash", "-c", line], cwd=tmp_path, env=importing(), **pipes) as running:
             printed[command], _ = output_of(running)
         assert running.returncode == 0, f"{command}\n{printed[command]}"
-    assert len(printed) == 9
+    assert len(printed) == 10
 
-    before, high, command = (
-        load_policy(next((tmp_path / "runs").glob(f"*-{name}"))).config for name in ("before", "high", "command")
-    )
+    before, high = (load_policy(next((tmp_path / "runs").glob(f"*-{name}"))).config for name in ("before", "high"))
     assert (before.reward.foot_lift, high.reward.foot_lift) == (0.012, 0.04)
-    assert high.reward.weights.gait_clock == 16.0
-    assert command.command.step_height == (0.01, 0.04)
-    assert len(re.findall(r"^commanded \d+ mm", printed["python steps.py"], re.MULTILINE)) == 3
+    assert high.reward.weights.gait_clock == 24.0
+    heavier, lighter = (printed[command] for command in printed if "baseline" in command)
+    assert "Forward velocity" in heavier
+    assert heavier != lighter
+    for command in (command for command in printed if "drive.py" in command):
+        assert len(re.findall(r"^command \(.*\): \[.*\], feet rise \[.*\] mm$", printed[command], re.MULTILINE)) == 3
+    assert re.search(r"^gait_clock( +-?\d+\.\d\d){3}$", printed["python look.py runs/latest"], re.MULTILINE)
