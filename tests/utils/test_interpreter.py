@@ -20,7 +20,10 @@ from quadruped_env.live.__main__ import main as run_node
 from quadruped_env.utils import interpreter
 
 PROGRAMS = [
-    path.relative_to(ROOT) for folder in ("train", "evaluate", "tools") for path in sorted((ROOT / folder).glob("*.py"))
+    path.relative_to(ROOT)
+    for folder in ("train", "evaluate", "tools")
+    for path in sorted((ROOT / folder).glob("*.py"))
+    if path.name != "release.py"  # it needs none of the package's dependencies
 ]
 BARE = (sys.executable, "-S")
 """This Python without its installed packages."""
