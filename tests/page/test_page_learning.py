@@ -194,6 +194,7 @@ def results(page, after):
     return np.array(page.evaluate(f"{found}.map(({{ steps, reward, speed }}) => [steps, reward, speed])"))
 
 
+@pytest.mark.slow
 def test_robot_walks_with_what_is_learned_until_it_is_forgotten(learning_page):
     page = learning_page
     [steps, reward, speed] = results(page, after=0)[0]

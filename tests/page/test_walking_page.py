@@ -264,6 +264,7 @@ def test_sliders_change_physics(page):
     assert state(page, "walker.simulation.projectedGravity()") == pytest.approx([0, 0, -1], abs=1e-6)
 
 
+@pytest.mark.slow
 def test_terrains_carry_the_robot_and_the_gait_walks_beside_it(page):
     names = [option.get_attribute("value") for option in page.locator("#terrain option").all()]
     assert {"flat", "rough", "stairs", "wave"} <= set(names)

@@ -102,6 +102,7 @@ def test_the_zero_action_of_a_residual_policy_is_its_gait():
     np.testing.assert_array_equal(zero.config.action.mode, "residual")
 
 
+@pytest.mark.slow
 def test_suite_ranks_controllers_in_their_known_order():
     """The suite's own order with few episodes: standing, the tutorial's gait, the closed form, the searched gait."""
     controllers = (
