@@ -151,7 +151,7 @@ class Turned(gymnasium.ObservationWrapper):
     ],
 )
 def test_model_that_a_policys_file_cannot_hold_names_the_protocol(make, message):
-    with pytest.raises(QuadrupedError, match=rf"{message}.*two methods, reset and predict \(docs/training.md#your-own-algorithm"):
+    with pytest.raises(QuadrupedError, match=rf"{message}.*two methods, reset and predict \(docs/training.md#your-own"):
         Policy.from_sb3(make())
 
 
