@@ -1,8 +1,8 @@
 """Compare an exported policy with its golden trace, and name the first step and field that differ.
 
-Without --trace, every runtime on this machine runs the graph: ONNX Runtime, OpenVINO. With it, the
-file is compared that your own program wrote when it ran on the readings of golden_trace.csv. Exit status 1 if anything
-differs by more than its tolerance.
+Without --trace, every runtime on this machine runs the graph: ONNX Runtime, OpenVINO. With it, the file is compared
+that your own program wrote when it ran on the readings of golden_trace.csv. Exit status 1 if anything differs by more
+than its tolerance.
 
     mini-quadruped check-export runs/latest/export
     mini-quadruped check-export results/flat-export --trace my_loop.csv

@@ -9,7 +9,7 @@ from quadruped_env.evaluation.learning_gain import gain_rows
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.golden_trace import TRACE_FILE
-from quadruped_env.export.hub import ENV_FILE, RESULTS_FILE, mean_of, model_index
+from quadruped_env.export.hub import ENV_FILE, PAGE_FILE, RESULTS_FILE, mean_of, model_index
 from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
 
@@ -226,7 +226,7 @@ def _files(files: Iterable[str]) -> str:
         "progress.csv": "the learning curve",
         RESULTS_FILE: "the evaluation",
         ENV_FILE: 'the environment, for LeRobot: `make_env("OWNER/NAME", trust_remote_code=True)`',
-        "walk.html": "the robot walks in your browser: one file, which makes no request",
+        PAGE_FILE: "the robot walks in your browser: one file, which makes no request",
         "film.webp": "the robot walks forwards, turns, and walks backwards",
         HEADER_FILE: "the policy for a microcontroller: readings and functions",
         SOURCE_FILE: "its weights and code, C99 without allocation",

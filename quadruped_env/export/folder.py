@@ -16,7 +16,7 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.export.c_source import c_files, int8_loss
 from quadruped_env.export.card import CARD_PAGE, card_page
 from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
-from quadruped_env.export.hub import ENV_FILE, RESULTS_FILE, env_file
+from quadruped_env.export.hub import ENV_FILE, PAGE_FILE, RESULTS_FILE, env_file
 from quadruped_env.export.manifest import (
     CONTROLLERS_FILE,
     FORMAT,
@@ -40,7 +40,6 @@ from quadruped_env.utils.plain import plain
 from quadruped_env.utils.progress import Progress
 
 FILM_FILE: Final = "film.webp"
-PAGE_FILE: Final = "walk.html"
 FILM_SECONDS: Final = 5.0
 """Length of the filmed episodes, s, of which a part of each is shown."""
 FILM_COMMANDS: Final[tuple[Command, ...]] = ((0.4, 0.0), (0.0, 0.5), (-0.2, 0.0))

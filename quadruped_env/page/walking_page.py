@@ -12,8 +12,6 @@ from quadruped_env.control.policy import Policy
 from quadruped_env.page.document import page_document
 from quadruped_env.utils.files import write_whole
 
-PAGE_FILE: Final = "walk.html"
-"""Name of the page next to a report."""
 _ASSETS: Final = Path(__file__).parent / "assets"
 """Built by tools/page/build.mjs."""
 _POLICY: Final = (
