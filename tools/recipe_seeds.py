@@ -5,21 +5,23 @@ tools/recipe_seeds.py --only envelope runs/<one>
 tools/recipe_seeds.py --only curves --picture assets/pictures/rough.svg flat rough runs/<other> ...
 
 Runs are grouped by their recipe, and must not differ in anything but the seed. Each recipe gets a table for each
-measure, with a row for each seed and one of the medians. `learning`: the policy and its zero action in its own task,
-as at the end of a training. `commands`: share of the suite's commands that are met, of the policy and of its zero
-action, and falls per hour of the suite's joystick commands, undisturbed and with `moderate`. `errors`: signed errors
-of the mean velocities, 8 episodes of 20 s per command. `env`: falls in 300 episodes of 20 s in the env of the
-policy's training, with its random commands and its randomization, and the 95 % interval of their share. `falls`: 1000
-episodes of 20 s with the preset `hard`, and the share of time in which a robot sits or leans, tilted by more than 0.3
-rad. `gait`: clearance and bounces per stride of the worst foot in the suite's steady walking, over the commands
-forwards, backwards and on turns. `terrain`: the suite's crossings. `envelope`: the largest mean forward velocity and
-yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of all runs.
+measure, with a row for each seed and one of the medians. `learning`: the policy and its zero action in its own task, as
+at the end of a training. `commands`: share of the suite's commands that are met, of the policy and of its zero action,
+and falls per hour of the suite's joystick commands, undisturbed and with `moderate`. `joystick`: the same falls in ten
+hours of each. `regulation`: episodes that keep their velocities within 20 % under each disturbance of the suite.
+`errors`: signed errors of the mean velocities, 8 episodes of 20 s per command. `env`: falls in 300 episodes of 20 s in
+the env of the policy's training, with its random commands and its randomization, and the 95 % interval of their share.
+`falls`: 1000 episodes of 20 s with the preset `hard`, and the share of time in which a robot sits or leans, tilted by
+more than 0.3 rad. `gait`: clearance and bounces per stride of the worst foot in the suite's steady walking, over the
+commands forwards, backwards and on turns. `terrain`: the suite's crossings. `envelope`: the largest mean forward
+velocity and yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of all runs.
 """
 
 import argparse
 import math
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -40,8 +42,9 @@ from quadruped_env.evaluation.learning_gain import learning_gain
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
 from quadruped_env.evaluation.suite import command_map, joystick, terrains
 from quadruped_env.evaluation.suite import gait_measures as suite_gait
+from quadruped_env.evaluation.suite import regulation as suite_regulation
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
-from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.evaluation.suite.suite_definition import Joystick, full_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.reporting.plots.learning_plots import read_progress
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
@@ -55,6 +58,9 @@ TURN_COMMANDS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))
 """Forward velocity in m/s and yaw rate in rad/s."""
 FASTEST: Final = tuple((round(0.4 + 0.05 * i, 2), 0.0) for i in range(13))
 TIGHTEST: Final = tuple((0.0, round(0.4 + 0.1 * i, 1)) for i in range(17))
+
+TEN_HOURS: Final = replace(full_suite().joystick, num_seeds=600)
+"""A minute with each seed."""
 
 _NEW_COMMAND: Final = 0.8
 """Time after a new command in which a fall is due to it, s."""
@@ -87,10 +93,30 @@ def commands(measured: MeasuredController, progress: Progress) -> Row:
     zero = MeasuredController("zero action", ZeroController(policy.action_mode), measured.config)
     met = [command_map.run(suite.commands, one, None)["met"]["mean"] for one in (measured, zero)]
     row = {"commands met, %": 100.0 * met[0], "zero action, %": 100.0 * met[1]}
-    for name, law in joystick.run(suite.joystick, measured, progress).items():
+    return row | joystick_hours(measured, progress, suite.joystick)
+
+
+def joystick_hours(measured: MeasuredController, progress: Progress, part: Joystick = TEN_HOURS) -> Row:
+    """Falls per hour of joystick commands, and the upper end of their 95 % interval."""
+    row: Row = {}
+    for name, law in joystick.run(part, measured, progress).items():
         share = law["falls_per_hour"]
         row |= {f"falls per hour, {name}": share["mean"], f"95 % to, {name}": share["high"]}
     return row
+
+
+def regulation(measured: MeasuredController, progress: Progress) -> Row:
+    """Episodes that keep both velocities under each disturbance of the suite, of the policy and its zero action, %."""
+    part, policy = full_suite().regulation, measured.controller.policy  # type: ignore[attr-defined]
+    zero = MeasuredController("zero action", ZeroController(policy.action_mode), measured.config)
+    results = [
+        suite_regulation.run(part, one, part_of(progress, i / 2, (i + 1) / 2)) for i, one in enumerate((measured, zero))
+    ]
+    return {
+        name + suffix: 100.0 * result["kept"]["mean"]
+        for of_one, suffix in zip(results, ("", ", zero action"), strict=True)
+        for name, result in of_one.items()
+    }
 
 
 def errors(measured: MeasuredController, progress: Progress, episodes: int = 8) -> Row:
@@ -196,6 +222,8 @@ def fastest(rollout: Rollout, straight: int, episodes: int) -> Row:
 MEASURES: Final[dict[str, Callable[[MeasuredController, Progress], Row]]] = {
     "learning": learning,
     "commands": commands,
+    "joystick": joystick_hours,
+    "regulation": regulation,
     "errors": errors,
     "env": own_env,
     "falls": falls,

@@ -88,6 +88,27 @@ def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
     assert row["0 m/s, 0.5 rad/s"] == pytest.approx(-row["0 m/s, -0.5 rad/s"], abs=0.02)
 
 
+def test_ten_hours_of_joystick_commands_are_a_minute_with_each_seed(monkeypatch):
+    def run(part, measured, progress):
+        assert part.num_seeds * part.seconds == pytest.approx(10 * 3600)
+        return {"undisturbed": {"falls_per_hour": {"mean": 0.1, "low": 0.0, "high": 0.6}}}
+
+    monkeypatch.setattr(recipe_seeds.joystick, "run", run)
+    row = recipe_seeds.joystick_hours(None, say_nothing)
+    assert row == {"falls per hour, undisturbed": 0.1, "95 % to, undisturbed": 0.6}
+
+
+def test_regulation_is_that_of_the_policy_next_to_its_zero_action(monkeypatch):
+    shares = {"flat": 0.75, "zero action": 0.25}
+    monkeypatch.setattr(
+        recipe_seeds.suite_regulation,
+        "run",
+        lambda part, measured, progress: {"friction_0.3": {"kept": {"mean": shares[measured.name]}}},
+    )
+    row = recipe_seeds.regulation(MeasuredController.of_policy(load_policy("flat"), "flat"), say_nothing)
+    assert row == {"friction_0.3": 75.0, "friction_0.3, zero action": 25.0}
+
+
 def test_falls_in_the_own_env_are_counted_once_an_episode_with_their_interval(monkeypatch):
     policy = load_policy("flat")
     seconds = 3 * policy.config.control_timestep
