@@ -52,6 +52,7 @@ def test_recipes_are_what_their_names_say(asked):
         }
         assert dataclasses.replace(task, **as_default) == default, "and nothing else"
     assert (flat.reward, flat.clock_frequency) == (default.reward, default.clock_frequency)
+    assert (asked("--recipe", "flat").action_mode, asked("--recipe", "rough").action_mode) == ("residual", "position")
     assert rough.reward.foot_lift == 0.045, "more than the steps that it shall climb"
     assert (flat.terrain.name, rough.terrain.name, rough.terrain.curriculum) == ("flat", "tiles", True)
     assert {*rough.terrain.kinds} == {*TaskConfig.from_dict({"terrain": {"name": "tiles"}}).terrain.kinds}
