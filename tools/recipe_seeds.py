@@ -12,9 +12,10 @@ hours of each. `regulation`: episodes that keep their velocities within 20 % und
 `errors`: signed errors of the mean velocities, 8 episodes of 20 s per command. `env`: falls in 300 episodes of 20 s in
 the env of the policy's training, with its random commands and its randomization, and the 95 % interval of their share.
 `falls`: 1000 episodes of 20 s with the preset `hard`, and the share of time in which a robot sits or leans, tilted by
-more than 0.3 rad. `gait`: clearance and bounces per stride of the worst foot in the suite's steady walking, over the
-commands forwards, backwards and on turns. `terrain`: the suite's crossings. `envelope`: the largest mean forward
-velocity and yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of all runs.
+more than 0.3 rad. `gait`: clearance, bounces per stride and duty factors of the feet in the suite's steady walking,
+over the commands forwards, backwards and on turns. `terrain`: the suite's crossings. `envelope`: the largest mean
+forward velocity and yaw rate over the commands at which none of 100 episodes of 10 s falls. `curves`: a figure of all
+runs.
 """
 
 import argparse
@@ -172,7 +173,7 @@ def falls(measured: MeasuredController, progress: Progress, episodes: int = 200)
 
 
 def gait(measured: MeasuredController, progress: Progress) -> Row:
-    """Least clearance (mm), most bounces per stride, and the electrical cost of transport at 0.4 m/s."""
+    """Least clearance (mm), most bounces, largest difference of duty factors, and the electrical cost of transport."""
     commands = suite_gait.run(full_suite().gait, measured, progress)["commands"]
     groups = {
         "forwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] > 0.0],
@@ -181,6 +182,9 @@ def gait(measured: MeasuredController, progress: Progress) -> Row:
     }
     row = {f"clearance {name}, mm": 1e3 * float(np.min(_of_feet("clearance", group))) for name, group in groups.items()}
     row |= {f"bounces {name}": float(np.max(_of_feet("bounces_per_stride", group))) for name, group in groups.items()}
+    for name in ("forwards", "backwards"):
+        duty = np.array([entry["duty_factor"] for entry in groups[name]], dtype=float)
+        row[f"duty factors apart {name}"] = float(np.max(np.ptp(duty, axis=1)))
     costs = {tuple(entry["command"]): entry["electrical_cost_of_transport"] for entry in commands}
     return {**row, "electrical cost of transport": costs[0.4, 0.0] or math.nan}
 

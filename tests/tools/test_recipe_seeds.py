@@ -48,8 +48,9 @@ def test_an_envelope_leaves_out_every_command_at_which_a_robot_falls(monkeypatch
 
 
 def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
-    def entry(command, clearance, bounces, cost=None):
+    def entry(command, clearance, bounces, cost=None, duty=(0.5, 0.5)):
         return {
+            "duty_factor": list(duty),
             "command": command,
             "clearance": clearance,
             "bounces_per_stride": bounces,
@@ -58,7 +59,7 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
 
     commands = [
         entry([0.4, 0.0], [0.012, 0.011], [1.0, 1.1], 0.6),
-        entry([0.5, 0.0], [0.009, 0.014], [1.2, 1.0], 0.7),
+        entry([0.5, 0.0], [0.009, 0.014], [1.2, 1.0], 0.7, (0.4, 0.6)),
         entry([-0.2, 0.0], [0.0, 0.013], [1.0, None]),
         entry([0.0, 0.5], [0.010, 0.020], [1.3, 1.4]),
         entry([0.3, -0.5], [0.015, 0.011], [1.0, 1.0]),
@@ -72,6 +73,8 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
             "bounces forwards": 1.2,
             "bounces backwards": np.nan,
             "bounces turning": 1.4,
+            "duty factors apart forwards": 0.2,
+            "duty factors apart backwards": 0.0,
             "electrical cost of transport": 0.6,
         },
         nan_ok=True,
