@@ -90,9 +90,8 @@ def learning(measured: MeasuredController, progress: Progress) -> Row:
 
 def commands(measured: MeasuredController, progress: Progress) -> Row:
     """Commands of the suite that are met, and falls per hour of its joystick commands."""
-    suite, policy = full_suite(), measured.controller.policy  # type: ignore[attr-defined]
-    zero = MeasuredController("zero action", ZeroController(policy.action_mode), measured.config)
-    met = [command_map.run(suite.commands, one, None)["met"]["mean"] for one in (measured, zero)]
+    suite = full_suite()
+    met = [command_map.run(suite.commands, one, None)["met"]["mean"] for one in (measured, measured.zero_action())]
     row = {"commands met, %": 100.0 * met[0], "zero action, %": 100.0 * met[1]}
     return row | joystick_hours(measured, progress, suite.joystick)
 
@@ -108,16 +107,11 @@ def joystick_hours(measured: MeasuredController, progress: Progress, part: Joyst
 
 def regulation(measured: MeasuredController, progress: Progress) -> Row:
     """Episodes that keep both velocities under each disturbance of the suite, of the policy and its zero action, %."""
-    part, policy = full_suite().regulation, measured.controller.policy  # type: ignore[attr-defined]
-    zero = MeasuredController("zero action", ZeroController(policy.action_mode), measured.config)
-    results = [
-        suite_regulation.run(part, one, part_of(progress, i / 2, (i + 1) / 2)) for i, one in enumerate((measured, zero))
-    ]
-    return {
-        name + suffix: 100.0 * result["kept"]["mean"]
-        for of_one, suffix in zip(results, ("", ", zero action"), strict=True)
-        for name, result in of_one.items()
-    }
+    part = full_suite().regulation
+    policy = suite_regulation.run(part, measured, part_of(progress, 0.0, 0.5))
+    zero = suite_regulation.run(part, measured.zero_action(), part_of(progress, 0.5, 1.0))
+    row = {name: 100.0 * result["kept"]["mean"] for name, result in policy.items()}
+    return row | {f"{name}, zero action": 100.0 * result["kept"]["mean"] for name, result in zero.items()}
 
 
 def errors(measured: MeasuredController, progress: Progress, episodes: int = 8) -> Row:

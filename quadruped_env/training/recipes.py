@@ -30,7 +30,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
         "flat": Recipe("level ground, another robot in each episode, and pushes", task={"randomization": "moderate"}),
         "rough": Recipe(
             "all kinds of terrain, with a curriculum, another robot in each episode, and pushes",
-            # From scratch it climbs higher: the trot under a residual lifts its feet by less than a step.
+            # On top of the scripted trot it climbs lower steps.
             {"timesteps": 6_000_000, "action_mode": "position"},
             # For a hundred tiles: with 256 robots one of five seeds did not learn the steepest slopes.
             {"num_envs": 512, "batch_size": 3072},

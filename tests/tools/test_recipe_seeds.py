@@ -102,7 +102,7 @@ def test_ten_hours_of_joystick_commands_are_a_minute_with_each_seed(monkeypatch)
 
 
 def test_regulation_is_that_of_the_policy_next_to_its_zero_action(monkeypatch):
-    shares = {"flat": 0.75, "zero action": 0.25}
+    shares = {"flat": 0.75, "flat, zero action": 0.25}
     monkeypatch.setattr(
         recipe_seeds.suite_regulation,
         "run",
