@@ -124,7 +124,7 @@ def test_picture_too_large_for_opengl_error_names_its_size():
 
 
 def assert_same_picture(picture, expected):
-    # A renderer's first picture of a scene can differ a little from its second one.
+    # A renderer's first picture differs a little from its later ones, on edges by more: compare pictures of equal rank.
     np.testing.assert_allclose(picture.astype(int), expected.astype(int), atol=3)
 
 
@@ -156,8 +156,9 @@ def test_picture_has_the_requested_size_and_is_not_blank():
 def test_copy_of_an_env_that_has_rendered_renders_the_same_picture(maker, duplicate):
     env = maker(render_mode="rgb_array", width=64, height=48)
     env.reset()
-    env.render()
+    picture = np.array(env.render())
     copied = duplicate(env)
+    assert_same_picture(np.array(copied.render()), picture)
     assert_same_picture(np.array(copied.render()), np.array(env.render()))
     env.close(), copied.close()
 
@@ -169,6 +170,8 @@ def test_vector_environment_renders_one_picture_per_env_equal_to_the_single_envi
     for env in (vector, sync):
         env.reset(seed=0)
         env.step(np.zeros((2, 8), dtype=np.float32))
+    for env in (vector, sync):
+        env.render()
     pictures = vector.render()
     assert len(pictures) == 2
     assert (pictures[0] != pictures[1]).any()
