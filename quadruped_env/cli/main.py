@@ -15,7 +15,7 @@ A four-legged robot that learns to walk: train it, evaluate it, watch it, record
 _EPILOG = f"""\
 first steps:
   {COMMAND} demo                 a robot that walks in your browser, at once
-  {COMMAND} train                a policy that walks, after two minutes or less
+  {COMMAND} train                a policy that walks, after about two minutes
   {COMMAND} evaluate             its report, against the scripted gaits
   {COMMAND} view                 the robot in a browser
 

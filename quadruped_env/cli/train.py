@@ -1,6 +1,6 @@
 """Train a walking policy with PPO, or with another algorithm.
 
-mini-quadruped train                          two minutes or less, then a policy that walks
+mini-quadruped train                          about two minutes, then a policy that walks
 mini-quadruped train --recipe rough           for terrain of all kinds
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground

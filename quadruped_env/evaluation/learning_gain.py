@@ -14,6 +14,8 @@ from quadruped_env.evaluation.confidence import Estimate, mean_interval, proport
 from quadruped_env.evaluation.metrics import START_UP, WINDOW
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, in_mujoco
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
+from quadruped_env.robot import Robot
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import electrical_power, mean_over_steps
 from quadruped_env.utils.progress import Progress, part_of
@@ -21,7 +23,8 @@ from quadruped_env.utils.text_table import text_table
 
 EPISODES: Final = 128
 TOLERANCE: Final = (0.05, 0.1)
-"""Maximum errors of the mean velocities under a command that is met: forward velocity, m/s, and yaw rate, rad/s."""
+"""Maximum errors of the mean velocities under a command that is met, for the built-in robot: forward velocity, m/s, and
+yaw rate, rad/s."""
 NOT_BETTER: Final = "not better than doing nothing beyond doubt"
 
 Floats = NDArray[np.float64]
@@ -51,6 +54,8 @@ class LearningGain:
     episodes: int
     seconds: float
     """Length of an episode, s"""
+    tolerance: tuple[float, float]
+    """`TOLERANCE` in the units of the policy's robot, m/s and rad/s"""
     policy: Performance
     zero: Performance
     difference: Estimate
@@ -156,11 +161,16 @@ def learning_gain(
     return LearningGain(
         episodes,
         seconds,
+        _tolerance(config.robot),
         ours[1],
         zeros[1],
         mean_interval(difference),
         float(difference.mean()) / error if error else math.nan,
     )
+
+
+def _tolerance(robot: Robot) -> tuple[float, float]:
+    return scaled(TOLERANCE[0], scale_of("m/s", robot), 3), scaled(TOLERANCE[1], scale_of("rad/s", robot), 3)
 
 
 def without_curriculum(config: TaskConfig) -> TaskConfig:
@@ -200,18 +210,20 @@ def _run(
     per_second = rewards / (steps * dt)
     return per_second, Performance(
         return_per_second=mean_interval(per_second),
-        commands_met=proportion(commands_met(velocity, command, fallen, dt)),
+        commands_met=proportion(commands_met(velocity, command, fallen, dt, _tolerance(config.robot))),
         falls=proportion(fallen.any(axis=0)),
         electrical_power=mean_interval(power / steps),
         own_action=config.control.action.scale * math.sqrt(squares / steps),
     )
 
 
-def commands_met(velocity: Floats, command: Floats, fallen: Mask, dt: float) -> Mask:
+def commands_met(
+    velocity: Floats, command: Floats, fallen: Mask, dt: float, tolerance: tuple[float, float] = TOLERANCE
+) -> Mask:
     """True for each command that was met, robot by robot, (S,).
 
     A command holds until it changes, the robot falls or the time is over. It is met if the mean velocities from
-    `START_UP` after its beginning to its end are within `TOLERANCE` of it. A command under which the robot falls is not
+    `START_UP` after its beginning to its end are within `tolerance` of it. A command under which the robot falls is not
     met. Other commands that hold for less than `START_UP` + `WINDOW` are left out, and so are those through which a
     command passes as it approaches the requested one.
 
@@ -220,6 +232,7 @@ def commands_met(velocity: Floats, command: Floats, fallen: Mask, dt: float) -> 
         command: command that was in force, the same units (T, N, 2).
         fallen: True where the robot fell; its next sample is of a new episode, (T, N).
         dt: time between samples, s.
+        tolerance: maximum errors of the means, m/s and rad/s.
     """
     allowance, shortest = round(START_UP / dt), round((START_UP + WINDOW) / dt)
     begins = np.ones(fallen.shape, np.bool_)
@@ -232,5 +245,5 @@ def commands_met(velocity: Floats, command: Floats, fallen: Mask, dt: float) -> 
                 met.append(False)
             elif stop - start >= shortest:
                 mean = velocity[start + allowance : stop, robot].mean(axis=0)
-                met.append(bool((np.abs(mean - command[start, robot]) <= TOLERANCE).all()))
+                met.append(bool((np.abs(mean - command[start, robot]) <= tolerance).all()))
     return np.array(met, np.bool_)

@@ -7,12 +7,14 @@ import math
 import numpy as np
 import pytest
 from comparisons import random_policy
+from half_robot import ROBOT
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.learning_gain import NOT_BETTER, commands_met, gain_rows, learning_gain
 from quadruped_env.evaluation.rollout import FIRST_SEED
-from quadruped_env.task import ActionConfig, CommandConfig, TaskConfig, TerminationConfig
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.task import BUILT_IN, ActionConfig, CommandConfig, TaskConfig, TerminationConfig
 
 DT = 0.02
 ROBOTS, SECONDS = 4, 3.0
@@ -113,6 +115,8 @@ def test_commands_are_met_by_their_means_after_a_second_and_without_a_fall():
     # After the fall, the same command is another one, and met. The other robot turns 0.11 rad/s too fast.
     velocity[:, 1, 1] = 0.11
     np.testing.assert_array_equal(commands_met(velocity, command, fallen, DT), [True, False, False, True, False])
+    wide = commands_met(velocity, command, fallen, DT, (0.07, 0.12))
+    np.testing.assert_array_equal(wide, [True, True, False, True, True])
 
 
 @pytest.mark.parametrize(
@@ -136,3 +140,15 @@ def test_a_robot_that_stands_meets_the_commands_to_stand_and_no_others():
         policy = random_policy("position", command=command)
         met[share] = learning_gain(policy, ROBOTS, 7.5).zero.commands_met
     assert [(share, found.mean, found.count) for share, found in met.items()] == [(0.0, 0.0, 12), (1.0, 1.0, 4)]
+
+
+def test_the_tolerance_follows_the_robots_size():
+    command = CommandConfig(
+        forward_velocity=(0.04, 0.04), standing_fraction=0.0, straight_fraction=1.0, turning_fraction=0.0
+    )
+    # A robot that stands, for it has no action, is within 0.05 m/s of this command, and not within 0.035 m/s.
+    for robot, tolerance, met in ((MINI_QUADRUPED, (0.05, 0.1), 1.0), (ROBOT, (0.0354, 0.141), 0.0)):
+        policy = random_policy("position", definition=BUILT_IN.with_robot(robot), command=command)
+        gain = learning_gain(policy, ROBOTS, SECONDS)
+        assert gain.tolerance == tolerance
+        assert gain.zero.commands_met.mean == met

@@ -77,7 +77,7 @@ def test_headline(numbers, level, headline):
 def test_policy_that_learned_nothing_beyond_doubt_is_not_good():
     def judged(low):
         one = Performance(*[Estimate(1.0, 1.0, 1.0, 8)] * 4, own_action=0.1)
-        gain = LearningGain(8, 20.0, one, one, Estimate(0.5, low, 1.0, 8), 2.5)
+        gain = LearningGain(8, 20.0, (0.05, 0.1), one, one, Estimate(0.5, low, 1.0, 8), 2.5)
         return verdict(invented(1.0), gain=gain)
 
     assert (judged(0.2).level, verdict(invented(1.0)).level) == ("good", "good")

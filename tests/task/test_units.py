@@ -11,7 +11,9 @@ from second_robot import ROBOT as OTHER
 from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
 from quadruped_env.gait import CommandedGait
+from quadruped_env.policies import CommandedGaitController
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.units import scale_of, scaled_values
 from quadruped_env.simulation import BatchSimulation, build_model
@@ -200,6 +202,17 @@ def test_time_scaled_joint_targets_walk_at_the_scaled_speed_in_plain_mujoco():
         speeds.append((distances[-1] - distances[400]) / (1200 * 0.005 * time))
     assert speeds[0] > 0.3
     assert speeds[1] == pytest.approx(math.sqrt(SIZE) * speeds[0], rel=0.02)
+
+
+@pytest.mark.parametrize("speed", [0.1, 0.2, 0.3, 0.4, 0.5])
+def test_the_scripted_gait_walks_on_the_half_size_robot(speed):
+    config = TaskConfig().for_robot(ROBOT)
+    measured = MeasuredController(
+        "sinusoid", CommandedGaitController(CommandedGait.preset("sinusoid", ROBOT), "sinusoid"), config
+    )
+    rollout = measured.run([(speed * TIME, 0.0)], [0, 1], 8.0)
+    assert not rollout.fallen.any()
+    np.testing.assert_allclose(mean_velocities(rollout)[:, 0], speed * TIME, rtol=0, atol=0.03)
 
 
 def test_standing_ends_at_the_same_speed_in_units_of_the_robot():

@@ -11,6 +11,7 @@ from quadruped_env.evaluation.confidence import mean_of
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
 from quadruped_env.evaluation.suite.suite_definition import GaitPart
+from quadruped_env.robot.units import scale_of
 from quadruped_env.task import Task
 from quadruped_env.task.quantities import electrical_power, sliding_squared
 from quadruped_env.utils.progress import Progress
@@ -22,7 +23,7 @@ Mask = NDArray[np.bool_]
 CLEARANCE_QUANTILE: Final = 0.05
 """Quantile of the apexes of a foot's swings that is its clearance."""
 _CONTACT: Final = 1.0
-"""Normal force over which a foot is on the ground, N."""
+"""Normal force over which a foot of the built-in robot is on the ground, N."""
 
 PER_FOOT: Final = ("clearance", "swings_per_stride", "bounces_per_stride", "landing_speed", "slip", "duty_factor")
 """Measures with one value per foot."""
@@ -102,7 +103,7 @@ def measures(rollout: Rollout, physics: PhysicsSamples, part: GaitPart) -> dict[
     # The recorder has no sample of the last control step.
     substeps = -(-len(physics.force) // (len(counted) - 1))
     fine, step = np.repeat(counted, substeps, axis=0)[: len(physics.force)], dt / substeps
-    contact = physics.force > _CONTACT
+    contact = physics.force > _CONTACT * scale_of("N", rollout.robot)
     weight = r.robot.total_mass * metrics.GRAVITY
     coefficient = r.motors.joule_coefficients(r.robot.joint_kinds)
     power = metrics.masked_mean(electrical_power(physics.torque, physics.joint_velocity, coefficient), fine)

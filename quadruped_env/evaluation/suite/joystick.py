@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.confidence import mean_of, poisson_rate, proportion
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.evaluation.suite.suite_definition import RECTANGLE, Joystick
+from quadruped_env.evaluation.suite.suite_definition import Joystick
 from quadruped_env.task import Task
 from quadruped_env.utils.progress import Progress, part_of
 
@@ -37,7 +37,7 @@ def run(part: Joystick, measured: MeasuredController, progress: Progress | None 
             part_of(progress, i / len(part.laws), (i + 1) / len(part.laws)),
             randomization=law.randomization,
             before_step=change_commands,
-            reached=list(zip(*RECTANGLE, strict=True)),
+            reached=part.rectangle,
         )
         result[law.name] = measures(rollout, command, part)
     return result
@@ -46,7 +46,7 @@ def run(part: Joystick, measured: MeasuredController, progress: Progress | None 
 def schedule(part: Joystick, seed: int, dt: float) -> Floats:
     """Command in each control step of `dt` seconds (T, 2) of the episode of a seed."""
     generator = np.random.default_rng(seed)
-    low, high = np.array(RECTANGLE).T
+    low, high = np.array(part.rectangle)
     steps, command, now = round(part.seconds / dt), np.zeros(2), 0
     commands = np.zeros((steps, 2))
     stand, reverse, full = np.cumsum(part.shares)

@@ -16,6 +16,7 @@ from quadruped_env.evaluation.rollout import BeforeStep, Rollout, roll_out
 from quadruped_env.evaluation.suite.suite_definition import Command
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
 from quadruped_env.robot import Robot
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.task import BUILT_IN, TaskConfig
@@ -23,7 +24,7 @@ from quadruped_env.task.task_config import values_for
 from quadruped_env.utils.progress import Progress
 
 _STILL: Final = 0.2
-"""RMS joint velocity below which a robot stands, rad/s."""
+"""RMS joint velocity below which the built-in robot stands, rad/s."""
 _STANDING_WEIGHT: Final = 0.2
 """Share of a score that is lost by a robot that does not stand still."""
 
@@ -116,7 +117,7 @@ def share_with_standing(moving: float, standing: float) -> float:
 def stands_still(rollout: Rollout, counted: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """True for each episode (N,) whose joints are nearly at rest over the counted samples (T, N)."""
     squared = masked_mean(rollout.joint_velocity.astype(np.float64) ** 2, counted).mean(axis=-1)
-    return np.asarray(np.sqrt(squared) < _STILL)
+    return np.asarray(np.sqrt(squared) < _STILL * scale_of("rad/s", rollout.robot))
 
 
 def conditions(measured: MeasuredController) -> dict[str, Any]:

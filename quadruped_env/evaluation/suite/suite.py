@@ -24,7 +24,7 @@ from quadruped_env.evaluation.suite.measured_controller import (
     conditions,
     share_with_standing,
 )
-from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite
+from quadruped_env.evaluation.suite.suite_definition import Suite, for_robot, full_suite
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.progress import Progress, part_of
@@ -103,7 +103,7 @@ def run_suite(
 
     Args:
         measured: the controller, in its task.
-        suite: definition of the suite.
+        suite: definition of the suite, which is measured in the units of the controller's robot.
         progress: called with the fraction done.
         zero_action: also measure the zero action in the controller's task, without the recovery.
 
@@ -118,7 +118,7 @@ def run_suite(
     runs = {name: run for name, (run, _) in PARTS.items()}
     share = 0.6 if zero_action else 1.0
     result = _results(measured, suite, {**runs, RECOVERY: recovery.run}, part_of(progress, 0.0, share))
-    result["definition"] = suite.to_dict()
+    result["definition"] = for_robot(suite, measured.robot).to_dict()
     if zero_action:
         result[ZERO_ACTION] = _results(measured.zero_action(), suite, runs, part_of(progress, share, 1.0))
     return result
@@ -127,14 +127,14 @@ def run_suite(
 def _results(
     measured: MeasuredController, suite: Suite, runs: Mapping[str, _Run], progress: Progress | None
 ) -> dict[str, Any]:
-    weights = episode_seconds(suite)
+    own, weights = for_robot(suite, measured.robot), episode_seconds(suite)
     weights["terrain"] *= _TERRAIN_COST
     weights["recovery"] *= _RECOVERY_COST
     total, done, began = sum(weights[name] for name in runs), 0.0, time.perf_counter()
     parts: dict[str, Any] = {}
     for name, run in runs.items():
         part = part_of(progress, done / total, (done + weights[name]) / total)
-        parts[name] = run(getattr(suite, name), measured, part)
+        parts[name] = run(getattr(own, name), measured, part)
         done += weights[name]
     if progress is not None:
         progress(1.0)
@@ -143,7 +143,7 @@ def _results(
         "conditions": conditions(measured),
         "name": measured.name,
         "seconds": round(time.perf_counter() - began, 1),
-        "score": scores(suite, parts),
+        "score": scores(own, parts),
         **parts,
     }
 

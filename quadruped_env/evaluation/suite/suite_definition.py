@@ -1,18 +1,21 @@
 """Definition of the suite `mq-eval`: its parts as data, its version, and its hash. docs/suite.md explains the measures.
 
-All numbers are in SI units, angles of directions and tilts in degrees. A change of a number changes the hash. A change
-of a formula must change `VERSION`.
+All numbers are in SI units and for the built-in robot, angles of directions and tilts in degrees; `for_robot` gives
+those of another one. A change of a number changes the hash. A change of a formula must change `VERSION`.
 """
 
 import dataclasses
 import functools
 import hashlib
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.robot import Robot
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST, TERRAINS
 from quadruped_env.simulation.terrain import TILE
 from quadruped_env.task import PRESETS
@@ -29,8 +32,8 @@ _FIRST_SEED: Final = EVALUATION_SEEDS.start + 500_000
 """First seed of the suite; the seeds before it are those of the other evaluations."""
 _SEEDS_PER_PART: Final = 10_000
 
-RECTANGLE: Final = ((-0.3, 0.6), (-0.8, 0.8))
-"""Ranges of the commands that are drawn, m/s and rad/s."""
+RECTANGLE: Final[tuple[Command, Command]] = ((-0.3, -0.8), (0.6, 0.8))
+"""Least and largest commands that are drawn, those of the task; not in the hash."""
 _R2: Final = np.array([0.7548776662466927, 0.5698402909980532])
 """Steps of the sequence R2: 1 / g and 1 / g^2, where g^3 = g + 1."""
 
@@ -59,6 +62,7 @@ class Part:
 class CommandMap(Part):
     """Commands drawn over a rectangle, standing, and each direction alone up to beyond what the robot can do."""
 
+    rectangle: tuple[Command, Command] = RECTANGLE
     points: int = 248
     """Commands that are drawn."""
     standing: int = 8
@@ -85,7 +89,7 @@ class CommandMap(Part):
         Points of the additive sequence R2, which covers the rectangle evenly (Roberts 2018, The Unreasonable
         Effectiveness of Quasirandom Sequences), from a start that the seed gives.
         """
-        low, high = np.array(RECTANGLE).T
+        low, high = np.array(self.rectangle)
         at = np.random.default_rng(self.first_seed).random(2)
         points: list[Command] = []
         while len(points) < self.points:
@@ -110,6 +114,7 @@ class Factor:
 class Joystick(Part):
     """Commands that change at any time, as a person gives them."""
 
+    rectangle: tuple[Command, Command] = RECTANGLE
     laws: tuple[Factor, ...] = field(
         default_factory=lambda: (Factor("undisturbed"), Factor("moderate", dict(PRESETS["moderate"])))
     )
@@ -349,7 +354,9 @@ class Suite:
 
     def to_dict(self) -> dict[str, Any]:
         """The definition as plain values."""
-        return {"name": NAME, "version": VERSION, **plain(dataclasses.asdict(self))}
+        values = dataclasses.asdict(self)
+        del values["commands"]["rectangle"], values["joystick"]["rectangle"]
+        return {"name": NAME, "version": VERSION, **plain(values)}
 
     @functools.cached_property
     def sha256(self) -> str:
@@ -366,6 +373,36 @@ class Suite:
     def label(self) -> str:
         """Name and version in words."""
         return f"{NAME} {VERSION}{' (quick)' if self.quick else ''}"
+
+
+_VELOCITIES: Final = ("m/s", "rad/s")
+_UNITS: Final[Mapping[str, str | tuple[str, ...]]] = {
+    **dict.fromkeys(("rectangle", "smallest", "axes", "command", "commands", "first", "then"), _VELOCITIES),
+    **dict.fromkeys(("tolerance", "narrowest", "together_tolerance"), _VELOCITIES),
+    **dict.fromkeys(("soft_landing", "little_slip", "horizontal_sizes"), "m/s"),
+    **dict.fromkeys(("bounce", "full_clearance"), "m"),
+    "unit": ("m/s",) * 3 + ("rad/s",) * 3,
+}
+"""Units of the fields that follow the robot's size. Disturbances, tiles and releases do where they are used; times are
+the same for all."""
+
+
+def for_robot(suite: Suite, robot: Robot) -> Suite:
+    """The suite in the units of a robot: its commands, tolerances, pushes, and the heights and speeds of its scores."""
+    scaled_suite: Suite = _scaled(suite, robot)
+    return scaled_suite
+
+
+def _scaled(value: Any, robot: Robot, unit: str | tuple[str, ...] | None = None) -> Any:
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        values = {f.name: getattr(value, f.name) for f in dataclasses.fields(value)}
+        return replace(value, **{name: _scaled(v, robot, _UNITS.get(name)) for name, v in values.items()})
+    if isinstance(value, dict):
+        return {name: _scaled(v, robot, unit) for name, v in value.items()}
+    if isinstance(value, tuple):
+        each = unit if isinstance(unit, tuple) and isinstance(value[0], float) else (unit,) * len(value)
+        return tuple(_scaled(v, robot, u) for v, u in zip(value, each, strict=True))
+    return value if unit is None else scaled(value, scale_of(str(unit), robot))
 
 
 @functools.cache

@@ -9,7 +9,7 @@ from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.evaluation.comparison import Command, Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.learning_gain import TOLERANCE, LearningGain, gain_rows
+from quadruped_env.evaluation.learning_gain import LearningGain, gain_rows
 from quadruped_env.evaluation.metrics import START_UP
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Controller, PolicyController, ZeroController, at_checkpoint
@@ -32,8 +32,9 @@ def gain_section(gains: Mapping[str, LearningGain]) -> dict[str, Any]:
         f"The zero action is the stance, or the scripted gait under the policy. Both ran in the policy's own task, "
         f"with its commands, randomization and terrain: {first.episodes} episodes of {first.seconds:g} s with the same "
         f"seeds; a robot that falls begins again. 95 % intervals are in brackets. A command is met if the mean "
-        f"velocities from {START_UP:g} s after its beginning are within {TOLERANCE[0]:g} m/s and {TOLERANCE[1]:g} "
-        f"rad/s of it. The own action is what the policy adds to the joint targets of the zero action."
+        f"velocities from {START_UP:g} s after its beginning are within {first.tolerance[0]:g} m/s and "
+        f"{first.tolerance[1]:g} rad/s of it. The own action is what the policy adds to the joint targets of the zero "
+        f"action."
     )
     return {"header": ["", *(each for name in gains for each in (name, "zero action"))], "rows": rows, "note": note}
 

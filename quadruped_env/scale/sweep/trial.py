@@ -14,7 +14,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import PARTS, run_suite
-from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
+from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.reporting.pages.suite_section import write_results
 from quadruped_env.scale.sweep.sweep_definition import SweepConfig, known, sha256_of
@@ -161,7 +161,8 @@ class RungObserver:
 
 def rung_score(policy: Policy) -> float:
     """Score in [0, 1] of a policy during its training: mean of four parts of the quick suite, on level ground."""
-    suite, measured = quick_suite(), MeasuredController.of_policy(policy, "trial")
+    measured = MeasuredController.of_policy(policy, "trial")
+    suite = for_robot(quick_suite(), measured.robot)
     scores = []
     for name in ("commands", "gait", "transients", "pushes"):
         (run, score), part = PARTS[name], getattr(suite, name)

@@ -4,6 +4,7 @@ import copy
 import json
 from dataclasses import replace
 
+import half_robot
 import numpy as np
 import pytest
 from comparisons import random_policy
@@ -24,10 +25,10 @@ from quadruped_env.evaluation.suite.suite import (
     scores,
     with_zero_action,
 )
-from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
+from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import CommandedGaitController, GaitController, ZeroController
-from quadruped_env.robot import MotorConfig
+from quadruped_env.robot import MINI_QUADRUPED, MotorConfig
 from quadruped_env.task import TaskConfig, TerminationConfig
 
 QUICK = quick_suite()
@@ -208,9 +209,26 @@ def test_reference_rows_count_only_where_they_are_comparable(result, tmp_path):
             read_references(path)
 
 
-def test_shipped_reference_rows_belong_to_this_suite():
-    for row in read_references():
-        assert row["suite"] == full_suite().identity
+def test_gait_scores_the_same_on_the_robot_of_half_the_size():
+    scores = []
+    for robot in (MINI_QUADRUPED, half_robot.ROBOT):
+        controller = CommandedGaitController(CommandedGait.preset("sinusoid", robot), "sinusoid")
+        measured = MeasuredController("sinusoid", controller, TaskConfig().for_robot(robot))
+        part, (run, score) = for_robot(QUICK, robot).gait, PARTS["gait"]
+        scores.append(score(run(part, measured, None), part))
+    assert scores[0] > 0.3
+    assert scores[1] == pytest.approx(scores[0], abs=0.05)
+
+
+def test_shipped_reference_rows_belong_to_this_suite_and_are_in_its_known_order():
+    rows = {row["name"]: row for row in read_references()}
+    assert {row["suite"]["sha256"] for row in rows.values()} == {full_suite().identity["sha256"]}
+    total = {name: row["score"]["total"] for name, row in rows.items()}
+    # The tutorial's gait moves the robot, and follows no command.
+    assert 0.0 == total["standing"] < total["article"] < 0.01
+    assert 0.1 < total["sinusoid"] < total["tuned"] < min(total["flat"], total["rough"])
+    for policy in ("flat", "rough"):
+        assert total[f"{policy}, zero action"] < total[policy]
 
 
 def test_task_of_the_suite_does_not_depend_on_how_a_policy_was_trained():

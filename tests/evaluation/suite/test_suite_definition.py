@@ -4,12 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from half_robot import ROBOT, TIME
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.evaluation.suite import suite_definition
 from quadruped_env.evaluation.suite.suite import COMPONENTS, RECOVERY
-from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
+from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import TERRAINS
 from quadruped_env.task import PRESETS
 from quadruped_env.training.train import train
@@ -59,6 +61,28 @@ def test_regulation_covers_friction_payload_offsets_and_slopes_both_ways():
     assert factors["encoder_offset_0.04"].randomization == {"encoder_offset": 0.04}
     assert (factors["up_16_degrees"].slope, factors["down_4_degrees"].slope) == (16.0, -4.0)
     assert len(factors) == 1 + 5 + 4 + 2 + 8
+
+
+def test_suite_of_another_robot_has_the_same_numbers_in_its_units():
+    full, half = full_suite(), for_robot(full_suite(), ROBOT)
+    units = TIME, 1.0 / TIME
+    np.testing.assert_allclose(half.commands.drawn, np.multiply(full.commands.drawn, units), atol=1e-4)
+    for part in ("gait", "pushes", "regulation"):
+        np.testing.assert_allclose(getattr(half, part).commands, np.multiply(getattr(full, part).commands, units), 1e-5)
+    assert half.commands.axes["left"][-1] == (0.0, 2.26274)
+    assert (half.commands.tolerance, half.joystick.tolerance) == ((0.0353553, 0.141421), (0.0707107, 0.282843))
+    assert half.regulation.together_tolerance == half.joystick.tolerance
+    assert half.transients.changes[0].then == (0.353553, 0.0)
+    assert half.transients.narrowest == half.commands.tolerance
+    np.testing.assert_allclose(half.pushes.unit, (TIME, TIME, 0.5 * TIME, *(2.0 / TIME,) * 3), 1e-5)
+    assert half.pushes.horizontal_sizes[-1] == 1.41421
+    assert (half.gait.bounce, half.gait.full_clearance) == (0.001, 0.005)
+    assert (half.gait.soft_landing, half.gait.little_slip) == (0.141421, 0.0353553)
+    assert (half.terrain.command, half.recovery.command) == ((0.282843, 0.0), (0.212132, 0.0))
+    # Scaled where they are used, or the same for all.
+    assert (half.regulation.factors, half.recovery.releases) == (full.regulation.factors, full.recovery.releases)
+    assert (half.gait.seconds, half.transients.window) == (full.gait.seconds, full.transients.window)
+    assert for_robot(full, MINI_QUADRUPED) == full
 
 
 def test_every_terrain_with_levels_is_crossed():
