@@ -7,7 +7,7 @@ import gymnasium
 import numpy as np
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 
-from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
+from quadruped_env.control import ControlInterface, ObservationLayout
 from quadruped_env.envs import ENV_ID
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
@@ -82,7 +82,7 @@ class Terms:
 
     def __init__(self, readings, config=None):
         self.config = config or TaskConfig()
-        self.control = ControlInterface(MINI_QUADRUPED, ControlConfig(), len(readings.up_b))
+        self.control = ControlInterface(MINI_QUADRUPED, self.config.control, len(readings.up_b))
         reward = self.config.reward
         self.context = TaskContext(readings, self.control, reward.velocity_time_constant, reward.contact_threshold)
         weights = dict.fromkeys(reward.weights, 1.0 / self.context.timestep)

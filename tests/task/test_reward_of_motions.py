@@ -8,13 +8,15 @@ import numpy as np
 import pytest
 from tasks import Terms, random_readings
 
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
-from quadruped_env.task import RewardConfig
+from quadruped_env.task import TaskConfig
+from quadruped_env.training.recipes import RECIPES, task_values
 
 DT, SUBSTEPS, SECONDS = 0.02, 4, 5.0
 LEG_PHASES = np.array([0.0, math.pi, math.pi, 0.0])
-SWING, LANDING = 0.015, 0.3
-"""Height of a sole in its swing, m, and its speed at touchdown, m/s."""
+SWING, LANDING = 1.25, 0.3
+"""Height of a sole in its swing over what the reward asks for, and its speed at touchdown, m/s."""
 FOOT_RADIUS, FOOT_DISTANCE = 0.02, 0.18
 """Of a foot's ball, and of the feet from the centre, m."""
 COMMANDS = np.array(
@@ -58,11 +60,11 @@ def still(*shape):
     return readings
 
 
-def set_motion(readings, motion, phase):
-    """Write a motion at the clock's phases (..., N) into readings (..., N, ...)."""
+def set_motion(readings, motion, phase, lift):
+    """Write a motion at the clock's phases (..., N) into readings (..., N, ...); the soles rise by `lift`, m."""
     velocity = COMMANDS if motion.follows else np.zeros_like(COMMANDS)
     sine = np.sin(phase[..., None] + LEG_PHASES)
-    height = SWING * np.maximum(sine, 0.0) if motion.steps else np.zeros_like(sine)
+    height = lift * np.maximum(sine, 0.0) if motion.steps else np.zeros_like(sine)
     on_ground = (sine <= 0.0) | (not motion.steps)
     readings.linear_velocity_b[..., 0], readings.angular_velocity_b[..., 2] = velocity.T
     # The base of a robot that steps bobs and rolls.
@@ -77,22 +79,22 @@ def set_motion(readings, motion, phase):
     readings.joint_velocity[:] = motion.power / 8.0 - 0.5
 
 
-def earned(motion):
+def earned(motion, config):
     """Reward per second of a motion under each of the commands (N,), and its landings per second (N,)."""
     n = len(COMMANDS)
     readings, substeps = still(n), still(SUBSTEPS, n)
-    terms = Terms(readings)
+    terms = Terms(readings, config)
     terms.set_command(COMMANDS)
-    control, context, weights = terms.control, terms.context, np.array(list(RewardConfig().weights.values()))
+    control, context, weights = terms.control, terms.context, np.array(list(config.reward.weights.values()))
     total, landings = np.zeros(n), np.zeros(n)
-    fall_steps = motion.fall_interval / DT
+    fall_steps, lift = motion.fall_interval / DT, SWING * config.reward.foot_lift
     for step in range(1, round(SECONDS / DT) + 1):
         before = control.phase.copy()
         control.advance()
         control.action[:] = 0.05 * (-1) ** step
         part = (control.phase - before) % math.tau / SUBSTEPS
-        set_motion(substeps, motion, before + part * np.arange(SUBSTEPS)[:, None])
-        set_motion(readings, motion, control.phase)
+        set_motion(substeps, motion, before + part * np.arange(SUBSTEPS)[:, None], lift)
+        set_motion(readings, motion, control.phase, lift)
         context.update(substeps)
         context.fallen[:] = step % fall_steps == 0
         total += DT * weights @ terms.function(context)
@@ -102,19 +104,24 @@ def earned(motion):
     return total / SECONDS, landings / SECONDS
 
 
+@pytest.fixture(scope="module", params=RECIPES)
+def config(request):
+    return TaskConfig.from_dict(task_values(request.param, MINI_QUADRUPED))
+
+
 @pytest.fixture(scope="module")
-def walking():
-    return earned(WALKING)
+def walking(config):
+    return earned(WALKING, config)
 
 
-def test_walking_as_commanded_earns_at_every_command(walking):
+def test_walking_as_commanded_earns_at_every_command(walking, config):
     reward, landings = walking
     assert reward.min() > 5.0
-    np.testing.assert_allclose(landings, 4 * 3.4, atol=1.0)
+    np.testing.assert_allclose(landings, 4 * config.clock_frequency, atol=1.0)
 
 
 @pytest.mark.parametrize("name", OTHERS)
-def test_walking_as_commanded_earns_more_than_other_motions(walking, name):
-    difference = walking[0] - earned(OTHERS[name])[0]
+def test_walking_as_commanded_earns_more_than_other_motions(walking, config, name):
+    difference = walking[0] - earned(OTHERS[name], config)[0]
     worst = np.argmin(difference)
     assert difference[worst] > 1.0, f"{name} at {COMMANDS[worst]}"
