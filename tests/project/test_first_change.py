@@ -45,12 +45,11 @@ def test_files_and_commands_of_the_page_run_in_order(tmp_path):
         assert running.returncode == 0, f"{command}\n{printed[command]}"
     assert len(printed) == 10
 
-    before, high = (load_policy(next((tmp_path / "runs").glob(f"*-{name}"))).config for name in ("before", "high"))
-    assert (before.reward.foot_lift, high.reward.foot_lift) == (0.012, 0.04)
-    assert high.reward.weights.gait_clock == 24.0
+    runs = [next((tmp_path / "runs").glob(f"*-{name}")) for name in ("before", "thrifty")]
+    assert [load_policy(run).config.reward.weights.electrical_power for run in runs] == [-0.04, -0.4]
     heavier, lighter = (printed[command] for command in printed if "baseline" in command)
     assert "Forward velocity" in heavier
     assert heavier != lighter
     for command in (command for command in printed if "drive.py" in command):
-        assert len(re.findall(r"^command \(.*\): \[.*\], feet rise \[.*\] mm$", printed[command], re.MULTILINE)) == 3
+        assert len(re.findall(r"^command \(.*\): \[.*\], \d+\.\d W$", printed[command], re.MULTILINE)) == 3
     assert re.search(r"^gait_clock( +-?\d+\.\d\d){3}$", printed["python look.py runs/latest"], re.MULTILINE)
