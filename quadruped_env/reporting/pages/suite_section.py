@@ -26,7 +26,7 @@ from quadruped_env.utils.files import write_json
 _GAIT_ROWS: Final[dict[str, tuple[str, float, int, str]]] = {
     "clearance": ("Clearance of the lowest foot", 1000.0, 1, "mm"),
     "swings_per_stride": ("Swings per stride, most", 1.0, 2, ""),
-    "bounces_per_stride": ("Bounces over 2 mm per stride, worst foot", 1.0, 2, ""),
+    "bounces_per_stride": ("Bounces per stride, worst foot", 1.0, 2, ""),
     "landing_speed": ("Landing speed, worst foot", 1.0, 2, "m/s"),
     "slip": ("Slip, worst foot", 1.0, 3, "m/s"),
     "duty_factor": ("Duty factor, mean", 1.0, 2, ""),
