@@ -11,6 +11,7 @@ from comparisons import random_policy
 
 from benchmarks.shipping import reference_row
 from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.suite import suite as suite_module
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import (
     COMPONENTS,
@@ -218,6 +219,28 @@ def test_gait_scores_the_same_on_the_robot_of_half_the_size():
         scores.append(score(run(part, measured, None), part))
     assert scores[0] > 0.3
     assert scores[1] == pytest.approx(scores[0], abs=0.05)
+
+
+def test_parts_are_measured_and_scored_in_the_units_of_the_robot(monkeypatch):
+    measured = MeasuredController("standing", ZeroController(), TaskConfig().for_robot(half_robot.ROBOT))
+    seen = []
+
+    def run(part, measured, progress):
+        seen.append(part)
+        return {}
+
+    def score(result, part):
+        seen.append(part)
+        return 0.0
+
+    monkeypatch.setattr(suite_module, "PARTS", {"commands": (run, score)})
+    monkeypatch.setattr(suite_module.recovery, "run", run)
+    result = run_suite(measured, QUICK)
+    own = for_robot(QUICK, half_robot.ROBOT)
+    assert seen == [own.commands, own.recovery, own.commands]
+    assert own.commands != QUICK.commands
+    assert result["definition"] == own.to_dict()
+    assert result["suite"] == QUICK.identity
 
 
 def test_shipped_reference_rows_belong_to_this_suite_and_are_in_its_known_order():
