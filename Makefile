@@ -7,6 +7,7 @@
 VENV ?= .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
+DOCS := $(VENV)/.installed-docs
 DEV := $(VENV)/.installed-dev
 # Where torch comes from if pip's own index has no CPU build: PyPI's builds for Linux bring 2.7 GB of CUDA.
 # Empty: pip's own index.
@@ -31,9 +32,13 @@ $(INSTALLED): $(REQUIRED)
 	@$(INSTALL) test
 	@touch $@
 
+$(DOCS): $(REQUIRED)
+	@$(INSTALL) docs
+	@touch $@
+
 $(DEV): $(REQUIRED)
 	@$(INSTALL) dev
-	@touch $(INSTALLED) $@
+	@touch $(INSTALLED) $(DOCS) $@
 
 walk: $(INSTALLED)  ## train PPO, evaluate it against the scripted gait, write report.html
 	$(BIN)/mini-quadruped train
@@ -42,7 +47,7 @@ walk: $(INSTALLED)  ## train PPO, evaluate it against the scripted gait, write r
 view: $(INSTALLED)  ## watch the robot live in a browser
 	@$(BIN)/mini-quadruped view
 
-docs: $(DEV)  ## write the documentation as a site, in build/site, without a network
+docs: $(DOCS)  ## write the documentation as a site, in build/site, without a network
 	$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet -c docs . build/site
 	@echo 'written to $(CURDIR)/build/site/index.html'
 

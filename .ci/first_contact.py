@@ -3,10 +3,12 @@
     python .ci/first_contact.py [NAME ...]
 
 One environment for each newer Python that this machine has, for the oldest MuJoCo, for the newest of everything, and
-for a MuJoCo that pip breaks when it installs the package. None needs torch. Two run at a time. Exit status 1 if one
-fails, but for the newest versions, whose failure is only shown: it is not this repository that changed.
+for a MuJoCo that pip breaks when it installs the package. One is a clone in which the distribution's own Python, often
+of an early patch release, writes the documentation, as in a container. None needs torch. Two run at a time. Exit status
+1 if one fails, but for the newest versions, whose failure is only shown: it is not this repository that changed.
 """
 
+import os
 import re
 import subprocess
 import sys
@@ -40,6 +42,7 @@ assert 2.0 < distance < 3.0, distance
 assert "torch" not in sys.modules
 print(f"Python {sys.version.split()[0]}, MuJoCo {mujoco.__version__}: {distance:.2f} m in 5 s")
 """
+SYSTEM_PYTHON = Path("/usr/bin/python3")
 EVERYTHING = "report,viewer,ros,dds,identify,export,hub"
 """Extras that need no torch."""
 
@@ -58,6 +61,17 @@ class Contact:
     repair: bool = False
     """True if the package can be imported only after the repair that its error names."""
     must_pass: bool = True
+    make: str = ""
+    """Target of the Makefile that is made in a clone, with the distribution's Python and nothing else on PATH."""
+
+    @property
+    def interpreter(self) -> str | None:
+        """Program that starts its Python; None if this machine has none."""
+        if not self.make:
+            return python(self.python)
+        question = "import ensurepip, sys; sys.exit(sys.version_info < (3, 11))"
+        usable = SYSTEM_PYTHON.exists() and not subprocess.run([SYSTEM_PYTHON, "-c", question], check=False).returncode  # noqa: S603
+        return str(SYSTEM_PYTHON) if usable else None
 
 
 CONTACTS = (
@@ -66,18 +80,25 @@ CONTACTS = (
     Contact("python-3.14", python="3.14"),
     Contact("oldest-mujoco", pinned=False, before="mujoco==3.17.*"),
     Contact("broken-mujoco", extras="", pinned=False, before="mujoco==3.11.*", repair=True),
+    Contact("docs-with-the-system's-python", python="3.11 or later in /usr/bin, with venv", make="docs"),
     Contact("newest", extras=EVERYTHING, pinned=False, must_pass=False),
 )
 
 
-def run(command: Sequence[str | Path], folder: Path) -> str:
+def run(command: Sequence[str | Path], folder: Path, **environment: str) -> str:
     """Run a command, and return what it printed.
 
     Raises:
         RuntimeError: if it fails; with the end of its output.
     """
     done = subprocess.run(  # noqa: S603
-        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
+        command,
+        cwd=folder,
+        env=os.environ | environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
     )
     if done.returncode:
         raise RuntimeError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-3000:]}")
@@ -111,16 +132,29 @@ def walk(contact: Contact, interpreter: str, wheel: Path, folder: Path) -> str:
     return printed.strip()
 
 
+def make(contact: Contact, interpreter: str, folder: Path) -> str:
+    """Clone the repository, make the target there, and return the Python's version."""
+    run(["git", "clone", "--quiet", ROOT, "clone"], folder)
+    clone, alone = folder / "clone", {"PATH": "/usr/bin:/bin", "HOME": str(folder)}
+    run(["make", contact.make], clone, **alone)
+    if not (clone / "build" / "site" / "index.html").stat().st_size:
+        raise RuntimeError("build/site/index.html is empty")
+    if changed := run(["git", "status", "--short"], clone):
+        raise RuntimeError(f"git status: {changed}")
+    return run([interpreter, "--version"], folder).strip()
+
+
 def check(contact: Contact, wheel: Path) -> bool:
     """Check one environment, and print the result; False if it must pass and does not."""
-    interpreter = python(contact.python)
+    interpreter = contact.interpreter
     if interpreter is None:
         print(f"SKIP {contact.name}: no Python {contact.python} on this machine", flush=True)
         return True
     began = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         try:
-            result, text = "PASS", walk(contact, interpreter, wheel, Path(folder))
+            walked = make(contact, interpreter, Path(folder)) if contact.make else ""
+            result, text = "PASS", walked or walk(contact, interpreter, wheel, Path(folder))
         except (RuntimeError, OSError) as error:
             result, text = "FAIL" if contact.must_pass else "FAIL (only shown)", str(error)
     print(f"{result} {contact.name} ({time.monotonic() - began:.0f} s): {text}", flush=True)

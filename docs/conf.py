@@ -3,6 +3,8 @@
 The source directory is the repository, so that the links of a page are the same here and on GitHub.
 """
 
+import importlib.util
+import json
 import re
 import subprocess
 import sys
@@ -26,8 +28,10 @@ project = "MiniQuadruped"
 author = "The MiniQuadruped contributors"
 release = version = __version__
 root_doc = "docs/index"
+source_suffix = {".md": "markdown", ".rst": "restructuredtext", ".ipynb": "markdown"}
 include_patterns = [
     "docs/*.md",
+    "docs/*.ipynb",
     "docs/*/*.md",
     "docs/api/*.rst",
     "CONTRIBUTING.md",
@@ -43,6 +47,10 @@ extensions = [
     "sphinx.ext.viewcode",
 ]
 templates_path = [str(DOCS / "_templates")]
+# The extra 'docs' has no torch; what is documented of a training needs none.
+autodoc_mock_imports = [
+    name for name in ("torch", "stable_baselines3", "tqdm") if importlib.util.find_spec(name) is None
+]
 default_role = "code"  # docstrings write code as Markdown does
 myst_heading_anchors = 4
 autodoc_member_order = "bysource"
@@ -81,6 +89,16 @@ def embed_walking_page(app: Sphinx, page: str, source: list[str]) -> None:
         source[0] = source[0].replace(PICTURE, EMBEDDED)
 
 
+def convert_notebook(app: Sphinx, page: str, source: list[str]) -> None:
+    """Convert a notebook to Markdown, in place."""
+    if not app.env.doc2path(page, base=False).match("*.ipynb"):
+        return
+    cells = [(cell["cell_type"], "".join(cell["source"])) for cell in json.loads(source[0])["cells"]]
+    # :force: since a line of Jupyter, such as %pip, is not Python.
+    code = "```{{code-block}} python\n:force:\n\n{}\n```"
+    source[0] = "\n\n".join(code.format(text) if kind == "code" else text for kind, text in cells)
+
+
 def convert_docstring(app: Sphinx, what: str, name: str, value: Any, options: Any, lines: list[str]) -> None:
     """Convert the headings, tables and bars of a docstring from Markdown to reStructuredText, in place."""
     text = re.sub(r"^#+ (.*)$", r".. rubric:: \1" + "\n", "\n".join(lines), flags=re.MULTILINE)
@@ -105,4 +123,5 @@ def setup(app: Sphinx) -> None:
     """Connect the functions above."""
     app.connect("builder-inited", write_walking_page)
     app.connect("source-read", embed_walking_page)
+    app.connect("source-read", convert_notebook)
     app.connect("autodoc-process-docstring", convert_docstring, priority=400)  # before napoleon

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Create a virtual environment, and install this checkout with an extra, at the versions of constraints.txt.
-# 'make install' and 'make dev' run it; the Makefile explains PYTHON, VENV and TORCH_INDEX.
+# 'make install', 'make docs' and 'make dev' run it; the Makefile explains PYTHON, VENV and TORCH_INDEX.
 set -eu
 cd "$(dirname "$0")/.."
 extra=$1
@@ -54,18 +54,22 @@ fi
 # pip installs MuJoCo 4 and then removes the files of an older one, which have the same names.
 case $(installed mujoco) in [0-3].*) pip uninstall -y mujoco ;; esac
 
+install_torch() {
+    torch=$(sed -n 's/^torch==//p' constraints.txt)
+    case $(installed torch) in "$torch" | "$torch+"*) TORCH_INDEX= ;; esac
+    # PyPI has no version with a '+': this finds only a CPU build that pip can have elsewhere, such as in its find-links.
+    case $TORCH_INDEX in */cpu) pip install -c constraints.txt "torch==$torch+cpu" 2>/dev/null && TORCH_INDEX= ;; esac
+    if [ -n "$TORCH_INDEX" ]; then
+        # Its dependencies come with those of the package, from pip's own index.
+        pip install --no-deps --retries 1 --index-url "$TORCH_INDEX" "torch==$torch" ||
+            fail "no torch $torch for Python $(version "$VENV/bin/python") from $TORCH_INDEX. 'make install" \
+                "TORCH_INDEX=https://...' takes it from another index, and 'make install TORCH_INDEX=' from pip's own," \
+                "which for Linux has a build with 2.7 GB of CUDA."
+    fi
+}
 # First, since as a dependency PyPI's build would come. An installed build is kept, whatever it is for.
-torch=$(sed -n 's/^torch==//p' constraints.txt)
-case $(installed torch) in "$torch" | "$torch+"*) TORCH_INDEX= ;; esac
-# PyPI has no version with a '+': this finds only a CPU build that pip can have elsewhere, such as in its find-links.
-case $TORCH_INDEX in */cpu) pip install -c constraints.txt "torch==$torch+cpu" 2>/dev/null && TORCH_INDEX= ;; esac
-if [ -n "$TORCH_INDEX" ]; then
-    # Its dependencies come with those of the package, from pip's own index.
-    pip install --no-deps --retries 1 --index-url "$TORCH_INDEX" "torch==$torch" ||
-        fail "no torch $torch for Python $(version "$VENV/bin/python") from $TORCH_INDEX. 'make install" \
-            "TORCH_INDEX=https://...' takes it from another index, and 'make install TORCH_INDEX=' from pip's own," \
-            "which for Linux has a build with 2.7 GB of CUDA."
-fi
+[ "$extra" = docs ] || install_torch
 
-pip install -c constraints.txt -e ".[$extra]"
+# Not quiet: it takes minutes, and where no version fits, only what comes before the error names the requirement.
+"$VENV/bin/python" -m pip --disable-pip-version-check install -c constraints.txt -e ".[$extra]"
 "$VENV/bin/python" -c 'import quadruped_env'

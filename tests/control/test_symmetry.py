@@ -75,5 +75,5 @@ def test_symmetric_policy_gives_mirrored_actions_and_equal_values_on_both_sides(
             mean = [model.policy.get_distribution(side).distribution.mean.numpy() for side in both]
             value = [model.policy.predict_values(side).numpy() for side in both]
         differs[symmetric] = max(abs(mean[1] - MIRROR.action(mean[0])).max(), abs(value[1] - value[0]).max())
-    assert differs[True] < 1e-6
+    assert differs[True] < 1e-5  # float32, whose sums differ in order
     assert differs[False] > 0.01

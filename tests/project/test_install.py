@@ -1,5 +1,6 @@
 """`make install` with pretended Pythons: the interpreter it chooses, and where torch comes from."""
 
+import importlib.metadata
 import json
 import os
 import shutil
@@ -7,12 +8,15 @@ import subprocess
 import sys
 
 import pytest
+from packaging.specifiers import SpecifierSet
+from packaging.utils import canonicalize_name
 from paths import ROOT
 
 from quadruped_env.utils import interpreter
 
 CPU_INDEX = "https://download.pytorch.org/whl/cpu"
-TORCH = next(line for line in (ROOT / "constraints.txt").read_text().splitlines() if line.startswith("torch=="))
+CONSTRAINTS = (ROOT / "constraints.txt").read_text().splitlines()
+TORCH = next(line for line in CONSTRAINTS if line.startswith("torch=="))
 PRETENDED = f"""#!{sys.executable} -IS
 import json, os, shutil, sys
 from pathlib import Path
@@ -104,6 +108,18 @@ def test_command_for_the_cpu_build_is_that_of_the_hints(page):
 PACKAGE = "install -c constraints.txt -e .[test]"
 OWN_CPU = f"install -c constraints.txt {TORCH}+cpu"
 FROM_INDEX = f"install --no-deps --retries 1 --index-url {{}} {TORCH}"
+
+
+def test_every_pin_supports_the_first_patch_release_of_the_oldest_python():
+    oldest = ".".join(map(str, (*interpreter.OLDEST, 0)))
+    pins = {canonicalize_name(line.partition("==")[0]) for line in CONSTRAINTS if "==" in line}
+    required = {
+        f"{distribution.name}=={distribution.version}": distribution.metadata["Requires-Python"] or ""
+        for distribution in importlib.metadata.distributions()
+        if canonicalize_name(distribution.name) in pins
+    }
+    assert len(required) > 50
+    assert {pin: need for pin, need in required.items() if not SpecifierSet(need).contains(oldest)} == {}
 
 
 class TestPython:
@@ -205,6 +221,10 @@ class TestPackages:
         checkout.add_installed("mujoco", "3.11.0")
         assert checkout.make("install").returncode == 0
         assert checkout.installations[0] == "uninstall -y mujoco"
+
+    def test_documentation_needs_no_torch(self, checkout):
+        checkout.make("docs")  # then Sphinx is missing
+        assert checkout.installations == ["install -c constraints.txt -e .[docs]"]
 
     def test_dev_brings_the_rest_once(self, checkout):
         assert checkout.make("dev").returncode == 0
