@@ -43,6 +43,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="also write the report's film of the robot before, half way through and after the training to a file",
     )
+    parser.add_argument(
+        "--joints",
+        type=Path,
+        metavar="FILE",
+        help="also record the policy's joints in the episode that the report plots over time: position, velocity and "
+        "torque, as NAME.csv, or NAME for a rosbag2 bag ('replay', 'view' and 'convert' read both)",
+    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -61,13 +68,16 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.pages.evaluation_report import write_report
     from quadruped_env.reporting.pages.learning import learning_clips
     from quadruped_env.reporting.pages.page import summary_table
-    from quadruped_env.reporting.pages.pictures import filmed
+    from quadruped_env.reporting.pages.pictures import filmed, recorded
     from quadruped_env.reporting.report_directory import prepare_output
+    from quadruped_env.trajectory import saving
 
     if arguments.quick and not arguments.suite:
         raise QuadrupedError("--quick: found without --suite; it makes the suite shorter, so give both")
     evaluated = find_policy(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     prepare_output(evaluated.output)
+    if arguments.joints:
+        saving.check(arguments.joints, saving.WriteOptions(overwrite=arguments.overwrite))
     for film in (arguments.video, arguments.learning_film):
         prepare_video(film, arguments.overwrite)
     print(f"evaluating {evaluated.name}")
@@ -91,6 +101,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     )
     if arguments.video:
         save_film(arguments.video, filmed(comparison), ProgressLine("filming"))
+    if arguments.joints:
+        recorded(comparison).save(arguments.joints, arguments.overwrite)
     if arguments.learning_film:
         save_film(arguments.learning_film, learning_clips(evaluated, comparison), ProgressLine("filming"))
     print(f"\n{summary_table(comparison)}\n\n{gain.table()}\n\n{verdict(comparison, suite, gain).text()}\n")
@@ -100,6 +112,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         )
         print(f"{score_table([row for _, row in ranking])}\n")
     print_results(report, numbers, [*missing, *unwritten], arguments.video)
+    if arguments.joints:
+        print(f"joints:  {arguments.joints}")
     if not unwritten:
         print(f"page:    {page}")
     return 0

@@ -130,7 +130,7 @@ class Baseline:
         if commands:
             self.commands.save(path, overwrite, robot=self.recording.robot)
         else:
-            self.recording.joints.save(path, overwrite, base_pose=self.recording.base_pose, robot=self.recording.robot)
+            self.recording.save(path, overwrite)
         write_json(report_path(path), self.report())
 
 

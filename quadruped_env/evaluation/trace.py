@@ -6,6 +6,7 @@ A quantity is declared once, as an annotated field of `Trace` or of a subclass, 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cache, cached_property
+from pathlib import Path
 from typing import Annotated, Any, Generic, Self, TypeVar, get_args
 
 import numpy as np
@@ -149,6 +150,14 @@ class Trace:
         stamps = self.first_stamp + self._stamps(np.arange(len(self)))
         names = self.robot.joint_names
         return JointTrajectory(stamps, names, self.joint_position, self.joint_velocity, self.joint_torque)
+
+    def save(self, path: Path, overwrite: bool = False) -> None:
+        """Write the joints of a trace of one env to a CSV or, with the base's pose in `odom`, a bag.
+
+        Raises:
+            QuadrupedError, MissingExtraError: as `JointTrajectory.save`.
+        """
+        self.joints.save(path, overwrite, base_pose=self.base_pose, robot=self.robot)
 
     def _stamps(self, samples: NDArray[np.intp]) -> NDArray[np.int64]:
         """Timestamps of samples (indices) from the first one, ns."""

@@ -1,5 +1,7 @@
 """The clips and the stills that a report shows."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -23,6 +25,18 @@ def test_film_shows_slow_and_fast_walking_the_feet_turning_and_backwards(compari
     assert all(clip.title.startswith("tuned, ") for clip in filmed(comparison, "tuned"))
     for clip in filmed(comparison):
         assert clip.trace.seconds <= pictures.CLIP_SECONDS + 1e-9
+
+
+def test_recorded_joints_are_those_of_the_plotted_episode_until_its_fall(comparison):
+    rollout = comparison.rollouts["policy"]
+    command = comparison.commands.index((0.4, 0.0))
+    for alive in (len(rollout), 40):
+        valid = rollout.valid & (np.arange(len(rollout)) < alive)[:, None]
+        shown = replace(comparison, rollouts={"policy": replace(rollout, valid=valid)})
+        joints = pictures.recorded(shown).joints
+        row = shown.episode(command)
+        np.testing.assert_array_equal(joints.positions, rollout.joint_position[: valid[:, row].sum(), row])
+        np.testing.assert_array_equal(joints.efforts, rollout.joint_torque[: valid[:, row].sum(), row])
 
 
 @pytest.mark.parametrize("fell", [True, False])

@@ -10,7 +10,7 @@ import pytest
 from comparisons import random_policy
 from paths import ROOT
 
-from quadruped_env import MissingExtraError, QuadrupedError
+from quadruped_env import JOINT_NAMES, JointTrajectory, MissingExtraError, QuadrupedError
 from quadruped_env.evaluation import evaluated_policy
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.reporting import report_directory
@@ -55,10 +55,16 @@ def program(*arguments, cwd):
 
 @pytest.mark.slow
 def test_program_evaluates_a_run(run_directory, tmp_path):
-    result = program(
-        run_directory, "--seeds", 1, "--seconds", 2, "--no-video", "--output", tmp_path / "out", cwd=tmp_path
-    )
+    options = ["--seeds", 1, "--seconds", 2, "--no-video", "--output", tmp_path / "out", "--joints", "walk.csv"]
+    result = program(run_directory, *options, cwd=tmp_path)
     assert result.returncode == 0, result.stderr
+    joints = JointTrajectory.load(tmp_path / "walk.csv")
+    assert (joints.names, joints.kinds) == (JOINT_NAMES, ("positions", "velocities", "efforts"))
+    assert joints.stamps[0] == 20_000_000
+    (tmp_path / "out" / "report.html").unlink()
+    refused = program(run_directory, *options, cwd=tmp_path)
+    assert (refused.returncode, "walk.csv: exists already" in refused.stderr) == (2, True), refused.stderr
+    assert program(run_directory, *options, "--overwrite", cwd=tmp_path).returncode == 0
     assert "Forwards: velocity error (m/s)" in result.stdout
     assert str(tmp_path / "out" / "report.html") in result.stdout
     assert '<a href="walk.html">' in (tmp_path / "out" / "report.html").read_text()

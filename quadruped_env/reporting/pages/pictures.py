@@ -80,6 +80,13 @@ def filmed(comparison: Comparison, controller: str = "policy") -> list[Clip]:
     ]
 
 
+def recorded(comparison: Comparison) -> Trace:
+    """The episode of the policy that a report plots over time, until it ends or the robot falls."""
+    command = next(iter(shown_commands(comparison).values()))
+    rollout = comparison.rollouts["policy"].env(comparison.episode(command))
+    return rollout.window(0, max(1, int(rollout.valid.sum())))
+
+
 def _episode(comparison: Comparison, command: int, seconds: float, controller: str, title: str) -> Clip:
     """Part of the episode that represents a command, after the start-up and before a fall."""
     rollout, row = comparison.rollouts[controller], comparison.episode(command, controller)
