@@ -19,13 +19,14 @@ from typing import Any, Final
 
 from quadruped_env.cli.common_options import add_output
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.train import add_settings, typed_settings, with_recipe
+from quadruped_env.cli.train import add_settings, typed_settings
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.scale.sweep.search_space import Dimension, parse_dimension, read_space
 from quadruped_env.scale.sweep.sweep_definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import check_used
+from quadruped_env.training.default_settings import with_recipe
 from quadruped_env.training.user_classes import OPTIONS, absolute_name, is_user_class, recorded_name
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.plain import plain

@@ -16,7 +16,7 @@ mini-quadruped train --resume runs/latest     continue an earlier run, or the la
 import argparse
 import dataclasses
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, Final, get_args
 
@@ -37,17 +37,14 @@ from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.learning_gain import EPISODES, LearningGain, learning_gain
 from quadruped_env.policies import kept_definition, load_policy
-from quadruped_env.robot import Robot
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ranks.training_launch import LAUNCHERS, check_ranks, launch, torchrun_place
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
-from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import ALGORITHMS, algorithm, base_of, check_used
-from quadruped_env.training.recipes import RECIPES, recipe, task_values
-from quadruped_env.training.train_config import GPU_DEFAULTS, on_gpu
-from quadruped_env.training.user_classes import recorded_name
+from quadruped_env.training.algorithms import check_used
+from quadruped_env.training.default_settings import CHOICES, default_settings, with_recipe
+from quadruped_env.training.recipes import RECIPES
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import module_command, program_command
@@ -58,8 +55,6 @@ RUNS: Final = Path("runs")
 _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
 _SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed", "--device")
 """Options of the settings that `--help` shows."""
-_CHOICES: Final = {"recipe": RECIPES, "algo": ALGORITHMS, "device": ("cpu", "cuda")}
-"""Options that change the defaults of others, with their values."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -267,42 +262,12 @@ def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, d
     return next(iter(files), None), changes
 
 
-def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> dict[str, Any]:
-    """Fields of `TrainConfig`: those of the algorithm and of the recipe, and over them those that the user typed.
-
-    Args:
-        typed: fields that the user typed; of `task`, changes to the config.
-        robot: robot of the task.
-        whole: sections of the task's config that the user chose as a whole, in place of the recipe's.
-    """
-    name, own = typed.get("recipe", TrainConfig.recipe), typed.get("task", {})
-    chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
-    task = {section: values for section, values in task_values(name, robot).items() if section not in chosen}
-    task = changed(task, own)
-    return {**default_settings(typed), **typed, **({"task": task} if task else {})}
-
-
-def default_settings(typed: Mapping[str, Any]) -> dict[str, Any]:
-    """Fields of `TrainConfig`, without the task, whose defaults depend on the recipe, algorithm and device."""
-    name, algo, device = (typed.get(option, getattr(TrainConfig, option)) for option in _CHOICES)
-    entry = recipe(name)
-    return {
-        "name": recorded_name(algo).rpartition(":")[2].lower(),
-        **algorithm(algo).defaults,
-        **entry.training,
-        **(entry.ppo if base_of(algo) == TrainConfig.algo else {}),
-        **(GPU_DEFAULTS if on_gpu(device) else {}),
-        # The actor of a policy class of one's own may see all columns that the critic sees.
-        **({"asymmetric_critic": False} if typed.get("policy") else {}),
-    }
-
-
 def _defaults_in_words(name: str, left_out: Iterable[str]) -> str:
     """Default of a field of `TrainConfig`, and its other defaults with the options that lead to them."""
     if name == "name":
         return "that of --algo"
     found: dict[str, list[str]] = {}
-    for option, choices in {"": ("",), **_CHOICES}.items():  # the first pair: without any option
+    for option, choices in {"": ("",), **CHOICES}.items():  # the first pair: without any option
         if option in left_out:
             continue
         by_value: dict[str, list[str]] = {}

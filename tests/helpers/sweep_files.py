@@ -2,7 +2,6 @@
 
 import json
 
-from quadruped_env.cli.train import with_recipe
 from quadruped_env.evaluation.suite.suite import COMPONENTS, RECOVERY
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig
@@ -11,6 +10,7 @@ from quadruped_env.scale.sweep.sweep_driver import TrialBook
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.scale.sweep.sweep_results import collect, table, write
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.default_settings import with_recipe
 
 SCORE = {"total": 0.5, "components": dict.fromkeys(COMPONENTS, 0.5)}
 SUITE_RESULTS = {

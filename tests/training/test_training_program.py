@@ -16,11 +16,12 @@ from trainings import SCRIPT, TINY, command
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.cli.train import add_arguments, with_recipe
+from quadruped_env.cli.train import add_arguments
 from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.training.algorithms import ALGORITHMS
+from quadruped_env.training.default_settings import with_recipe
 from quadruped_env.training.recipes import RECIPES
 from quadruped_env.training.train_config import TrainConfig
 

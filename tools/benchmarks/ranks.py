@@ -136,9 +136,9 @@ def time_to_walk(ranks: int, seed: int, timesteps: int, every: int) -> Walked:
 def _prepared(group: Any, **settings: Any) -> tuple[Any, Any]:
     from stable_baselines3.common.logger import Logger
 
-    from quadruped_env.cli.train import with_recipe
     from quadruped_env.robot import MINI_QUADRUPED
     from quadruped_env.training import train
+    from quadruped_env.training.default_settings import with_recipe
     from quadruped_env.training.train_config import TrainConfig
 
     config = TrainConfig(**with_recipe({"ranks": group.ranks, **settings}, MINI_QUADRUPED, ()))

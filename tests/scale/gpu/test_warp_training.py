@@ -11,12 +11,12 @@ from warp_device import DEVICE, TRAINING_DEVICE
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.cli.train import with_recipe
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.default_settings import with_recipe
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE, RESUME_FILE, RSL_FILE
 from quadruped_env.training.train_config import GPU_DEFAULTS

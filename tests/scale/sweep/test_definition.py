@@ -6,12 +6,12 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from quadruped_env import QuadrupedError
-from quadruped_env.cli.train import with_recipe
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig
 from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.default_settings import with_recipe
 
 RATE = Dimension("learning_rate", 1e-4, 1e-2, log=True)
 HIDDEN = Dimension("hidden", choices=((8,), (16, 16)))

@@ -7,7 +7,6 @@ from types import SimpleNamespace
 import pytest
 from trainings import SMALL, learn
 
-from quadruped_env.cli.train import with_recipe
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig, sweep_results, trial
@@ -15,6 +14,7 @@ from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_driver import TrialBook
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
+from quadruped_env.training.default_settings import with_recipe
 
 BUDGET = {**SMALL, "timesteps": 320}
 
