@@ -6,18 +6,19 @@ The source directory is the repository, so that the links of a page are the same
 import importlib.util
 import json
 import re
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 from sphinx.application import Sphinx
 
 from quadruped_env import __version__
+from quadruped_env.control.policy_files import SHOWN
+from quadruped_env.page import write_page
+from quadruped_env.policies import load_policy
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
-PICTURE = "[![The robot walking at 0.5 m/s](../assets/pictures/walk.webp)](programs.md#the-viewer)"
+PICTURE = "[![The page in which the robot walks](../assets/pictures/page.webp)](programs.md#the-page-that-walks)"
 """Line of the first page that the walking page replaces."""
 EMBEDDED = """```{raw} html
 <iframe class="walk" src="../walk.html" title="The robot, walking" allow="gamepad *; fullscreen *"></iframe>
@@ -67,19 +68,8 @@ html_show_sphinx = False
 
 
 def write_walking_page(app: Sphinx) -> None:
-    """Write the page that walks into the site, for the shipped policy."""
-    app.outdir.mkdir(parents=True, exist_ok=True)
-    command = [
-        sys.executable,
-        "-m",
-        "quadruped_env",
-        "page",
-        "flat",
-        "--overwrite",
-        "-o",
-        str(app.outdir / "walk.html"),
-    ]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)  # noqa: S603
+    """Write the page that walks into the site."""
+    write_page(load_policy(SHOWN), Path(app.outdir, "walk.html"), SHOWN)
 
 
 def embed_walking_page(app: Sphinx, page: str, source: list[str]) -> None:

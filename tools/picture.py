@@ -1,4 +1,4 @@
-"""Render the README's animation: the shipped policy, walking."""
+"""Render the README's animation: the policy that pages show, on stairs."""
 
 import argparse
 import sys
@@ -13,6 +13,7 @@ import numpy as np
 
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.clock import frequency_at
+from quadruped_env.control.policy_files import SHOWN
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.reporting.films.film import Clip
@@ -29,8 +30,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         description=pasteable(__doc__), formatter_class=argparse.ArgumentDefaultsHelpFormatter
     )
-    parser.add_argument("--policy", default="flat", help="a run, or a shipped policy")
-    parser.add_argument("--velocity", type=float, default=0.5, metavar="M/S", help="commanded")
+    parser.add_argument("--policy", default=SHOWN, help="a run, or a shipped policy")
+    parser.add_argument("--terrain", default="stairs", help="a built-in terrain")
+    parser.add_argument("--velocity", type=float, default=0.4, metavar="M/S", help="commanded")
     parser.add_argument(
         "-o", "--output", type=Path, default=Path("assets/pictures/walk.webp"), help="what to write, over"
     )
@@ -42,9 +44,10 @@ def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print and write the results."""
     prepare_video(arguments.output, overwrite=True)
     policy = load_policy(arguments.policy)
+    config = policy.config.on_terrain(arguments.terrain)
     command = np.array([[arguments.velocity, 0.0]])
     stop = START + STRIDES / float(frequency_at(policy.config.clock_frequency, command)[0])
-    rollout = roll_out(PolicyController(policy), [(arguments.velocity, 0.0)], [FIRST_SEED], stop, policy.config)
+    rollout = roll_out(PolicyController(policy), [(arguments.velocity, 0.0)], [FIRST_SEED], stop, config)
     save_film(arguments.output, [Clip.of_rollout(rollout, 0, "trained policy", START)], ProgressLine("drawing"))
     print(f"written to {arguments.output}")
     return 0

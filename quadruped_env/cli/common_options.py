@@ -27,11 +27,11 @@ SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
 """Names of the shipped policies, for a help text."""
 
 
-def add_run(parser: argparse.ArgumentParser) -> None:
-    """Add the policy to read, `RUN`."""
+def add_run(parser: argparse.ArgumentParser, shipped: str = DEFAULT) -> None:
+    """Add the policy to read, `RUN`; the shipped one is read where there is no run."""
     text = (
         f"a run's directory, {SHIPPED_POLICIES}, which ship, or a Python file of a policy, which is executed (default: "
-        f"runs/latest, or {DEFAULT})"
+        f"runs/latest, or {shipped})"
     )
     parser.add_argument("run", nargs="?", metavar="RUN", help=text)
 

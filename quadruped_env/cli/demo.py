@@ -1,9 +1,10 @@
-"""See the robot walk, at once: the shipped policy flat in one page, which opens in your browser.
+"""See the robot walk, at once: the shipped policy rough in one page, which opens in your browser.
 
     mini-quadruped demo
 
-Physics and policy run in the page. Steer with the arrow keys, click to push. It needs neither torch nor any extra, and
-no server: the page is one file, to keep or to send. 'mini-quadruped page' makes one of another policy.
+Physics and policy run in the page. Steer with the arrow keys, click to push, choose stairs or blocks to cross. It needs
+neither torch nor any extra, and no server: the page is one file, to keep or to send. 'mini-quadruped page' makes one of
+another policy.
 """
 
 import argparse
@@ -25,10 +26,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Write the page, and open it."""
+    from quadruped_env.control.policy_files import SHOWN
     from quadruped_env.page import write_page
-    from quadruped_env.policies import DEFAULT, load_policy
+    from quadruped_env.policies import load_policy
 
-    write_page(load_policy(DEFAULT), arguments.output, DEFAULT)
+    write_page(load_policy(SHOWN), arguments.output, SHOWN)
     address = arguments.output.resolve().as_uri()
     print(f"the robot walks in {address}", flush=True)
     if not webbrowser.open(address):

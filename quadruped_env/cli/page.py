@@ -3,9 +3,9 @@
 It opens from the disk without a server, and makes no request: it holds MuJoCo, the robot and the policy. Keys, touch
 and a gamepad steer; a click on the robot pushes it; sliders change its world. No extra is needed to write it.
 
-    mini-quadruped page                        the latest run in runs/, or the shipped policy flat: walk.html
+    mini-quadruped page                        the latest run in runs/, or the shipped policy rough: walk.html
     mini-quadruped page runs/<name>            a run; if it was interrupted, its last checkpoint
-    mini-quadruped page rough -o rough.html    a shipped policy
+    mini-quadruped page flat -o flat.html      a shipped policy
 """
 
 import argparse
@@ -13,11 +13,12 @@ from pathlib import Path
 
 from quadruped_env.cli.common_options import add_output, add_overwrite, add_run, add_task_file
 from quadruped_env.cli.invocation import Invocation
+from quadruped_env.control.policy_files import SHOWN
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the file."""
-    add_run(parser)
+    add_run(parser, SHOWN)
     add_task_file(parser)
     add_overwrite(parser, "replace an earlier file")
     add_output(parser, "FILE", "the file (default: %(default)s)", Path("walk.html"))
@@ -30,7 +31,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.utils.files import check_free
 
     check_free([arguments.output], arguments.overwrite)
-    evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task)
+    evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task, SHOWN)
     write_page(evaluated.policy, arguments.output, evaluated.name)
     size = arguments.output.stat().st_size / 1e6
     print(f"{evaluated.name}: {arguments.output} ({size:.1f} MB); open it in a browser")

@@ -43,6 +43,8 @@ SHIPPED: Final = ("flat", "rough")
 """Names of the policies that the package has."""
 DEFAULT: Final = SHIPPED[0]
 """The one that programs take."""
+SHOWN: Final = SHIPPED[1]
+"""The one that pages show: it crosses all their terrains, where `DEFAULT` marches on the spot at the first stair."""
 
 
 def is_code(source: str | Path) -> bool:

@@ -76,11 +76,15 @@ class EvaluatedPolicy:
 
 
 def find_policy(
-    run: str | None, output: Path | None = None, task_file: Path | None = None, trust_task: bool = False
+    run: str | None,
+    output: Path | None = None,
+    task_file: Path | None = None,
+    trust_task: bool = False,
+    shipped: str = DEFAULT,
 ) -> EvaluatedPolicy:
     """Find a policy by name or directory. For a run that was killed, this is its last checkpoint.
 
-    Without a name it is the latest run, or else the default policy; a Python file is a policy that is code, and
+    Without a name it is the latest run, or else the `shipped` policy; a Python file is a policy that is code, and
     `hf://OWNER/NAME[@REVISION]` one of the hub. Results go to `output`, or to `evaluation` in the run's directory, or
     to `results/<name>`. `task_file` is executed, or with `trust_task` the copy that the run keeps.
 
@@ -91,7 +95,7 @@ def find_policy(
         QuadrupedWarning: if a run is given and its policy is a checkpoint.
     """
     if run is None:
-        run = str(LATEST_RUN) if LATEST_RUN.exists() else DEFAULT
+        run = str(LATEST_RUN) if LATEST_RUN.exists() else shipped
     if run in SHIPPED:
         return EvaluatedPolicy(run, load_policy(run, task_file), shipped_directory(run), output or Path("results", run))
     if is_code(run):

@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+import walking
 
 EXTRAS = ("torch", "stable_baselines3", "onnx", "onnxruntime", "matplotlib", "jinja2", "av", "PIL", "yaml", "rosbags")
 
@@ -41,6 +42,8 @@ def test_demo_opens_one_page_in_the_browser_and_prints_its_place_where_there_is_
     )
     assert page.stat().st_size > 1_000_000
     assert "Content-Security-Policy" in page.read_text()[:2000]
+    program("page")  # without a run: of the same policy
+    assert [walking.document_of(path)["name"] for path in (page, tmp_path / "walk.html")] == ["rough", "rough"]
     browser, opened = tmp_path / "browser", tmp_path / "opened"
     browser.write_text(f'#!/bin/sh\necho "$1" > {opened}\n')
     browser.chmod(0o755)

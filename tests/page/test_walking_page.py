@@ -16,6 +16,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.observations import observation
+from quadruped_env.control.policy_files import SHOWN
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.onnx_graph import Graph, policy_graph
 from quadruped_env.page import write_page
@@ -43,6 +44,19 @@ STEPS = """([content, name, command, steps]) => {
     return Array.from({ length: steps }, () => {
         walker.step();
         return ['joint_position', 'joint_torque'].map(name => [...walker.simulation.reading(name)]);
+    });
+}"""
+
+CROSSINGS = """([content, speed, steps]) => {
+    const walk = new quadruped.Walk(quadruped.walk.mujoco, content);
+    return walk.terrains.map(({ name }) => {
+        walk.settings.terrain = name;
+        walk.rebuild();
+        walk.request = [speed, 0];
+        let stuck = false;
+        for (let i = 0; i < steps; i++) { walk.step(); stuck ||= walk.walkers[0].stuck; }
+        const [{ simulation, falls, travelled }] = walk.walkers;
+        return { name, moved: Math.hypot(...simulation.position().slice(0, 2)), travelled, falls, stuck };
     });
 }"""
 
@@ -215,8 +229,8 @@ def test_a_click_on_the_robot_pushes_it_away_and_a_click_beside_does_not(page):
     page.evaluate("quadruped.page.step(25)")
     browser.draw(page)
     box = page.locator("#view").bounding_box()
-    panel = page.locator("#panel").bounding_box()
-    middle = panel["x"] / 2, box["height"] / 2
+    x, y = state(page, "page.view.target.clone().project(page.view.camera).toArray()")[:2]
+    middle = (0.5 + 0.5 * x) * box["width"], (0.5 - 0.5 * y) * box["height"]
     assert state(page, "page.view.pick(5, 250)") is None
     before = np.array(state(page, "[...walker.simulation.data.qvel.slice(0, 3)]"))
     page.mouse.click(5, 250)
@@ -283,6 +297,118 @@ def test_terrains_carry_the_robot_and_the_gait_walks_beside_it(page):
     assert page.locator("#other").is_visible()
     page.locator("#compare").uncheck()
     assert state(page, "walk.walkers.length") == 1
+
+
+def test_shown_policy_crosses_every_terrain_and_flat_marches_on_the_spot_on_stairs(page):
+    found = {
+        name: {
+            one.pop("name"): one
+            for one in page.evaluate(
+                CROSSINGS, [json.loads(json.dumps(page_document(load_policy(name), name))), 0.4, 400]
+            )
+        }
+        for name in (SHOWN, "flat")
+    }
+    assert {"flat", "rough", "steps", "stairs", "gaps", "wave"} < set(found[SHOWN])
+    for name, crossing in found[SHOWN].items():
+        assert crossing["moved"] > 0.6 * 0.4 * 8.0, name
+        assert (crossing["falls"], crossing["stuck"]) == (0, False), name
+    on_stairs = found["flat"]["stairs"]
+    assert on_stairs["stuck"]
+    assert on_stairs["travelled"] < on_stairs["moved"] + 0.5, "marching on the spot is no distance"
+    assert not found["flat"]["flat"]["stuck"]
+    assert found["flat"]["flat"]["travelled"] == pytest.approx(found["flat"]["flat"]["moved"], abs=0.2)
+
+
+def test_a_robot_that_marches_on_the_spot_is_told_so(page):
+    page.evaluate("quadruped.page.setTerrain('stairs'), quadruped.page.controls.steer(0.8, 0)")
+    for language, words in (("en", "It does not get on"), ("zh", "它走不动了")):
+        page.evaluate("language => { quadruped.page.setLanguage(language); quadruped.page.step(350); }", language)
+        browser.draw(page)
+        assert page.locator("#message").inner_text().startswith(words)
+    page.evaluate("quadruped.page.controls.stop(), quadruped.page.step(200)")
+    browser.draw(page)
+    assert not page.locator("#message").is_visible(), "it stands, as requested"
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (400, 800)])
+@pytest.mark.parametrize("terrain", ["flat", "stairs"])
+def test_both_robots_stay_in_sight(page, size, terrain):
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    browser.draw(page)
+    seen = page.evaluate(
+        """terrain => {
+            const { page, walk } = quadruped, { view } = page, { renderer } = view;
+            page.setTerrain(terrain);
+            page.setCompare(true);
+            page.controls.steer(0.8, 0.1);
+            view.renderer = { render() {}, getPixelRatio: () => 1, setPixelRatio() {} };  // one picture takes long
+            const { width, height } = view.canvas.getBoundingClientRect(), { top, right, bottom } = view.covered();
+            const places = [];
+            for (let i = 0; i < 1000; i++) {
+                page.step(1);
+                view.draw(1, 0.02);
+                if (i % 10 === 0) places.push(...view.robots.map((robot) => {
+                    const { x, y } = view.target.clone().set(...robot.position(1)).project(view.camera);
+                    const across = (0.5 + 0.5 * x) * width, down = (0.5 - 0.5 * y) * height;
+                    return [across / (width - right), (down - top) / (height - top - bottom)];
+                }));
+            }
+            view.renderer = renderer;
+            return { places, returned: walk.walkers.map(({ returned }) => returned) };
+        }""",
+        terrain,
+    )
+    page.set_viewport_size({"width": 1020, "height": 400})
+    places = np.array(seen["places"])
+    assert places.min() > 0.0
+    assert places.max() < 1.0
+    assert seen["returned"][0] == 0
+    if terrain == "flat":
+        assert seen["returned"][1] > 0, "alone, the gait would have been out of sight"
+
+
+def test_stairs_are_drawn_with_edges(page):
+    # From above, along x: treads and risers have one colour each.
+    found = page.evaluate(
+        """() => {
+            const { page } = quadruped, { view } = page, { renderer } = view, camera = view.camera.clone();
+            page.setTerrain('stairs');
+            for (const { group } of view.robots) group.visible = false;
+            camera.clearViewOffset();
+            camera.up.set(0, 1, 0);
+            camera.position.set(1.2, 0.1, 2);
+            camera.lookAt(1.2, 0.1, 0);
+            camera.updateMatrixWorld();
+            renderer.setPixelRatio(1);
+            renderer.render(view.scene, camera);
+            const { width, height } = view.canvas, copy = new OffscreenCanvas(width, height).getContext('2d');
+            copy.drawImage(view.canvas, 0, 0);
+            for (const { group } of view.robots) group.visible = true;
+            return [...copy.getImageData(width / 4, height / 2, width / 2, 1).data];
+        }"""
+    )
+    colours = np.array(found).reshape(-1, 4)[:, 1].astype(int)
+    assert np.ptp(colours) > 30, "stairs are visible"
+    assert np.mean(np.abs(np.diff(colours)) > 3) < 0.2
+
+
+def test_without_webgl_or_javascript_the_page_says_in_both_languages_what_to_switch_on(opened, chromium):
+    address = opened.url
+    with browser.opened(chromium) as page:
+        page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null;")
+        page.goto(address)
+        wait_until(lambda: page.locator("#message p").count() == 2, "the message")
+        english, chinese = page.locator("#message p").all_inner_texts()
+        assert "WebGL 2 is switched off" in english
+        assert "WebGL 2 没有开启" in chinese
+        assert not page.locator("#panel").is_visible()
+        assert page.watched.errors == []
+    context = chromium.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(address)
+    assert page.locator("noscript p").count() == 2
+    context.close()
 
 
 def test_a_fallen_robot_stands_up_where_it_lies(page):

@@ -35,6 +35,7 @@ export class Controls {
     // Without a clock the policy has no frequency, and without a gait of its own nothing to scale.
     $('frequency').closest('label').hidden = !('gait_phase' in policy.inputs);
     $('amplitude').closest('label').hidden = !policy.nodes.some(([, , output]) => output === 'gait_swing');
+    $('gait_hint').hidden = $('amplitude').closest('label').hidden;
     $('gait').hidden = $('frequency').closest('label').hidden && $('amplitude').closest('label').hidden;
     $('beside').hidden = $('beside_hint').hidden = !gait;
     for (const { name } of walk.terrains) $('terrain').append(new Option(name, name, false, name === walk.settings.terrain));
@@ -218,8 +219,8 @@ export class Controls {
     $('time').textContent = `${walk.time.toFixed(1)} s`;
     const [, gait] = walk.walkers;
     $('other').hidden = !gait;
-    if (gait) $('other').textContent = say(language, 'other', number(gait.speed), gait.travelled.toFixed(1), gait.falls, walker.falls);
-    if (walker.downFor > 0.1) this.tell('fell');
-    else this.tell(null);
+    if (gait) $('other').textContent = say(language, 'other', number(gait.speed), gait.travelled.toFixed(1), gait.falls, walker.falls, gait.returned);
+    // A robot that learns may march on the spot.
+    this.tell(walker.downFor > 0.1 ? 'fell' : walker.stuck && !walk.learned ? 'stuck' : null);
   }
 }

@@ -5,7 +5,7 @@ import { FeetDiagram } from './feet.mjs';
 import { LearningPanel } from './learn/panel.mjs';
 import { Graph } from './policy.mjs';
 import { loadMujoco } from './simulation.mjs';
-import { preferred, say } from './texts.mjs';
+import { LANGUAGES, preferred, say } from './texts.mjs';
 import { View } from './view.mjs';
 import { comparison, Walk } from './walk.mjs';
 
@@ -25,9 +25,10 @@ const $ = (id) => document.getElementById(id);
 /** Parts of the window at its edges that lie under cards, pixels. */
 function covered() {
   const panel = $('panel').getBoundingClientRect();
-  if (panel.left > innerWidth / 2) return { top: 0, right: innerWidth - panel.left, bottom: 0 };
+  const hud = $('hud').getBoundingClientRect();
+  if (panel.left > innerWidth / 2) return { top: 0, right: innerWidth - panel.left, bottom: innerHeight - hud.top };
   const below = panel.width ? panel : $('stick').getBoundingClientRect();
-  return { top: $('hud').getBoundingClientRect().bottom, right: 0, bottom: innerHeight - below.top };
+  return { top: hud.bottom, right: 0, bottom: innerHeight - below.top };
 }
 
 class Page {
@@ -88,6 +89,8 @@ class Page {
     this.walk.compare = compare;
     this.walk.rebuild();
     this.redraw();
+    this.controls.show();
+    this.view.resize();  // the card with the numbers has one more line
     this.view.resetCamera(compare ? 1.25 : 1);
   }
 
@@ -173,16 +176,29 @@ async function part(id) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }
 
-const message = $('message');
-try {
-  Object.assign(message, { hidden: false, textContent: say(preferred(), 'loading') });
+/** Say in every language why the page cannot run, in place of all else. */
+function fail(key, ...values) {
+  document.body.classList.add('failed');
+  $('message').replaceChildren(...Object.keys(LANGUAGES).map(
+    (lang) => Object.assign(document.createElement('p'), { lang, textContent: say(lang, key, ...values) }),
+  ));
+  $('message').hidden = false;
+}
+
+async function start() {
+  Object.assign($('message'), { hidden: false, textContent: say(preferred(), 'loading') });
   const content = JSON.parse(new TextDecoder().decode(await part('document')));
   const wasm = await part('wasm'), worker = new TextDecoder().decode(await part('worker'));
   const page = new Page(await loadMujoco(wasm), content, worker, wasm);
   // For tests, and for readers with a console.
   window.quadruped = { page, walk: page.walk, Graph, Walk };
   page.run();
-} catch (error) {
-  Object.assign(message, { hidden: false, textContent: say(preferred(), 'failed', error.message ?? error) });
-  throw error;
+}
+
+if (!document.createElement('canvas').getContext('webgl2')) fail('no_webgl');
+else {
+  start().catch((error) => {
+    fail('failed', error.message ?? error);
+    throw error;
+  });
 }

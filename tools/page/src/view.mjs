@@ -8,6 +8,8 @@ import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 const BACKGROUND = 0xdce6f0, FLOOR = ['#edf1f6', '#cfd7e1'], PUSH = 0xe69f00;
 /** Side length of the floor's squares, m. */
 const SQUARE = 0.5;
+/** Space around robots in the picture, relative to the robot's size, m. */
+const MARGIN = 0.3;
 /** Mean time of a frame from which on fewer pixels are drawn, s. */
 const SLOW_FRAME = 0.05;
 /** MuJoCo's types of geoms that have a shape of their own. */
@@ -25,6 +27,8 @@ export class View {
     const { scale } = robot;
     Object.assign(this, { canvas, robot, scale, covered, follow: true, robots: [] });
     this.target = new THREE.Vector3(0, 0, robot.height);
+    /** From the robot to the middle between two that the camera follows. */
+    this.aside = new THREE.Vector3();
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     Object.assign(this, { frames: 0, frameTime: 0 });
@@ -56,6 +60,7 @@ export class View {
     canvasTexture.wrapS = canvasTexture.wrapT = THREE.RepeatWrapping;
     canvasTexture.anisotropy = this.renderer.capabilities.getMaxAnisotropy();
     this.floor = new THREE.MeshStandardMaterial({ map: canvasTexture, roughness: 0.95, envMapIntensity: 0.6 });
+    this.uneven = unevenGround(this.floor);
     this.arrow = new THREE.ArrowHelper(new THREE.Vector3(1, 0, 0), new THREE.Vector3(), 0.3 * scale, PUSH, 0.12 * scale, 0.09 * scale);
     this.arrow.visible = false;
     this.world.add(this.arrow);
@@ -71,12 +76,15 @@ export class View {
     // A narrow screen sees as much to the sides as a square one.
     this.camera.fov = 38 * Math.min(1.5, Math.max(1, 1 / this.camera.aspect));
     const { top, right, bottom } = this.covered();
+    /** Half of the length that is in sight at a distance of 1 m. */
+    this.reach = (Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(width - right, height - top - bottom)) / height;
     this.camera.setViewOffset(width, height, right / 2, (bottom - top) / 2, width, height);
   }
 
   /** Look at the robot from the side and a little from the front, as in the project's films. */
   resetCamera(distance = 1) {
     this.camera.position.copy(this.target).add(new THREE.Vector3(0.75, -1.25, 0.6).multiplyScalar(distance * this.scale));
+    this.zoom = 1;
   }
 
   /** Draw another ground. */
@@ -98,11 +106,8 @@ export class View {
         points.setZ(i, lowest + span * terrain.heights[row * columns + (i % columns)]);
       }
       tile(field, this.scale);
-      field.computeVertexNormals();
-      relief(field);
-      const surface = this.floor.clone();
-      surface.vertexColors = true;
-      this.ground.add(Object.assign(new THREE.Mesh(field, surface), { receiveShadow: true }));
+      shadeHollows(field);
+      this.ground.add(Object.assign(new THREE.Mesh(field, this.uneven), { receiveShadow: true }));
       this.plane.position.z = lowest - 0.01 * this.scale;
     }
     this.world.add(this.ground);
@@ -131,14 +136,7 @@ export class View {
     for (const robot of this.robots) robot.place(share);
     const [robot, other] = this.robots.map((drawn) => new THREE.Vector3(...drawn.position(share))), { x, y } = robot;
     const at = this.world.localToWorld(robot.clone());
-    if (this.follow) {
-      const middle = other ? robot.clone().add(other.sub(robot).multiplyScalar(0.4).clampLength(0, 0.35 * this.scale)) : robot;
-      const moved = this.world.localToWorld(middle.clone()).sub(this.target);
-      // The height follows slowly, so that steps do not shake the picture.
-      moved.z *= Math.min(1, 4 * seconds);
-      this.target.add(moved);
-      this.camera.position.add(moved);
-    }
+    if (this.follow) this.followRobots(robot, other, seconds);
     this.orbit.target.copy(this.target);
     this.orbit.update();
     this.light.target.position.copy(at);
@@ -147,6 +145,22 @@ export class View {
     this.plane.position.setX(square * Math.round(x / square)).setY(square * Math.round(y / square));
     if (this.arrow.visible && (this.arrow.left -= seconds) < 0) this.arrow.visible = false;
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Move the camera along with one robot, or with the middle between two, from where both are in sight. */
+  followRobots(robot, other, seconds) {
+    const { scale, target, camera } = this, apart = other ? other.clone().sub(robot) : new THREE.Vector3();
+    // The robot itself is followed at once, and the other one, which may jump, slowly.
+    this.aside.lerp(apart.clone().multiplyScalar(0.5), Math.min(1, 3 * seconds));
+    const moved = this.world.localToWorld(robot.clone().add(this.aside)).sub(target);
+    // The height follows slowly, so that steps do not shake the picture.
+    moved.z *= Math.min(1, 4 * seconds);
+    target.add(moved);
+    const away = camera.position.clone().add(moved).sub(target), chosen = away.length() / this.zoom;
+    const needed = other ? (apart.length() / 2 + MARGIN * scale) / this.reach : 0;
+    const zoom = this.zoom + (Math.max(1, needed / chosen) - this.zoom) * Math.min(1, 3 * seconds);
+    camera.position.copy(target).addScaledVector(away, zoom / this.zoom);
+    this.zoom = zoom;
   }
 
   /** Where there is no GPU, draw fewer pixels rather than fewer frames. */
@@ -262,14 +276,26 @@ function material(model, i, tint) {
 
 const surface = (color) => new THREE.MeshStandardMaterial({ color, roughness: 0.5, metalness: 0.05 });
 
-/** Shade a height field: the steeper, the darker, and hollows a little darker than hills. */
-function relief(field) {
-  const { position, normal } = field.attributes, colours = new Float32Array(3 * position.count);
+/**
+ * Material of uneven ground: the steeper, the darker. Each triangle, which is MuJoCo's, has one normal; normals that are
+ * shared between neighbours would round off every step.
+ */
+function unevenGround(floor) {
+  const material = Object.assign(floor.clone(), { vertexColors: true, flatShading: true });
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace('#include <normal_fragment_begin>', `#include <normal_fragment_begin>
+      diffuseColor.rgb *= 1.0 - 0.5 * min(1.0, 16.0 * (1.0 - dot(normal, (viewMatrix * vec4(0.0, 0.0, 1.0, 0.0)).xyz)));`);
+  };
+  return material;
+}
+
+/** Colour the hollows of a height field a little darker than its hills. */
+function shadeHollows(field) {
+  const { position } = field.attributes, colours = new Float32Array(3 * position.count);
   field.computeBoundingBox();
   const { min: { z: lowest }, max: { z: highest } } = field.boundingBox;
   for (let i = 0; i < position.count; i++) {
-    const steep = Math.min(1, 16 * (1 - normal.getZ(i))), low = (highest - position.getZ(i)) / (highest - lowest);
-    const shade = (1 - 0.5 * steep) * (1 - 0.2 * low);
+    const low = (highest - position.getZ(i)) / (highest - lowest), shade = 1 - 0.2 * low;
     colours.set([shade * (1 - 0.06 * low), shade * (1 - 0.02 * low), shade], 3 * i);
   }
   field.setAttribute('color', new THREE.BufferAttribute(colours, 3));

@@ -11,6 +11,10 @@ const LANE = 0.56;
 const DOWN = 1.5;
 /** Time over which the shown velocity is averaged, s. */
 const SMOOTH = 0.3;
+/** Distance at which the robot with the scripted gait is put next to the other one again, relative to the robot's size, m. */
+const APART = 1.2;
+/** A robot is stuck that moves by less than a share of the commanded distance in this time, s; slower commands do not count, m/s. */
+const STUCK = { seconds: 3, share: 0.25, slowest: 0.1 };
 
 export class Walk {
   /** @param mujoco result of `loadMujoco`; @param content the page's document */
@@ -54,9 +58,21 @@ export class Walk {
       start[1] = y;
       start[2] = height + this.terrain.highest(0, y, 0.2 * this.scale);
       walker.reset(start);
-      Object.assign(walker, { downFor: 0, travelled: 0, speed: 0, rate: 0, falls: 0 });
+      Object.assign(walker, { travelled: 0, falls: 0, returned: 0 });
+      this.begin(walker);
     });
     this.time = 0;
+  }
+
+  /** Begin to measure a robot's motion where it stands. */
+  begin(walker) {
+    Object.assign(walker, { downFor: 0, speed: 0, rate: 0, stuck: false });
+    this.watch(walker);
+  }
+
+  /** Begin to watch whether a robot gets on. */
+  watch(walker) {
+    walker.watched = { from: walker.simulation.position(), seconds: 0, commanded: 0 };
   }
 
   /** Apply the settings to every robot. */
@@ -75,30 +91,61 @@ export class Walk {
     const { timestep } = this.content.control;
     this.time += timestep;
     for (const walker of this.walkers) {
-      const { simulation } = walker, [x, y] = simulation.position();
+      const { simulation } = walker;
       walker.requested = [...this.request];
       walker.step();
-      const [forward] = simulation.reading('linear_velocity_b'), at = simulation.position();
+      const [forward] = simulation.reading('linear_velocity_b');
       const [, , rate] = simulation.reading('angular_velocity_b');
       const share = timestep / SMOOTH;
       walker.speed += share * (forward - walker.speed);
       walker.rate += share * (rate - walker.rate);
-      walker.travelled += Math.hypot(at[0] - x, at[1] - y);
+      // Not the length of the path: marching on the spot is no distance.
+      walker.travelled += Math.abs(walker.speed) * timestep;
       walker.downFor = simulation.fallen() ? walker.downFor + timestep : 0;
+      this.watchProgress(walker);
       if (walker.downFor > DOWN) this.standUp(walker);
     }
+    this.keepTogether();
+  }
+
+  /** Find out whether a robot gets on, once in a while. */
+  watchProgress(walker) {
+    const { watched } = walker, { timestep } = this.content.control;
+    watched.seconds += timestep;
+    watched.commanded += Math.abs(walker.command[0]) * timestep;
+    if (watched.seconds < STUCK.seconds) return;
+    const [x, y] = walker.simulation.position(), moved = Math.hypot(x - watched.from[0], y - watched.from[1]);
+    const counts = watched.commanded > STUCK.slowest * this.scale * watched.seconds;
+    walker.stuck = counts && moved < STUCK.share * watched.commanded;
+    this.watch(walker);
+  }
+
+  /** Put the robot with the gait next to the other one, if they are too far apart for one picture. */
+  keepTogether() {
+    const [robot, other] = this.walkers;
+    if (!other) return;
+    const [x, y] = robot.simulation.position(), [x2, y2] = other.simulation.position(), yaw = robot.simulation.yaw();
+    if (Math.hypot(x2 - x, y2 - y) < APART * this.scale) return;
+    other.returned += 1;
+    this.place(other, x - LANE * this.scale * Math.sin(yaw), y + LANE * this.scale * Math.cos(yaw), yaw);
   }
 
   /** Let a robot stand up where it is. */
   standUp(walker) {
-    const { simulation, travelled, falls } = walker, start = [...this.content.robot.start];
-    const [x, y] = simulation.position(), yaw = simulation.yaw();
+    const { simulation } = walker, [x, y] = simulation.position();
+    walker.falls += 1;
+    this.place(walker, x, y, simulation.yaw());
+  }
+
+  /** Let a robot stand at a place with a heading, rad; at the start if they are not finite. */
+  place(walker, x, y, yaw) {
+    const start = [...this.content.robot.start];
     if (Number.isFinite(x + y + yaw)) {
       [start[0], start[1], start[3], start[6]] = [x, y, Math.cos(yaw / 2), Math.sin(yaw / 2)];
       start[2] = this.content.robot.height + this.terrain.highest(x, y, 0.2 * this.scale);
     }
     walker.reset(start);
-    Object.assign(walker, { downFor: 0, travelled, speed: 0, rate: 0, falls: falls + 1 });
+    this.begin(walker);
   }
 
   /** Contacts of the feet of a robot, as booleans. */

@@ -1,0 +1,55 @@
+"""Take the README's picture of the page that walks, in a headless Chromium.
+
+The button of the language needs a font with Chinese characters.
+"""
+
+import shutil
+import sys
+import tempfile
+from io import BytesIO
+from pathlib import Path
+
+from PIL import Image
+from playwright.sync_api import sync_playwright
+
+from quadruped_env.control.policy_files import SHOWN as POLICY
+from quadruped_env.page import PAGE_FILE, write_page
+from quadruped_env.policies import load_policy
+
+PICTURE = Path(__file__).parents[1] / "assets" / "pictures" / "page.webp"
+BROWSER = "chromium"
+WINDOW, WIDTH = {"width": 1230, "height": 780}, 640
+"""Size of the window, and width of the picture, pixels."""
+SHOWN = """() => {
+    const { page } = quadruped;
+    page.setPaused(true);
+    document.getElementById('terrain').value = 'stairs';
+    page.setTerrain('stairs');
+    page.step(250);
+    page.frame(1);
+}"""
+
+
+def main() -> int:
+    """Open the page, let the robot walk for 5 s, and write the picture."""
+    # With WebGL on the CPU. The page draws only on request: on the CPU a picture takes long.
+    arguments = ["--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
+        write_page(load_policy(POLICY), Path(folder, PAGE_FILE), POLICY)
+        browser = driver.chromium.launch(executable_path=shutil.which(BROWSER), args=arguments)
+        page = browser.new_page(viewport=WINDOW, locale="en-US")
+        page.add_init_script("window.requestAnimationFrame = () => 0;")
+        page.goto(Path(folder, PAGE_FILE).as_uri())
+        while not page.evaluate("Boolean(window.quadruped)"):
+            page.wait_for_timeout(100)
+        page.evaluate(SHOWN)
+        picture = Image.open(BytesIO(page.screenshot()))
+        browser.close()
+    height = round(picture.height * WIDTH / picture.width)
+    picture.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS).save(PICTURE, quality=80, method=6)
+    print(f"written to {PICTURE}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
