@@ -32,7 +32,7 @@ def test_runs_are_ranked_by_paired_differences(comparison):
     assert run_comparison.best_at(several, names, "forwards") == ["good", "level"]
     words = run_comparison.headline(several, names)
     assert words.startswith(
-        "Good and level are most accurate forwards, standing, backwards and turning; bad falls more often."
+        "Bad falls more often; good and level are most accurate forwards, standing, backwards and turning."
     )
     assert run_comparison.headline(several, ["good", "level"]).startswith("All are equally accurate forwards")
 
@@ -42,7 +42,8 @@ def test_runs_are_ranked_by_paired_differences(comparison):
     values["bad"]["forward_velocity_error"][backwards, 1:] = np.nan
     values["bad"]["yaw_rate_error"][turning] = np.nan
     assert run_comparison.headline(several, ["good", "bad"]).startswith(
-        "Good is most accurate forwards and standing; not comparable backwards and turning, because of early falls"
+        "Bad falls more often; good is most accurate forwards and standing; not comparable backwards and turning, "
+        "because of early falls"
     )
 
 

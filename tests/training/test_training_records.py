@@ -323,7 +323,12 @@ def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path)
     }
     run.train(tmp_path, config(timesteps=2 * SAMPLES, task=task))
     env = gymnasium.make_vec(
-        ENV_ID, num_envs=ENVS, action_mode="residual", config=task, autoreset_mode="Disabled", max_episode_steps=EPISODE_STEPS
+        ENV_ID,
+        num_envs=ENVS,
+        action_mode="residual",
+        config=task,
+        autoreset_mode="Disabled",
+        max_episode_steps=EPISODE_STEPS,
     )
     _, info = env.reset(seed=SEED)
     env.unwrapped.task.shorten_episodes()  # as in a training
