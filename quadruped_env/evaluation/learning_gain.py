@@ -20,7 +20,7 @@ from quadruped_env.evaluation.comparison import (
     run,
     words,
 )
-from quadruped_env.evaluation.confidence import Estimate, mean_interval, proportion, standard_error
+from quadruped_env.evaluation.confidence import Estimate, mean_interval, number, proportion, standard_error
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, in_mujoco
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
@@ -137,11 +137,7 @@ class LearningGain:
             "policy": _plain(self.policy),
             "zero": _plain(self.zero),
             "motions": [
-                {
-                    "motion": gain.label,
-                    "result": gain.result,
-                    **{name: {m: e.to_dict() for m, e in getattr(gain, name).items()} for name in ("policy", "zero")},
-                }
+                {"motion": gain.label, "result": gain.result, "policy": _means(gain.policy), "zero": _means(gain.zero)}
                 for gain in self.motions
             ],
         }
@@ -166,6 +162,10 @@ def _plain(performance: Performance) -> dict[str, Any]:
     return {name: value.to_dict() if isinstance(value, Estimate) else value for name, value in values.items()}
 
 
+def _means(estimates: Mapping[str, Estimate]) -> dict[str, float | None]:
+    return {name: number(estimate.mean) for name, estimate in estimates.items()}
+
+
 def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
     """Rows of a table of `LearningGain.to_dict` with the header `GAIN_HEADER`: each motion, and the task's commands."""
     rows = [
@@ -187,7 +187,7 @@ def _motion_cells(values: Mapping[str, Any]) -> tuple[str, str, str]:
     """Errors, falls and power of one controller under one command."""
 
     def cell(name: str) -> str:
-        mean = values[name]["mean"]
+        mean = values[name]
         return METRICS[name].show(math.nan if mean is None else mean)
 
     power = cell("electrical_power")

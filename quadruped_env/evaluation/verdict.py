@@ -117,9 +117,8 @@ def _headline(comparison: Comparison, gain: LearningGain | None) -> tuple[str, s
         reached = f"reaches {_percent(share)} of the commanded forward velocity"
         return "poor", f"Hardly: it {falls}, and {reached}." if unstable else f"Hardly: it {reached}."
     ranks = {motion: _rank(comparison, "tuned", motion) for motion in MOTIONS if has(motion)}
-    flaws = [*([falls] if unstable else []), *_flaws(comparison, ranks)]
-    if gain is not None and not gain.is_better:
-        flaws.append(gain.lack)
+    lack = [] if gain is None or gain.is_better else [gain.lack]
+    flaws = [*([falls] if unstable else []), *lack, *_flaws(comparison, ranks)]
     if flaws:
         walks = "Not reliably: it walks" if unstable else "Yes, it walks"
         return "fair", f"{walks}, but it {listed(flaws)}."
@@ -281,8 +280,8 @@ def _effort(comparison: Comparison) -> str:
         if np.isfinite(values).any():
             limit = METRICS[name].limit_of(comparison.robot)
             assert limit is not None
-            highest, unit = float(np.nanmax(values)), METRICS[name].unit
-            where = "beyond" if highest > limit else "within"
+            highest, unit = round(float(np.nanmax(values)), 1), METRICS[name].unit
+            where = "beyond" if highest > limit else "at" if highest == limit else "within"
             peaks.append(f"{highest:.1f} {unit} ({where} the limit of {limit:g} {unit})")
     if not peaks:
         return "it falls too early to tell."

@@ -188,6 +188,7 @@ def test_one_seed_gives_no_intervals_and_no_ranks():
     assert error.mean == pytest.approx(0.03)
     assert math.isnan(error.low)
     assert math.isnan(error.high)
+    assert one.rank("forward_velocity_error", "policy", "tuned", "forwards") == "not comparable"
     judged = verdict(one)
     assert "not ranked: a single start of each command gives no interval" in dict(judged.findings)["Searched gait"]
     assert "nan" not in judged.text().lower()

@@ -185,7 +185,7 @@ class TestReport:
 
 @pytest.fixture(scope="class")
 def two_robots(tmp_path_factory):
-    """What `compare` prints of a policy for a robot with longer legs and a shipped one, and its directory."""
+    """Output of `compare` on a policy for a robot with longer legs and a shipped one, and its directory."""
     place = tmp_path_factory.mktemp("robots")
     task = place / "long.py"
     task.write_text(
