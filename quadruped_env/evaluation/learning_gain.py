@@ -37,8 +37,8 @@ TOLERANCE: Final = (0.05, 0.1)
 yaw rate, rad/s."""
 MOTION_SEEDS: Final = 4
 """Episodes under each command of the table of motions."""
-MANY_FALLS: Final = 0.5
-"""Share of episodes with a fall beyond which no return makes a policy better that falls more often."""
+WALKING_FALL_RATE: Final = 0.5
+"""Maximum share of falls of a robot that walks; beyond it no return makes a policy better that falls more often."""
 NO_GAIN: Final = "no significant gain over the zero action"
 GAIN_HEADER: Final = ("", "policy: error", "falls", "power", "zero action: error", "falls", "power", "policy")
 """Titles of the columns of `gain_rows`."""
@@ -90,9 +90,9 @@ class LearningGain:
     def is_better(self) -> bool:
         """True if the policy's return is significantly higher: the whole interval of the difference is above 0.
 
-        Not for a policy that falls more often than the zero action, and in more than `MANY_FALLS` of its episodes.
+        Not for a policy that falls more often than the zero action, and in more than `WALKING_FALL_RATE` of its episodes.
         """
-        return self.difference.low > 0.0 and not (self.falls_more and self.policy.falls.mean > MANY_FALLS)
+        return self.difference.low > 0.0 and not (self.falls_more and self.policy.falls.mean > WALKING_FALL_RATE)
 
     @property
     def falls_more(self) -> bool:

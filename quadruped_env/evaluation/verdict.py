@@ -10,7 +10,7 @@ import numpy as np
 
 from quadruped_env.evaluation.comparison import ERRORS, MOTIONS, Command, Comparison, error_of, words
 from quadruped_env.evaluation.confidence import Estimate
-from quadruped_env.evaluation.learning_gain import LearningGain
+from quadruped_env.evaluation.learning_gain import WALKING_FALL_RATE, LearningGain
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.robot import Robot
@@ -18,8 +18,6 @@ from quadruped_env.robot.units import scale_of
 
 STABLE_FALL_RATE: Final = 0.05
 """Maximum fraction of falls of a robot that walks reliably."""
-WALKING_FALL_RATE: Final = 0.5
-"""Maximum fraction of falls for which the verdict says that the robot walks."""
 WALKING_SHARE: Final = 0.5
 """Minimum fraction of the commanded forward velocity for which the verdict says that the robot walks."""
 CREEPING_SHARE: Final = 0.2
