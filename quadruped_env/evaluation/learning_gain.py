@@ -90,7 +90,7 @@ class LearningGain:
     def is_better(self) -> bool:
         """True if the policy's return is significantly higher: the whole interval of the difference is above 0.
 
-        Not for a policy that falls more often than the zero action, and in more than `WALKING_FALL_RATE` of its episodes.
+        Not for a policy that falls more often than the zero action, and in over `WALKING_FALL_RATE` of its episodes.
         """
         return self.difference.low > 0.0 and not (self.falls_more and self.policy.falls.mean > WALKING_FALL_RATE)
 
