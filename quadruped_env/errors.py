@@ -65,9 +65,13 @@ def short(value: object) -> str:
 
 
 def did_you_mean(word: object, known: Iterable[str]) -> str:
-    """End of a message about an unknown word: the known one that is most similar, or nothing."""
-    near = difflib.get_close_matches(str(word)[:_MAX_SHOWN], list(known), 1)
-    return f"; did you mean {near[0]}?" if near else ""
+    """End of a message about an unknown word: the known one that is most similar, or nothing.
+
+    The dashes of options and the case do not count: what all words share makes none of them similar.
+    """
+    bare = {name.strip("-").lower(): name for name in known}
+    near = difflib.get_close_matches(str(word)[:_MAX_SHOWN].strip("-").lower(), bare, 1)
+    return f"; did you mean {bare[near[0]]}?" if near else ""
 
 
 _REPR: Final = reprlib.Repr()

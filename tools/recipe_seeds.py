@@ -74,7 +74,7 @@ Row = dict[str, float]
 
 def learning(measured: MeasuredController, progress: Progress) -> Row:
     """Policy and zero action in the policy's own task."""
-    gain = learning_gain(measured.controller.policy, progress=progress)  # type: ignore[attr-defined]
+    gain = learning_gain(measured.controller.policy, progress=progress, motion_seeds=0)  # type: ignore[attr-defined]
     policy, zero = gain.policy, gain.zero
     return {
         "return per second": policy.return_per_second.mean,

@@ -190,7 +190,7 @@ def gain_of(policy: Policy, arguments: argparse.Namespace) -> LearningGain:
     """
     episodes = max(2, min(EPISODES, EPISODES // NUM_SEEDS * arguments.seeds))
     seconds = min(DEFAULT_SECONDS, arguments.seconds)
-    return learning_gain(policy, episodes, seconds, ProgressLine("measuring what it learned"))
+    return learning_gain(policy, episodes, seconds, ProgressLine("measuring what it learned"), arguments.seeds)
 
 
 def add_reading_options(parser: argparse.ArgumentParser) -> None:

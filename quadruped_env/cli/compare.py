@@ -2,18 +2,25 @@
 
 mini-quadruped compare runs/<one> runs/<other>
 mini-quadruped compare flat runs/latest --video results/side.mp4
+mini-quadruped compare runs/<short> runs/<long> --trust-task     two robots, each in its own env and units
 mini-quadruped compare flat runs/latest --suite     rank them on the suite, after 'evaluate RUN --suite' of each
 """
 
 import argparse
 import shlex
+from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.evaluate import print_results
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.utils.files import free_path
+
+if TYPE_CHECKING:
+    from quadruped_env.evaluation.comparison import Comparison
+    from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -35,8 +42,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Compare, write the report, and print its summary."""
     from quadruped_env.reporting.films.video import prepare_video, save_film
-    from quadruped_env.reporting.pages.page import summary_table
-    from quadruped_env.reporting.pages.run_comparison import films, find_policies, headline, write_comparison
+    from quadruped_env.reporting.pages.robot_comparison import by_robot, robot_tables, write_index
+    from quadruped_env.reporting.pages.run_comparison import films, find_policies
     from quadruped_env.reporting.pages.suite_section import ranking, ranking_in_words
     from quadruped_env.reporting.report_directory import prepare_output
 
@@ -45,24 +52,47 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     ranked = ranking(policies) if arguments.suite else None
     prepare_video(arguments.video, arguments.overwrite)
     prepare_output(output)
-    comparison = options.compared({name: evaluated.policy for name, evaluated in policies.items()}, arguments)
-    gains = {name: options.gain_of(evaluated.policy, arguments) for name, evaluated in policies.items()}
     sources = shlex.join(evaluated.source for evaluated in policies.values())
-    report, numbers, missing = write_comparison(
-        policies,
-        comparison,
-        output,
-        f"{invocation.program} {sources} {options.evaluation_options(arguments)}",
-        not arguments.no_video,
-        ProgressLine("filming"),
-        ranked,
-        gains,
-    )
+    command = f"{invocation.program} {sources} {options.evaluation_options(arguments)}"
+    groups = by_robot(policies)
+    comparisons: dict[str, Comparison] = {}
+    reports: dict[str, Path] = {}
+    missing, clips = [], []
+    for group in groups:
+        place = output if len(groups) == 1 else output / next(iter(group))
+        comparison, report, numbers, lacking = _one_robot(group, place, command, ranked, arguments)
+        comparisons |= dict.fromkeys(group, comparison)
+        reports |= dict.fromkeys(group, report)
+        missing += lacking
+        if arguments.video:
+            clips += films(comparison, list(group))
+    if len(groups) > 1:
+        print("\n\n".join(table.text() for table in robot_tables(comparisons)))
+        report, numbers = write_index(output, comparisons, reports, command)
     if arguments.video:
-        save_film(arguments.video, films(comparison, list(policies)), ProgressLine("filming"))
-    print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(policies))}\n")
-    print("\n".join(f"{name}: {gain.verdict()}" for name, gain in gains.items()))
+        save_film(arguments.video, clips, ProgressLine("filming"))
     if ranked is not None:
         print(f"{ranking_in_words(ranked)}\n")
     print_results(report, numbers, missing, arguments.video)
     return 0
+
+
+def _one_robot(
+    policies: "Mapping[str, EvaluatedPolicy]",
+    output: Path,
+    command: str,
+    ranked: "Mapping[str, Any] | None",
+    arguments: argparse.Namespace,
+) -> "tuple[Comparison, Path, Path, list[str]]":
+    """Compare policies for one robot, write their report, and print its summary."""
+    from quadruped_env.reporting.pages.page import summary_table
+    from quadruped_env.reporting.pages.run_comparison import headline, write_comparison
+
+    comparison = options.compared({name: evaluated.policy for name, evaluated in policies.items()}, arguments)
+    gains = {name: options.gain_of(evaluated.policy, arguments) for name, evaluated in policies.items()}
+    report, numbers, missing = write_comparison(
+        policies, comparison, output, command, not arguments.no_video, ProgressLine("filming"), ranked, gains
+    )
+    print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(policies))}\n")
+    print("\n".join(f"{name}: it {gain.verdict()}" for name, gain in gains.items()))
+    return comparison, report, numbers, missing

@@ -17,6 +17,7 @@ import argparse
 import dataclasses
 import json
 from collections.abc import Iterable, Sequence
+from decimal import Decimal
 from pathlib import Path
 from typing import Any, Final, get_args
 
@@ -34,15 +35,16 @@ from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.control.policy_files import policy_directory
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
-from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.learning_gain import EPISODES, LearningGain, learning_gain
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.evaluation.comparison import COMMANDS
+from quadruped_env.evaluation.learning_gain import EPISODES, MOTION_SEEDS, LearningGain, learning_gain
 from quadruped_env.policies import kept_definition, load_policy
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ranks.training_launch import LAUNCHERS, check_ranks, launch, torchrun_place
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import check_used
+from quadruped_env.training.algorithms import ALGORITHMS, check_used
 from quadruped_env.training.default_settings import CHOICES, default_settings, with_recipe
 from quadruped_env.training.recipes import RECIPES
 from quadruped_env.utils.documents import read_json
@@ -55,6 +57,8 @@ RUNS: Final = Path("runs")
 _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
 _SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed", "--device")
 """Options of the settings that `--help` shows."""
+_MANY: Final = 10**18
+"""Bound of a count that is parsed: 1e999999999 would fill the memory."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -120,7 +124,8 @@ def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) 
             options.update(choices=get_args(field.type))
         else:
             kind = {"seconds": float}.get(field.name, type(default))
-            options.update(type=kind, metavar=_METAVARS[kind])
+            reader = {int: count, str: algorithm_name if field.name == "algo" else str}.get(kind, kind)
+            options.update(type=reader, metavar=_METAVARS[kind])
         parser.add_argument(option, **options)
     add_terrain(parser, "that of --task, or of the --recipe")
     add_randomization(parser, "that of --task, or of the --recipe")
@@ -168,7 +173,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
     gain = measure_learning(directory, task_file, steps)
-    print(f"\n{gain.table()}\nIn its own task, {gain.episodes} episodes of {gain.seconds:g} s: {gain.verdict()}")
+    print(f"\n{gain.table()}\nIn its own task, {gain.episodes} episodes of {gain.seconds:g} s, it {gain.verdict()}")
     print("" if gain.is_better else "give it more --timesteps or --seconds, or continue with --resume\n")
     task = ["--trust-task"] if arguments.trust_task else [] if task_file is None else ["--task", task_file]
     print(f"evaluate it:  {program_command('evaluate', directory, *task)}")
@@ -180,15 +185,15 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 def measure_learning(directory: Path, task_file: Path | None, timesteps: int) -> LearningGain:
     """Compare a run's policy with the zero action, and write the result into the policy's card.
 
-    Trainings of fewer steps than the measurement takes are measured on fewer episodes.
+    Trainings of fewer steps than the measurement takes are measured on fewer episodes, the shortest without motions.
 
     Raises:
         QuadrupedError: if the policy cannot be read, or its card cannot be written.
     """
     episodes = min(EPISODES, max(2, timesteps // MAX_EPISODE_STEPS))
-    gain = learning_gain(
-        load_policy(directory, task_file), episodes, progress=ProgressLine("measuring what it learned")
-    )
+    seeds = min(MOTION_SEEDS, timesteps // (2 * len(COMMANDS) * MAX_EPISODE_STEPS))
+    progress = ProgressLine("measuring what it learned")
+    gain = learning_gain(load_policy(directory, task_file), episodes, progress=progress, motion_seeds=seeds)
     path = directory / CARD_FILE
     document = read_json(path)
     document["card"]["learning"] = gain.to_dict()
@@ -225,6 +230,25 @@ def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path 
     if typed_task:
         typed["task"] = typed_task
     return typed, task_file, definition, whole
+
+
+def count(text: str) -> int:
+    """Parse a whole number, also as `1e6`, `100k` or `1.5M`."""
+    factor = {"k": 1_000, "m": 1_000_000}.get(text[-1:].lower(), 1)
+    try:
+        number = Decimal(text if factor == 1 else text[:-1]) * factor
+        if abs(number) < _MANY and number == int(number):
+            return int(number)
+    except (ArithmeticError, ValueError):
+        pass
+    raise argparse.ArgumentTypeError(
+        f"expected a whole number, such as 1500000, 1e6, 100k or 1.5M; found {short(text)}"
+    )
+
+
+def algorithm_name(text: str) -> str:
+    """Parse `--algo`: a name in any case, or FILE.py:CLASS."""
+    return text.lower() if text.lower() in ALGORITHMS else text
 
 
 def task_change(text: str) -> Path | dict[str, Any]:

@@ -169,7 +169,7 @@ def policy_directory(source: str | Path) -> Path:
     if not os.path.isdir(directory):
         check_no_description(directory)
         raise QuadrupedError(
-            f"load_policy: {short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
+            f"{short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
             f"{training_advice()}{did_you_mean(Path(source).name, SHIPPED)}"
         )
     for path in (directory / CARD_FILE, directory / TENSORS_FILE):

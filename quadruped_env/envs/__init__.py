@@ -31,6 +31,7 @@ def make_sb3_vec_env(
     seed: int | None = None,
     max_episode_steps: int = MAX_EPISODE_STEPS,
     privileged: bool = False,
+    random_first_length: bool = False,
     **env_kwargs: Any,
 ) -> "MiniQuadrupedSB3VecEnv":
     """Create a Stable-Baselines3 `VecEnv` on the native vector environment.
@@ -40,6 +41,8 @@ def make_sb3_vec_env(
         seed: seed of env 0; env i has seed + i.
         max_episode_steps: control steps after which an episode is truncated.
         privileged: append the task's privileged readings to the observations, for the value function of a training.
+        random_first_length: end the first episode of each env at a random step, by its time limit, as a training needs
+            it: envs that do not fall would otherwise all begin again in the same step, every `max_episode_steps`.
         env_kwargs: arguments of `gymnasium.make_vec("MiniQuadruped-v0", ...)`.
 
     Raises:
@@ -50,6 +53,6 @@ def make_sb3_vec_env(
 
     seed = arguments.seed(seed)
     vector = MiniQuadrupedVectorEnv(num_envs, max_episode_steps=max_episode_steps, **env_kwargs)
-    env = MiniQuadrupedSB3VecEnv(vector, privileged)
+    env = MiniQuadrupedSB3VecEnv(vector, privileged, random_first_length)
     env.seed(seed)
     return env

@@ -33,12 +33,15 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
     Args:
         env: the native vector environment.
         privileged: append the task's privileged readings to the observations, for the value function of a training.
+        random_first_length: end the first episode of each env at a random step, by its time limit.
 
     Raises:
         QuadrupedError: if the environment's autoreset mode is not `SAME_STEP`, or a privileged reading is not valid.
     """
 
-    def __init__(self, env: MiniQuadrupedVectorEnv, privileged: bool = False) -> None:
+    def __init__(
+        self, env: MiniQuadrupedVectorEnv, privileged: bool = False, random_first_length: bool = False
+    ) -> None:
         if env.autoreset_mode is not AutoresetMode.SAME_STEP:
             raise QuadrupedError(
                 f"autoreset_mode: Stable-Baselines3 resets finished envs within the step; expected "
@@ -50,6 +53,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         self.metadata = env.metadata
         self.privileged = env.task.privileged_readings() if privileged else None
         """The privileged readings in the last columns of the observations; None without them."""
+        self._random_first_length = random_first_length
         super().__init__(env.num_envs, self._space(), env.single_action_space)
         self._actions = np.zeros((env.num_envs, env.task.control.robot.num_joints), dtype=np.float32)
         self.last_terms = np.zeros((env.num_envs, len(self.task.term_names)))
@@ -81,6 +85,8 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
                 f"set_options: all envs are reset together, with the same options; found {self._options}"
             )
         observations, _ = self.env.reset(seed=self._seeds, options=options)
+        if self._random_first_length:
+            self.task.shorten_episodes()
         self._episode_terms[:] = 0.0
         self._reset_seeds()
         self._reset_options()

@@ -33,6 +33,8 @@ from quadruped_env.task import TaskConfig
 from quadruped_env.utils.progress import Progress, part_of
 
 Command = tuple[float, float]
+Motion = str | Sequence[int] | None
+"""One of `MOTIONS`, indices of commands, or None for all commands."""
 
 COMMANDS: Final[tuple[Command, ...]] = (
     (0.1, 0.0),
@@ -55,6 +57,12 @@ MAX_SECONDS: Final = 600.0
 
 MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
 """Motions that commands ask for, in the order of tables."""
+
+ERRORS: Final = ("forward_velocity_error", "yaw_rate_error")
+"""Error metrics of the two velocities of a command."""
+
+_EQUAL: Final = 0.005
+"""Difference below which two errors count as equal, for the built-in robot, m/s or rad/s."""
 
 CONTROLLERS: Final = {
     "policy": "Trained policy",
@@ -79,6 +87,16 @@ def motion_of(command: Command, robot: Robot) -> str:
     if not forward:
         return "standing"
     return "forwards" if command[0] > 0 else "backwards"
+
+
+def error_of(motion: str) -> str:
+    """Name of the error metric of a motion."""
+    return "yaw_rate_error" if motion == "turning" else "forward_velocity_error"
+
+
+def equal_up_to(metric: str, robot: Robot) -> float:
+    """Difference below which two errors count as equal."""
+    return _EQUAL * scale_of(METRICS[metric].unit, robot)
 
 
 def words(command: Command) -> str:
@@ -109,26 +127,34 @@ class Comparison:
         """Robot of the episodes."""
         return self.config.robot
 
-    def conditions(self, motion: str | None) -> list[int]:
-        """Indices of the commands that ask for one of `MOTIONS`; None: of all commands."""
+    def conditions(self, motion: Motion) -> list[int]:
+        """Indices of the commands that ask for one of `MOTIONS`; None: of all commands; indices: these."""
+        if motion is not None and not isinstance(motion, str):
+            return list(motion)
         return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command, self.robot))]
 
-    def estimate(self, controller: str, metric: str, motion: str | None = None) -> Estimate:
-        """Mean of a metric over a motion's commands and the seeds, with its confidence interval."""
+    def estimate(self, controller: str, metric: str, motion: Motion = None) -> Estimate:
+        """Mean of a metric over a motion's commands and the seeds, with its confidence interval.
+
+        A single seed gives no interval, but for falls: the commands are not random.
+        """
         return self._estimate(metric, self.values[controller][metric][self.conditions(motion)])
 
-    def estimate_at(self, controller: str, metric: str, command: int) -> Estimate:
-        """Mean of a metric over the seeds of one command (its index)."""
-        return self._estimate(metric, self.values[controller][metric][command])
-
-    def difference(self, metric: str, controller: str, other: str, motion: str | None = None) -> Estimate:
+    def difference(self, metric: str, controller: str, other: str, motion: Motion = None) -> Estimate:
         """Mean of `controller` minus `other` over pairs of episodes with the same command and start."""
         rows = self.conditions(motion)
-        return bootstrap_mean(self.values[controller][metric][rows] - self.values[other][metric][rows])
+        return self._estimate("", self.values[controller][metric][rows] - self.values[other][metric][rows])
 
-    @staticmethod
-    def _estimate(metric: str, values: NDArray[np.float64]) -> Estimate:
-        return proportion(values) if metric == "fall_rate" else bootstrap_mean(values)
+    def falls_more(self, controller: str, other: str, motion: Motion = None) -> bool:
+        """True if a controller falls more often than another one: their confidence intervals do not overlap."""
+        own, others = (self.estimate(name, "fall_rate", motion) for name in (controller, other))
+        return own.low > others.high
+
+    def _estimate(self, metric: str, values: NDArray[np.float64]) -> Estimate:
+        if metric == "fall_rate":
+            return proportion(values)
+        found = bootstrap_mean(values)
+        return found if len(self.seeds) > 1 else dataclasses.replace(found, low=math.nan, high=math.nan)
 
     def rows(self, command: int) -> NDArray[np.intp]:
         """Indices, in the rollouts, of the episodes of one command (its index)."""
@@ -170,13 +196,27 @@ class Comparison:
                         if self.conditions(motion)
                     },
                     "by_command": [
-                        {m: self.estimate_at(controller, m, i).to_dict() for m in METRICS}
+                        {m: self.estimate(controller, m, [i]).to_dict() for m in METRICS}
                         for i in range(len(self.commands))
                     ],
                 }
                 for controller in self.values
             },
         }
+
+
+def rank(comparison: Comparison, metric: str, controller: str, other: str, motion: Motion = None) -> str:
+    """Rank of a controller against another one: `more accurate`, `less accurate` or `equally accurate`.
+
+    Judged by the paired differences of an error: their interval must not include zero, and their mean must exceed
+    `equal_up_to`. `not comparable` without an interval: no pair of episodes has two values, or there is one seed.
+    """
+    difference = comparison.difference(metric, controller, other, motion)
+    if math.isnan(difference.low):
+        return "not comparable"
+    if not abs(difference.mean) > equal_up_to(metric, comparison.robot) or difference.low <= 0.0 <= difference.high:
+        return "equally accurate"
+    return "more accurate" if difference.mean < 0.0 else "less accurate"
 
 
 def compare(
@@ -233,7 +273,7 @@ def compare(
         if policy.config.robot != config.robot:
             raise QuadrupedError(
                 f"{name}: is a policy for {policy.config.robot!r}, the first one for {config.robot!r}; compare "
-                f"policies for one robot"
+                f"policies for one robot with each other, as 'mini-quadruped compare' does"
             )
     tuned = CommandedGait.tuned(config.robot)
     # With a clock of its own frequency the searched gait is in phase, so that the reward's terms of the clock judge it.
@@ -244,13 +284,26 @@ def compare(
         GaitController(SinusoidalGait.preset("article", config.robot), "article"),
         ZeroController(),
     )
+    by_name = {controller.name: controller for controller in controllers}
+    return run(by_name, configs, config, commands, num_seeds, seconds, progress)
+
+
+def run(
+    controllers: Mapping[str, Controller],
+    configs: Mapping[str, TaskConfig],
+    config: TaskConfig,
+    commands: Sequence[Command],
+    num_seeds: int,
+    seconds: float,
+    progress: Progress | None = None,
+) -> Comparison:
+    """Run controllers on the same commands and starts, each in its task of `configs`, or else in `config`."""
     seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)
     rollouts, values = {}, {}
-    for i, controller in enumerate(controllers):
+    for i, (name, controller) in enumerate(controllers.items()):
         part = part_of(progress, i / len(controllers), (i + 1) / len(controllers))
-        task = configs.get(controller.name, config)
-        rollout = rollouts[controller.name] = roll_out(controller, commands, seeds, seconds, task, part)
-        values[controller.name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
+        rollout = rollouts[name] = roll_out(controller, commands, seeds, seconds, configs.get(name, config), part)
+        values[name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
     return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
 
 

@@ -2,7 +2,7 @@
 
 import dataclasses
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -10,8 +10,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.confidence import Estimate, mean_interval, proportion, standard_error
-from quadruped_env.evaluation.metrics import START_UP, WINDOW
+from quadruped_env.evaluation.comparison import (
+    ERRORS,
+    Command,
+    Comparison,
+    commands_for,
+    evaluation_task,
+    motion_of,
+    rank,
+    run,
+    words,
+)
+from quadruped_env.evaluation.confidence import Estimate, mean_interval, number, proportion, standard_error
+from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, in_mujoco
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
 from quadruped_env.robot import Robot
@@ -25,7 +36,18 @@ EPISODES: Final = 128
 TOLERANCE: Final = (0.05, 0.1)
 """Maximum errors of the mean velocities under a command that is met, for the built-in robot: forward velocity, m/s, and
 yaw rate, rad/s."""
-NOT_BETTER: Final = "not better than doing nothing beyond doubt"
+MOTION_SEEDS: Final = 4
+"""Episodes under each command of the table of motions."""
+WALKING_FALL_RATE: Final = 0.5
+"""Maximum share of falls of a robot that walks; beyond it no return makes a policy better that falls more often."""
+NO_GAIN: Final = "no significant gain over the zero action"
+GAIN_HEADER: Final = ("", "policy: error", "falls", "power", "zero action: error", "falls", "power", "policy")
+"""Titles of the columns of `gain_rows`."""
+TABLE_NOTE: Final = (
+    "Errors are in m/s forwards and backwards, in rad/s on turns, and both on curves and standing. Motions are "
+    "undisturbed, on the task's ground."
+)
+_PARTS: Final = ("mean", "low", "high")
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -62,23 +84,48 @@ class LearningGain:
     """Return per second of the policy minus that of the zero action; the interval is that of the paired t test"""
     standard_errors: float
     """Difference divided by its standard error; NaN if all pairs of episodes have the same difference"""
+    motions: tuple["MotionGain", ...] = ()
+    """Both under one command each, undisturbed"""
 
     @property
     def is_better(self) -> bool:
-        """True if the policy's return is higher beyond doubt: the whole interval of the difference is above 0."""
-        return self.difference.low > 0.0
+        """True if the policy's return is significantly higher: the whole interval of the difference is above 0.
+
+        Not for a policy that falls more often than the zero action, and in over `WALKING_FALL_RATE` of its episodes.
+        """
+        return self.difference.low > 0.0 and not (self.falls_more and self.policy.falls.mean > WALKING_FALL_RATE)
+
+    @property
+    def falls_more(self) -> bool:
+        """True if the policy falls more often: the intervals of the two shares do not overlap."""
+        return self.policy.falls.low > self.zero.falls.high
+
+    @property
+    def lack(self) -> str:
+        """Predicate of a policy that is not better, without numbers."""
+        if self.falls_more:
+            return "falls more often than the zero action"
+        return "is worse than the zero action" if self.difference.high < 0.0 else f"has {NO_GAIN}"
 
     def verdict(self) -> str:
-        """The result in a few words."""
+        """The result as a predicate of the policy; if it falls more often than the zero action, this comes first."""
         mean, low, high = self.difference.mean, self.difference.low, self.difference.high
+        errors = f" ({abs(self.standard_errors):.1f} standard errors)" if math.isfinite(self.standard_errors) else ""
+        falls = ""
+        if self.falls_more:
+            ours, zeros = (100.0 * one.falls.mean for one in (self.policy, self.zero))
+            falls = f"falls in {ours:.0f} % of its episodes, the zero action in {zeros:.0f} %; it "
         if self.is_better:
-            errors = f" ({self.standard_errors:.1f} standard errors)" if math.isfinite(self.standard_errors) else ""
-            return f"better than doing nothing by {mean:.2f} return/s{errors}"
-        return f"{NOT_BETTER}: {mean:+z.2f} return/s (95 % interval {low:+z.2f} to {high:+z.2f})"
+            return f"{falls}is better than the zero action by {mean:.2f} return/s{errors}"
+        if high < 0.0:
+            return f"{falls}is worse than the zero action by {-mean:.2f} return/s{errors}"
+        if low > 0.0:
+            return f"{falls}collects {mean:.2f} return/s more{errors}, which does not make up for the falls"
+        return f"{falls}has {NO_GAIN}: {mean:+z.2f} return/s (95 % interval {low:+z.2f} to {high:+z.2f})"
 
     def table(self) -> str:
         """The results of both as a plain-text table."""
-        return text_table([("", "policy", "zero action"), *gain_rows(self.to_dict())], left=3)
+        return text_table([GAIN_HEADER, *gain_rows(self.to_dict())]) + f"\n{reward_in_words(self.to_dict())}"
 
     def to_dict(self) -> dict[str, Any]:
         """The result as JSON-serializable values; NaN becomes None."""
@@ -90,7 +137,25 @@ class LearningGain:
             "standard_errors": self.standard_errors if math.isfinite(self.standard_errors) else None,
             "policy": _plain(self.policy),
             "zero": _plain(self.zero),
+            "motions": [
+                {"motion": gain.label, "result": gain.result, "policy": _means(gain.policy), "zero": _means(gain.zero)}
+                for gain in self.motions
+            ],
         }
+
+
+@dataclass(frozen=True)
+class MotionGain:
+    """A policy and the zero action under one velocity command, and its mirror image."""
+
+    label: str
+    """Motion and command, such as `forwards 0.3 m/s`"""
+    policy: dict[str, Estimate]
+    """Metric -> result of the policy: `fall_rate`, `electrical_power`, and the errors of the commanded velocities"""
+    zero: dict[str, Estimate]
+    """The same of the zero action"""
+    result: str
+    """`falls more`, `falls less`, `more accurate`, `less accurate`, `equal`, `mixed` or `not comparable`"""
 
 
 def _plain(performance: Performance) -> dict[str, Any]:
@@ -98,30 +163,54 @@ def _plain(performance: Performance) -> dict[str, Any]:
     return {name: value.to_dict() if isinstance(value, Estimate) else value for name, value in values.items()}
 
 
+def _means(estimates: Mapping[str, Estimate]) -> dict[str, float | None]:
+    return {name: number(estimate.mean) for name, estimate in estimates.items()}
+
+
 def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
-    """Rows of a table of `LearningGain.to_dict`: quantity, value of the policy, value of the zero action."""
-    shown = {
-        "reward per second": ("return_per_second", 1.0, "{:z.2f}", ""),
-        "commands met": ("commands_met", 100.0, "{:.0f}", " %"),
-        "episodes with a fall": ("falls", 100.0, "{:.1f}", " %"),
-        "electrical power": ("electrical_power", 1.0, "{:.1f}", " W"),
-    }
-
-    def cell(performance: Mapping[str, Any], name: str, factor: float, form: str, unit: str) -> str:
-        values = [performance[name][part] for part in ("mean", "low", "high")]
-        if values[0] is None:
-            return "-"
-        mean, *ends = (None if value is None else form.format(factor * value) for value in values)
-        return f"{mean}{unit}" if None in ends else f"{mean}{unit} [{ends[0]}, {ends[1]}]"
-
-    both = document["policy"], document["zero"]
-    first, *others = [(label, *(cell(one, *how) for one in both)) for label, how in shown.items()]
-    return [
-        first,
-        ("gain in reward per second", cell(document, "difference", 1.0, "{:+z.2f}", ""), ""),
-        *others,
-        ("own action, RMS", *(f"{one['own_action']:.3f} rad" for one in both)),
+    """Rows of a table of `LearningGain.to_dict` with the header `GAIN_HEADER`: each motion, and the task's commands."""
+    rows = [
+        (gain["motion"], *_motion_cells(gain["policy"]), *_motion_cells(gain["zero"]), gain["result"])
+        for gain in document.get("motions", ())
     ]
+    own = [
+        (
+            f"{100.0 * one['commands_met']['mean']:.0f} % met" if one["commands_met"]["count"] else "-",
+            f"{100.0 * one['falls']['mean']:.1f} %",
+            f"{one['electrical_power']['mean']:.1f} W",
+        )
+        for one in (document["policy"], document["zero"])
+    ]
+    return [*rows, ("random commands", *own[0], *own[1], "")]
+
+
+def _motion_cells(values: Mapping[str, Any]) -> tuple[str, str, str]:
+    """Errors, falls and power of one controller under one command."""
+
+    def cell(name: str) -> str:
+        mean = values[name]
+        return METRICS[name].show(math.nan if mean is None else mean)
+
+    power = cell("electrical_power")
+    return (
+        ", ".join(cell(name) for name in values if name.endswith("error")),
+        cell("fall_rate"),
+        power if power == "-" else f"{power} W",
+    )
+
+
+def reward_in_words(document: Mapping[str, Any]) -> str:
+    """Rewards of `LearningGain.to_dict`, with their 95 % intervals."""
+
+    def shown(estimate: Mapping[str, Any], form: str = "{:z.2f}") -> str:
+        mean, low, high = (None if estimate[part] is None else form.format(estimate[part]) for part in _PARTS)
+        return str(mean) if low is None else f"{mean} [{low}, {high}]"
+
+    ours, zeros = document["policy"], document["zero"]
+    return (
+        f"reward per second {shown(ours['return_per_second'])}, zero action {shown(zeros['return_per_second'])}, "
+        f"difference {shown(document['difference'], '{:+z.2f}')}; own action {ours['own_action']:.3f} rad"
+    )
 
 
 def learning_gain(
@@ -129,6 +218,7 @@ def learning_gain(
     episodes: int = EPISODES,
     seconds: float = DEFAULT_SECONDS,
     progress: Progress | None = None,
+    motion_seeds: int = MOTION_SEEDS,
 ) -> LearningGain:
     """Run a policy and the zero action in the policy's own task: its commands, randomization and terrain.
 
@@ -141,6 +231,7 @@ def learning_gain(
         episodes: number of robots, which run at the same time.
         seconds: length of an episode, s.
         progress: called with the fraction done.
+        motion_seeds: episodes under each command of `comparison.COMMANDS`, undisturbed; 0: none.
 
     Raises:
         QuadrupedError: if there are fewer than two episodes, or they are too short for a command to be met.
@@ -153,7 +244,7 @@ def learning_gain(
     config = without_curriculum(policy.config)
     controllers: tuple[Controller, ...] = PolicyController(policy), ZeroController(policy.action_mode)
     ours, zeros = (
-        _run(controller, config, episodes, seconds, part_of(progress, 0.5 * i, 0.5 * (i + 1)))
+        _run(controller, config, episodes, seconds, part_of(progress, 0.3 * i, 0.3 * (i + 1)))
         for i, controller in enumerate(controllers)
     )
     difference = ours[0] - zeros[0]
@@ -166,7 +257,45 @@ def learning_gain(
         zeros[1],
         mean_interval(difference),
         float(difference.mean()) / error if error else math.nan,
+        _motions(policy, motion_seeds, seconds, part_of(progress, 0.6, 1.0)) if motion_seeds else (),
     )
+
+
+def _motions(policy: Policy, num_seeds: int, seconds: float, progress: Progress | None) -> tuple[MotionGain, ...]:
+    """A policy and the zero action under each command, left and right turns together."""
+    commands = commands_for(policy.config.robot)
+    config = evaluation_task(policy.config, commands, "none")
+    controllers: dict[str, Controller] = {
+        "policy": PolicyController(policy),
+        "zero": ZeroController(policy.action_mode),
+    }
+    comparison = run(controllers, {}, config, commands, num_seeds, seconds, progress)
+    mirrored: dict[Command, list[int]] = {}
+    for i, (forward, yaw_rate) in enumerate(commands):
+        mirrored.setdefault((forward, abs(yaw_rate)), []).append(i)
+    return tuple(_motion(comparison, command, rows) for command, rows in mirrored.items())
+
+
+def _motion(comparison: Comparison, command: Command, rows: list[int]) -> MotionGain:
+    forward, yaw_rate = command
+    motion = "curve" if forward and yaw_rate else motion_of(command, comparison.robot)
+    errors = [m for m, asked in zip(ERRORS, command, strict=True) if asked or motion == "standing"]
+    ours, zeros = (
+        {m: comparison.estimate(name, m, rows) for m in (*errors, "fall_rate", "electrical_power")}
+        for name in ("policy", "zero")
+    )
+    label = motion if motion == "standing" else f"{motion} {words((abs(forward), yaw_rate)).replace(' and', ',')}"
+    return MotionGain(label, ours, zeros, _result(comparison, errors, rows))
+
+
+def _result(comparison: Comparison, errors: Sequence[str], rows: list[int]) -> str:
+    """Result of the policy under some commands against the zero action: falls count first, then errors."""
+    if comparison.falls_more("policy", "zero", rows):
+        return "falls more"
+    if comparison.falls_more("zero", "policy", rows):
+        return "falls less"
+    ranks = {rank(comparison, metric, "policy", "zero", rows) for metric in errors} - {"equally accurate"}
+    return "equal" if not ranks else ranks.pop() if len(ranks) == 1 else "mixed"
 
 
 def _tolerance(robot: Robot) -> tuple[float, float]:

@@ -2,15 +2,15 @@
 
 import math
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison
+from quadruped_env.evaluation.comparison import ERRORS, MOTIONS, Command, Comparison, error_of, rank, words
 from quadruped_env.evaluation.confidence import Estimate
-from quadruped_env.evaluation.learning_gain import NOT_BETTER, LearningGain
+from quadruped_env.evaluation.learning_gain import WALKING_FALL_RATE, LearningGain
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.robot import Robot
@@ -18,16 +18,12 @@ from quadruped_env.robot.units import scale_of
 
 STABLE_FALL_RATE: Final = 0.05
 """Maximum fraction of falls of a robot that walks reliably."""
-WALKING_FALL_RATE: Final = 0.5
-"""Maximum fraction of falls for which the verdict says that the robot walks."""
 WALKING_SHARE: Final = 0.5
 """Minimum fraction of the commanded forward velocity for which the verdict says that the robot walks."""
 CREEPING_SHARE: Final = 0.2
 """Minimum fraction of the commanded forward velocity for which the robot moves forward at all."""
 _TOLERANCES: Final = {"forward_velocity_error": (0.05, 0.1), "yaw_rate_error": (0.1, 0.2)}
 """Maximum errors of a policy that follows its commands closely, and roughly, for the built-in robot, m/s and rad/s."""
-_EQUAL: Final = 0.005
-"""Difference below which two errors count as equal, for the built-in robot, m/s or rad/s."""
 _STILL: Final = 0.03
 """Maximum error of a robot that stands still, for the built-in robot, m/s or rad/s."""
 
@@ -37,11 +33,6 @@ def tolerances(metric: str, robot: Robot) -> tuple[float, float]:
     size = scale_of(METRICS[metric].unit, robot)
     close, rough = (size * value for value in _TOLERANCES[metric])
     return close, rough
-
-
-def equal_up_to(metric: str, robot: Robot) -> float:
-    """Difference below which two errors count as equal."""
-    return _EQUAL * scale_of(METRICS[metric].unit, robot)
 
 
 @dataclass(frozen=True)
@@ -71,18 +62,19 @@ def verdict(
     Args:
         comparison: the policy and the scripted controllers.
         suite: results of the policy in the suite, if it was run.
-        gain: the policy against the zero action, if that was measured. Without a gain beyond doubt it is not `good`.
+        gain: the policy against the zero action, if that was measured. Without a significant gain it is not `good`.
     """
-    findings = [] if gain is None else [("Learning", f"in its own task, it is {gain.verdict()}.")]
-    findings.append(("Falls", _falls(comparison)))
-    for topic, words in (
+    findings = [("Falls", _falls(comparison))]
+    if gain is not None:
+        findings.append(("Learning", f"in its own task, it {gain.verdict()}."))
+    for topic, sentence in (
         ("Forwards", _forwards),
         ("Standing", _standing),
         ("Backwards", _backwards),
         ("Turning", _turning),
     ):
         if comparison.conditions(topic.lower()):
-            findings.append((topic, words(comparison)))
+            findings.append((topic, sentence(comparison)))
     findings.append(("Effort", _effort(comparison)))
     findings += [
         (topic, _against(comparison, other))
@@ -114,18 +106,17 @@ def _headline(comparison: Comparison, gain: LearningGain | None) -> tuple[str, s
     if not has("forwards"):
         untested = "No command walks forwards, so walking was not tested"
         return ("poor", f"{untested}; it {falls}.") if unstable else ("fair", f"{untested}.")
-    share = reached_share(comparison, "policy", "forwards")
-    if not share >= CREEPING_SHARE:
-        return "poor", "No, it does not walk" + (", and it falls." if unstable else ".")
     if fall_rate > WALKING_FALL_RATE:
         return "poor", f"No: it {falls}."
+    share = reached_share(comparison, "policy", "forwards")
+    if not share >= CREEPING_SHARE:
+        return "poor", f"No: it {falls}, and does not walk." if unstable else "No, it does not walk."
     if share < WALKING_SHARE:
-        reached = f"Hardly: it reaches {_percent(share)} of the commanded forward velocity"
-        return "poor", f"{reached} and {falls}." if unstable else f"{reached}."
+        reached = f"reaches {_percent(share)} of the commanded forward velocity"
+        return "poor", f"Hardly: it {falls}, and {reached}." if unstable else f"Hardly: it {reached}."
     ranks = {motion: _rank(comparison, "tuned", motion) for motion in MOTIONS if has(motion)}
-    flaws = [*([falls] if unstable else []), *_flaws(comparison, ranks)]
-    if gain is not None and not gain.is_better:
-        flaws.append(f"is {NOT_BETTER}")
+    lack = [] if gain is None or gain.is_better else [gain.lack]
+    flaws = [*([falls] if unstable else []), *lack, *_flaws(comparison, ranks)]
     if flaws:
         walks = "Not reliably: it walks" if unstable else "Yes, it walks"
         return "fair", f"{walks}, but it {listed(flaws)}."
@@ -138,19 +129,18 @@ def _flaws(comparison: Comparison, ranks: Mapping[str, str]) -> list[str]:
     """Flaws of a policy that walks, apart from its falls; `ranks` are those against the searched gait, by motion."""
     has = comparison.conditions
     flaws = []
-    error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
-    if math.isnan(error):
+    if math.isnan(comparison.estimate("policy", "forward_velocity_error", "forwards").mean):
         flaws.append("falls too early to measure its forward velocity error")
-    elif error > tolerances("forward_velocity_error", comparison.robot)[1]:
-        flaws.append(f"has a forward velocity error of {error:.2f} m/s")
+    missed = {motion: _by_closeness(comparison, motion).get(_NOT, []) for motion in ("forwards", "turning")}
+    if any(missed.values()):
+        flaws.append(f"does not follow {_in_words([*missed['forwards'], *missed['turning']])}")
     if has("standing") and not _stands(comparison):
         flaws.append("does not stand still")
     if has("backwards") and not reached_share(comparison, "policy", "backwards") >= WALKING_SHARE:
         flaws.append("does not walk backwards")
-    turn_error = comparison.estimate("policy", "yaw_rate_error", "turning").mean
-    if has("turning") and math.isnan(turn_error):
+    if has("turning") and math.isnan(comparison.estimate("policy", "yaw_rate_error", "turning").mean):
         flaws.append("falls too early in turns to measure its yaw rate")
-    elif turn_error > tolerances("yaw_rate_error", comparison.robot)[1]:
+    elif missed["turning"]:
         flaws.append(f"turns at {_percent(reached_share(comparison, 'policy', 'turning'))} of the commanded rate")
     behind = [motion for motion, rank in ranks.items() if rank == "less accurate"]
     if behind:
@@ -164,27 +154,25 @@ def _falls(comparison: Comparison) -> str:
     fallen = comparison.values["policy"]["fall_rate"]
     if not fallen.any():
         return f"none in {episodes} (95 % confident: under {_percent(estimate.high, 1)})."
-    counts = {motion: int(fallen[comparison.conditions(motion)].sum()) for motion in MOTIONS}
-    where = listed([f"{count} {motion}" for motion, count in counts.items() if count])
+    counts = sorted(zip(fallen.sum(axis=1), comparison.commands, strict=True), key=lambda pair: -pair[0])
+    where = listed(
+        [f"{count:.0f} of {len(comparison.seeds)} at {words(command)}" for count, command in counts if count]
+    )
     interval = f"{_percent(estimate.low, 1)} to {_percent(estimate.high, 1)}"
     return f"{int(fallen.sum())} in {episodes}, {_percent(estimate.mean, 1)} (95 % interval {interval}): {where}."
 
 
 def _forwards(comparison: Comparison) -> str:
-    speeds = [comparison.commands[i][0] for i in comparison.conditions("forwards")]
-    metric = "forward_velocity_error"
-    error = comparison.estimate("policy", metric, "forwards")
-    if math.isnan(error.mean):
+    rows, metric = comparison.conditions("forwards"), "forward_velocity_error"
+    known = [i for i in rows if not math.isnan(comparison.estimate("policy", metric, [i]).mean)]
+    if not known:
         return "it falls too early to tell."
-    fastest = max(comparison.conditions("forwards"), key=lambda i: comparison.commands[i][0])
-    commanded = f"{min(speeds):g} to {max(speeds):g} m/s" if len(speeds) > 1 else f"{speeds[0]:g} m/s"
-    closeness = _closeness(error.mean, tolerances(metric, comparison.robot))
-    distance = comparison.estimate_at("policy", "distance", fastest).mean
-    speed = comparison.estimate_at("policy", "forward_velocity", fastest).mean
-    reached = f"reaches {speed:.2f} m/s and travels {distance:.1f} m in {comparison.seconds:g} s"
+    worst = max(known, key=lambda i: comparison.estimate("policy", metric, [i]).mean)
+    error = _with_interval(comparison.estimate("policy", metric, [worst]), metric)
+    distance, speed = (comparison.estimate("policy", name, [worst]).mean for name in ("distance", "forward_velocity"))
     return (
-        f"{closeness} commands of {commanded}, with an error of {_with_interval(error, metric)}. At a command of "
-        f"{max(speeds):g} m/s it {'falls too early to tell' if math.isnan(speed) else reached}."
+        f"{_follows(comparison, 'forwards')}. The largest error is {error}, at {words(comparison.commands[worst])}: it "
+        f"reaches {speed:.2f} m/s and travels {distance:.1f} m in {comparison.seconds:g} s."
     )
 
 
@@ -198,7 +186,7 @@ def _standing(comparison: Comparison) -> str:
 
 
 def _stands(comparison: Comparison) -> bool:
-    limits = {metric: _STILL * scale_of(METRICS[metric].unit, comparison.robot) for metric in _TOLERANCES}
+    limits = {metric: _STILL * scale_of(METRICS[metric].unit, comparison.robot) for metric in ERRORS}
     return all(comparison.estimate("policy", m, "standing").mean < limit for m, limit in limits.items())
 
 
@@ -208,42 +196,56 @@ def _backwards(comparison: Comparison) -> str:
     if math.isnan(speed):
         return "it falls too early to tell."
     share = reached_share(comparison, "policy", "backwards")
-    can = "it walks" if share >= WALKING_SHARE else "it does not walk backwards"
+    can = _follows(comparison, "backwards") if share >= WALKING_SHARE else "it does not walk backwards"
     return f"{can}: {speed:.2f} m/s of the commanded {sum(speeds) / len(speeds):.2f} m/s."
 
 
 def _turning(comparison: Comparison) -> str:
-    error = comparison.estimate("policy", "yaw_rate_error", "turning")
-    if math.isnan(error.mean):
+    if math.isnan(comparison.estimate("policy", "yaw_rate_error", "turning").mean):
         return "it falls too early to tell."
     share = reached_share(comparison, "policy", "turning")
     tuned = reached_share(comparison, "tuned", "turning")
     against = "" if math.isnan(tuned) else f", the searched gait {_percent(tuned)}"
-    return (
-        f"{_closeness(error.mean, tolerances('yaw_rate_error', comparison.robot))} its yaw rate commands, "
-        f"with an error of {_with_interval(error, 'yaw_rate_error')}; it reaches {_percent(share)} of the commanded "
-        f"yaw rate{against}."
-    )
+    return f"{_follows(comparison, 'turning')}; it reaches {_percent(share)} of the commanded yaw rate{against}."
 
 
-def error_of(motion: str) -> str:
-    """Name of the error metric of a motion."""
-    return "yaw_rate_error" if motion == "turning" else "forward_velocity_error"
+_CLOSE, _ROUGH, _NOT, _UNKNOWN = "closely follows", "roughly follows", "does not follow", "falls too early to tell at"
+
+
+def _by_closeness(comparison: Comparison, motion: str) -> dict[str, list[Command]]:
+    """The commands of a motion by how closely the policy follows both of their velocities."""
+    found: dict[str, list[Command]] = {word: [] for word in (_CLOSE, _ROUGH, _NOT, _UNKNOWN)}
+    for row in comparison.conditions(motion):
+        errors = [comparison.estimate("policy", metric, [row]).mean for metric in ERRORS]
+        close, rough = zip(*(tolerances(metric, comparison.robot) for metric in ERRORS), strict=True)
+        limits = ((_CLOSE, close), (_ROUGH, rough), (_NOT, (math.inf, math.inf)))
+        word = next((word for word, limit in limits if np.less_equal(errors, limit).all()), _UNKNOWN)
+        found[word].append(comparison.commands[row])
+    return {word: commands for word, commands in found.items() if commands}
+
+
+def _follows(comparison: Comparison, motion: str) -> str:
+    """The commands of a motion that the policy follows closely, roughly or not at all."""
+    found = _by_closeness(comparison, motion)
+    return "it " + "; it ".join(f"{word} {_in_words(commands)}" for word, commands in found.items())
+
+
+def _in_words(commands: Sequence[Command]) -> str:
+    """Commands in words, left and right turns together."""
+    mirrored: dict[Command, set[float]] = {}
+    for forward, yaw_rate in commands:
+        mirrored.setdefault((forward, abs(yaw_rate)), set()).add(yaw_rate)
+    straight = [forward for forward, yaw_rate in mirrored if not yaw_rate]
+    parts = [f"{listed([f'{forward:g}' for forward in straight])} m/s"] if straight else []
+    for (forward, yaw_rate), signs in mirrored.items():
+        if yaw_rate:
+            sign = "\N{PLUS-MINUS SIGN}" if len(signs) == 2 else "-" if signs == {-yaw_rate} else ""
+            parts.append(f"{f'{forward:g} m/s with ' * bool(forward)}{sign}{yaw_rate:g} rad/s")
+    return listed(parts)
 
 
 def _rank(comparison: Comparison, other: str, motion: str) -> str:
-    """Rank of the policy against another controller: `more accurate`, `less accurate` or `equally accurate`.
-
-    Judged by the paired differences of the error: their interval must not include zero, and their mean must exceed
-    `equal_up_to`. `not comparable` if there is no pair of episodes in which both have a value.
-    """
-    metric = error_of(motion)
-    difference = comparison.difference(metric, "policy", other, motion)
-    if math.isnan(difference.mean):
-        return "not comparable"
-    if not abs(difference.mean) > equal_up_to(metric, comparison.robot) or difference.low <= 0.0 <= difference.high:
-        return "equally accurate"
-    return "more accurate" if difference.mean < 0.0 else "less accurate"
+    return rank(comparison, error_of(motion), "policy", other, motion)
 
 
 def _against(comparison: Comparison, other: str) -> str:
@@ -259,7 +261,13 @@ def _against(comparison: Comparison, other: str) -> str:
                 f"{motion} ({show(ours)} against {show(theirs)} {METRICS[metric].unit})"
             )
     ranks = [f"{rank} {listed(where)}" for rank, where in motions.items() if where]
-    return f"compared with it, the policy is {'; '.join(ranks)}."
+    if len(comparison.seeds) == 1:
+        ranks = ["not ranked: a single start of each command gives no interval"]
+    more = ""
+    if comparison.falls_more("policy", other):
+        own, others = (_percent(comparison.estimate(name, "fall_rate").mean) for name in ("policy", other))
+        more = f"falls more often ({own} against {others}), and "
+    return f"compared with it, the policy {more}is {'; '.join(ranks)}."
 
 
 def _effort(comparison: Comparison) -> str:
@@ -269,7 +277,10 @@ def _effort(comparison: Comparison) -> str:
         values = comparison.values["policy"][name]
         if np.isfinite(values).any():
             limit = METRICS[name].limit_of(comparison.robot)
-            peaks.append(f"{np.nanmax(values):.1f} of {limit:g} {METRICS[name].unit}")
+            assert limit is not None
+            highest, unit = round(float(np.nanmax(values)), 1), METRICS[name].unit
+            where = "beyond" if highest > limit else "at" if highest == limit else "within"
+            peaks.append(f"{highest:.1f} {unit} ({where} the limit of {limit:g} {unit})")
     if not peaks:
         return "it falls too early to tell."
     words = f"peaks of {listed(peaks)} in any joint"
@@ -292,11 +303,7 @@ def listed(items: list[str]) -> str:
     return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
 
 
-def _closeness(error: float, tolerance: tuple[float, float]) -> str:
-    close, near = tolerance
-    return "it closely follows" if error <= close else "it roughly follows" if error <= near else "it does not follow"
-
-
 def _with_interval(estimate: Estimate, metric: str) -> str:
     show = METRICS[metric].show
-    return f"{show(estimate.mean)} {METRICS[metric].unit} [{show(estimate.low)}, {show(estimate.high)}]"
+    interval = "" if math.isnan(estimate.low) else f" [{show(estimate.low)}, {show(estimate.high)}]"
+    return f"{show(estimate.mean)} {METRICS[metric].unit}{interval}"

@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
-from quadruped_env.evaluation.learning_gain import gain_rows
+from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, gain_rows, reward_in_words
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.golden_trace import TRACE_FILE
@@ -188,12 +188,13 @@ def _learning(learning: Mapping[str, Any] | None) -> str:
     """Section of the gain over the zero action; empty for a policy whose card has none."""
     if learning is None:
         return ""
-    rows = "\n".join(f"| {' | '.join(row)} |" for row in gain_rows(learning))
+    header, *rows = (f"| {' | '.join(row)} |" for row in (GAIN_HEADER, *gain_rows(learning)))
+    table = "\n".join([header, "|---" * len(GAIN_HEADER) + "|", *rows])
     text = _filled(
-        f"In its own task, over {learning['episodes']} episodes of {learning['seconds']:g} s, it is "
-        f"{learning['verdict']}. 95 % intervals are in brackets."
+        f"Policy and zero action in its own task, over {learning['episodes']} episodes of {learning['seconds']:g} s: "
+        f"{learning['verdict']}; {reward_in_words(learning)}. 95 % intervals are in brackets. {TABLE_NOTE}"
     )
-    return f"## What learning added\n\n{text}\n\n| | policy | zero action |\n|---|---|---|\n{rows}"
+    return f"## What learning added\n\n{text}\n\n{table}"
 
 
 def _findings(results: Mapping[str, Any]) -> str:

@@ -52,7 +52,7 @@ def load_policy(
             task differs from the one in training, because the user's file is not given or is another version.
     """
     if trust_task and task_file is not None:
-        raise QuadrupedError("load_policy: found task_file and trust_task; give one of them")
+        raise QuadrupedError("task_file: found together with trust_task; give one of them")
     if is_code(source):
         if trust_task:
             raise QuadrupedError(f"{source}: is code, with which no task file is kept; leave trust_task out")

@@ -19,7 +19,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation, Tiles
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.privileged import PrivilegedReadings, TrueState
-from quadruped_env.task.randomization.draws import Draws
+from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.randomizer import Randomizer
 from quadruped_env.task.randomization.tile_assignment import TileAssignment
 from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
@@ -28,6 +28,8 @@ from quadruped_env.utils.plain import whole_number
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
+
+_PURPOSES = Purposes({"episode/shortened": 1})
 
 
 @dataclass(slots=True)
@@ -98,6 +100,7 @@ class Task:
         self._started: NDArray[np.bool_] = self._memory.zeros("started", dtype=np.bool_)
         self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
         """Mask (N,) of the envs whose episode has ended and that have not been reset since."""
+        self._shortened: NDArray[np.int64] = self._memory.zeros("shortened", dtype=np.int64)
         self._all_started = False
         self.generators: list[np.random.Generator] = []
         """Random generator of each env, from which the key of its draws is taken."""
@@ -191,6 +194,14 @@ class Task:
         self._randomizer.start_servos(env_ids)
         self.context.read()
 
+    def shorten_episodes(self) -> None:
+        """Let the present episode of every env end at a random step up to the time limit; later ones have their length.
+
+        Envs that begin together, and do not fall, would otherwise reach every time limit in the same step.
+        """
+        share = self.draws.uniform(_PURPOSES, slice(None), self.steps)[:, 0]
+        self._shortened[:] = np.floor(share * (self.max_episode_steps or 0)).astype(np.int64)
+
     def set_command(self, env_ids: EnvIds, command: Sequence[float] | Floats) -> None:
         """Change the command of some envs (R,) within their episodes; it stays fixed from then on.
 
@@ -249,7 +260,9 @@ class Task:
         terminated = self._terminations(self.context, diverged)
         self.context.fallen[:] = terminated
         limit = self.max_episode_steps
-        truncated = np.zeros(self.num_envs, np.bool_, like=diverged) if limit is None else self.control.steps >= limit
+        truncated = np.zeros(self.num_envs, np.bool_, like=diverged)
+        if limit is not None:
+            truncated = self.control.steps + self._shortened >= limit
         if self.tiles is not None:
             self.tiles.update(self.context, terminated, diverged, running)
         terms = self._rewards(self.context)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final
 
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.errors import QuadrupedError, did_you_mean, short
 from quadruped_env.training.user_classes import is_user_class, load_class
 
 _ON_POLICY: Final = frozenset(
@@ -103,6 +103,7 @@ def algorithm(name: str) -> Algorithm:
     if base not in ALGORITHMS:
         raise QuadrupedError(
             f"--algo: {short(name)} is unknown; valid algorithms are {', '.join(ALGORITHMS)}, or FILE.py:CLASS"
+            f"{did_you_mean(base, ALGORITHMS)}"
         )
     return ALGORITHMS[base]
 

@@ -50,6 +50,7 @@ class Trainer:
             config=config.task,
             task_file=task_file,
             privileged=config.asymmetric_critic,
+            random_first_length=True,
             num_threads=threads or group.threads,
         )
         if group.ppo is None:

@@ -17,6 +17,19 @@ INTERRUPTED_STATUS: Final = 130
 """Exit status after Ctrl-C, as shells have it."""
 
 
+_SYNONYMS: Final = {
+    "--lr": "--learning-rate",
+    "--gpu": "--device cuda",
+    "--cuda": "--device cuda",
+    "--steps": "--timesteps",
+    "--envs": "--num-envs",
+    "--epochs": "--n-epochs",
+    "--episodes": "--seeds",
+    "--out": "--output",
+}
+"""Options that other programs have -> their names here, which are not spelled like them."""
+
+
 class ArgumentParser(argparse.ArgumentParser):
     """A parser whose errors about a mistyped word name the one that was probably meant."""
 
@@ -26,9 +39,19 @@ class ArgumentParser(argparse.ArgumentParser):
         """See `argparse`; unknown arguments are an error here, so that a subcommand's are an error of its parser."""
         found, unknown = super().parse_known_args(args, namespace)
         if unknown:
-            hint = did_you_mean(unknown[0].partition("=")[0], self._option_string_actions)
+            option = unknown[0].partition("=")[0]
+            meant = _SYNONYMS.get(option, "")
+            known = meant.split(" ")[0] in self._option_string_actions
+            hint = f"; did you mean {meant}?" if known else did_you_mean(option, self._option_string_actions)
             self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
         return found, unknown
+
+    def _get_value(self, action: argparse.Action, arg_string: str) -> Any:
+        """See `argparse`; the case of a choice does not count."""
+        value = super()._get_value(action, arg_string)
+        if action.choices is None or value in action.choices or not isinstance(value, str):
+            return value
+        return value.lower() if value.lower() in action.choices else value
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         try:

@@ -122,6 +122,7 @@ def test_no_command_prints_the_help_with_the_list(arguments, capsys):
         ("train --sedd 3", r"mini-quadruped train: error: unrecognized arguments: --sedd 3; did you mean --seed\?"),
         ("live sim --pickup=3", r"mini-quadruped live sim: error: .*--pickup=3; did you mean --pick-up\?"),
         ("train --recipe rogh", r"mini-quadruped train: error: .*; did you mean rough\?"),
+        ("train --algo sacc", r"mini-quadruped train: error: .*; did you mean sac\?"),
         ("baseline --preset tort", r"mini-quadruped baseline: error: .*; did you mean trot\?"),
         ("evaluate rogh", r"mini-quadruped evaluate: error: .*; did you mean rough\?"),
         ("view flta", r"mini-quadruped view: error: .*; did you mean flat\?"),
@@ -299,3 +300,59 @@ def test_completion_lists_all_that_fits(complete):
     assert set(complete("mini-quadruped train --recipe ")) == {"flat", "rough"}
     assert len(complete("mini-quadruped evaluate ")) >= 4, "policies, and runs also of odd names"
     assert not set(complete("mini-quadruped train --seed ")) - {""}
+
+
+@pytest.mark.parametrize(
+    ("typed", "end"),
+    [
+        ("train --lr 1e-3", "--lr 1e-3; did you mean --learning-rate?"),
+        ("train --gpu", "--gpu; did you mean --device cuda?"),
+        ("train --steps=9", "--steps=9; did you mean --timesteps?"),
+        ("compare flat rough --episodes 3", "--episodes 3; did you mean --seeds?"),
+        # A synonym of an option that the command does not have, and words that nothing resembles.
+        ("evaluate flat --lr 1", "unrecognized arguments: --lr 1"),
+        ("train --foo", "unrecognized arguments: --foo"),
+        ("view flat --gpu", "unrecognized arguments: --gpu"),
+    ],
+)
+def test_suggestions_for_options_are_right_or_missing(typed, end, capsys):
+    with pytest.raises(SystemExit):
+        main(typed.split())
+    assert capsys.readouterr().err.strip().endswith(end)
+
+
+@pytest.mark.parametrize(
+    ("typed", "number"),
+    [("1500", 1500), ("1e6", 10**6), ("100k", 10**5), ("1.5M", 1_500_000), ("2K", 2000), ("3m", 3 * 10**6), ("-5", -5)],
+)
+def test_counts_are_read_as_people_write_them(typed, number):
+    assert make_parser("train").parse_args(["train", f"--timesteps={typed}"]).timesteps == number
+    assert type(make_parser("train").parse_args(["train", f"--num-envs={typed}"]).num_envs) is int
+
+
+@pytest.mark.parametrize("typed", ["1.5", "k", "", "1e-3", "many", "1e400", "1e999999999", "nan", "inf", "10kk"])
+def test_what_is_no_count_is_refused_with_examples(typed, capsys):
+    with pytest.raises(SystemExit):
+        make_parser("train").parse_args(["train", f"--timesteps={typed}"])
+    assert (
+        "argument --timesteps: expected a whole number, such as 1500000, 1e6, 100k or 1.5M" in capsys.readouterr().err
+    )
+
+
+def test_the_case_of_a_name_does_not_count():
+    typed = (
+        "train --algo SAC --recipe Rough --terrain ROUGH --activation ReLU --randomization Hard --action-mode RESIDUAL"
+    )
+    found = make_parser("train").parse_args(typed.split())
+    assert (found.algo, found.recipe, found.activation, found.randomization, found.action_mode) == (
+        "sac", "rough", "relu", "hard", "residual",
+    )  # fmt: skip
+    assert make_parser("train").parse_args(["train", "--algo", "Mine.py:PPO"]).algo == "Mine.py:PPO"
+
+
+@pytest.mark.parametrize("command", ["page", "evaluate", "view"])
+def test_a_policy_that_does_not_exist_is_named_without_a_function(command, capsys):
+    assert main([command, "no_such_policy"]) == 2
+    error = capsys.readouterr().err
+    assert "load_policy" not in error
+    assert "no_such_policy" in error

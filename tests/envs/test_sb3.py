@@ -132,3 +132,34 @@ def test_infos_written_to_by_a_wrapper_do_not_leak_into_the_next_step(sb3):
 def test_sb3_env_with_other_autoreset_mode_is_refused(sb3):
     with pytest.raises(QuadrupedError, match=r"autoreset_mode: .*expected 'SameStep', found 'NextStep'"):
         sb3.make(2, autoreset_mode="NextStep")
+
+
+def test_first_episodes_of_random_length_spread_the_time_limits(sb3):
+    standing = {"termination": {"max_tilt": 3.1}}
+    limit, envs = 40, 64
+    env = sb3.make(envs, seed=3, config=standing, max_episode_steps=limit, random_first_length=True)
+    plain = sb3.make(envs, seed=3, config=standing, max_episode_steps=limit)
+    few = sb3.make(8, seed=3, config=standing, max_episode_steps=limit, random_first_length=True)
+    assert_same(env.reset(), plain.reset())
+    few.reset()
+    action, ends = np.zeros((envs, 8), dtype=np.float32), np.zeros((2 * limit, envs), dtype=bool)
+    running = np.ones(envs, dtype=bool)
+    for step in range(2 * limit):
+        observations, rewards, ends[step], infos = env.step(action)
+        expected, expected_rewards = plain.step(action)[:2]
+        running &= ~ends[step]
+        # Until its end, an episode is the same as without a random length.
+        assert_same(observations[running], expected[running])
+        assert_same(rewards[running], expected_rewards[running])
+        # Each end is a time limit, from which PPO bootstraps.
+        assert all(infos[i]["TimeLimit.truncated"] for i in np.flatnonzero(ends[step]))
+        assert_same(few.step(action[:8])[2], ends[step, :8])
+    first = ends.argmax(axis=0) + 1
+    assert (first.min(), first.max()) >= (1, limit - 5)
+    assert len(np.unique(first)) > 20
+    assert ends.sum(axis=1).max() <= 8, "in no step do many episodes end"
+    for env_id, step in enumerate(first):
+        assert np.flatnonzero(ends[:, env_id])[:2].tolist() == [step - 1, step - 1 + limit], "later ones are whole"
+    # A reset by the caller begins first episodes again.
+    env.reset()
+    assert sum(env.step(action)[2].any() for _ in range(limit - 1)) > 20

@@ -10,8 +10,10 @@ from comparisons import random_policy
 from half_robot import ROBOT
 
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.confidence import Estimate
-from quadruped_env.evaluation.learning_gain import NOT_BETTER, commands_met, gain_rows, learning_gain
+from quadruped_env.evaluation import learning_gain as learning_gain_module
+from quadruped_env.evaluation.comparison import Comparison, compare
+from quadruped_env.evaluation.confidence import Estimate, proportion
+from quadruped_env.evaluation.learning_gain import NO_GAIN, commands_met, gain_rows, learning_gain
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import BUILT_IN, ActionConfig, CommandConfig, TaskConfig, TerminationConfig
@@ -81,23 +83,105 @@ def test_policy_without_an_action_of_its_own_is_exactly_as_good_as_doing_nothing
     assert gain.policy == gain.zero
     assert gain.difference == Estimate(0.0, 0.0, 0.0, ROBOTS)
     assert not gain.is_better
-    assert gain.verdict() == f"{NOT_BETTER}: +0.00 return/s (95 % interval +0.00 to +0.00)"
+    assert gain.verdict() == f"has {NO_GAIN}: +0.00 return/s (95 % interval +0.00 to +0.00)"
     # The zero action of mode `residual` walks with the scripted gait, that of mode `position` stands.
     standing = learning_gain(random_policy("position"), ROBOTS, SECONDS).zero
     assert gain.zero.electrical_power.mean > 2.0 * standing.electrical_power.mean
     document = json.loads(json.dumps(gain.to_dict(), allow_nan=False))
     assert document["standard_errors"] is None
-    assert gain_rows(document)[-1] == ("own action, RMS", "0.000 rad", "0.000 rad")
+    rows = gain_rows(document)
+    assert [row[0] for row in rows] == [
+        "forwards 0.1 m/s",
+        "forwards 0.2 m/s",
+        "forwards 0.3 m/s",
+        "forwards 0.4 m/s",
+        "forwards 0.5 m/s",
+        "standing",
+        "backwards 0.2 m/s",
+        "turning 0.5 rad/s",
+        "curve 0.3 m/s, 0.5 rad/s",
+        "random commands",
+    ]
+    for _, *cells, result in rows:
+        assert cells[:3] == cells[3:]
+        assert result in ("equal", "")
 
 
 def test_verdict_needs_the_whole_interval_above_zero():
     gain = learning_gain(with_action(0.0), ROBOTS, SECONDS)
     better = dataclasses.replace(gain, difference=Estimate(1.5, 0.1, 2.9, ROBOTS), standard_errors=3.41)
-    assert better.verdict() == "better than doing nothing by 1.50 return/s (3.4 standard errors)"
-    assert gain_rows(better.to_dict())[1] == ("gain in reward per second", "+1.50 [+0.10, +2.90]", "")
+    assert better.verdict() == "is better than the zero action by 1.50 return/s (3.4 standard errors)"
+    assert "difference +1.50 [+0.10, +2.90]" in better.table()
     for low in (0.0, -0.1):
         unsure = dataclasses.replace(better, difference=Estimate(1.5, low, 2.9, ROBOTS))
-        assert unsure.verdict() == f"{NOT_BETTER}: +1.50 return/s (95 % interval {low:+.2f} to +2.90)"
+        assert unsure.verdict() == f"has {NO_GAIN}: +1.50 return/s (95 % interval {low:+.2f} to +2.90)"
+
+
+def test_a_whole_interval_below_zero_is_worse_and_falls_come_before_any_gain():
+    gain = learning_gain(with_action(0.0), ROBOTS, SECONDS, motion_seeds=0)
+    worse = dataclasses.replace(gain, difference=Estimate(-1.99, -2.77, -1.22, 8), standard_errors=-5.1)
+    assert worse.verdict() == "is worse than the zero action by 1.99 return/s (5.1 standard errors)"
+
+    def falling(share):
+        ours, zeros = (
+            dataclasses.replace(gain.policy, falls=proportion(np.arange(128) < 128 * falls)) for falls in (share, 0.03)
+        )
+        return dataclasses.replace(worse, policy=ours, zero=zeros, difference=Estimate(2.0, 1.0, 3.0, 8))
+
+    assert falling(0.84).verdict() == (
+        "falls in 84 % of its episodes, the zero action in 3 %; it collects 2.00 return/s more (5.1 standard errors), "
+        "which does not make up for the falls"
+    )
+    assert not falling(0.84).is_better
+    assert (
+        falling(0.15).verdict().startswith("falls in 16 % of its episodes, the zero action in 3 %; it is better than")
+    )
+    assert falling(0.04).verdict().startswith("is better than")
+
+
+def test_rows_of_motions_are_those_of_the_evaluation():
+    """Undisturbed, from the same starts: the numbers of `compare` for the policy."""
+    policy = random_policy("residual")
+    gain = learning_gain(policy, 2, SECONDS, motion_seeds=2)
+    comparison = compare(policy, 2, SECONDS)
+    by_label = {motion.label: motion for motion in gain.motions}
+    for label, rows in (("forwards 0.3 m/s", [2]), ("backwards 0.2 m/s", [6]), ("turning 0.5 rad/s", [7, 8])):
+        motion = by_label[label]
+        for metric, estimate in motion.policy.items():
+            assert estimate == comparison.estimate("policy", metric, rows)
+    assert set(by_label["curve 0.3 m/s, 0.5 rad/s"].policy) == {
+        "forward_velocity_error",
+        "yaw_rate_error",
+        "fall_rate",
+        "electrical_power",
+    }
+    # The zero action of mode `residual` is the gait, which walks.
+    assert by_label["forwards 0.3 m/s"].zero["forward_velocity_error"].mean < 0.1
+
+
+@pytest.mark.parametrize(
+    ("policy", "zero", "result"),
+    [
+        # Errors and share of falls of policy and zero action, in 8 episodes.
+        ((0.02, 0.0), (0.05, 0.0), "more accurate"),
+        ((0.05, 0.0), (0.02, 0.0), "less accurate"),
+        ((0.05, 0.0), (0.052, 0.0), "equal"),
+        ((0.02, 1.0), (0.05, 0.0), "falls more"),
+        ((0.05, 0.0), (0.02, 1.0), "falls less"),
+    ],
+)
+def test_result_of_a_motion_counts_falls_first(policy, zero, result):
+    values = {
+        name: {
+            "forward_velocity_error": np.full((1, 8), error),
+            "fall_rate": np.full((1, 8), falls),
+            "electrical_power": np.full((1, 8), 9.0),
+        }
+        for name, (error, falls) in (("policy", policy), ("zero", zero))
+    }
+    comparison = Comparison(((0.3, 0.0),), tuple(range(8)), 20.0, TaskConfig(), {}, values)
+    motion = learning_gain_module._motion(comparison, (0.3, 0.0), [0])
+    assert (motion.label, motion.result) == ("forwards 0.3 m/s", result)
 
 
 def test_commands_are_met_by_their_means_after_a_second_and_without_a_fall():

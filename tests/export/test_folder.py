@@ -21,7 +21,7 @@ from quadruped_env.control import CommandedFrequency, ControlInterface
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
-from quadruped_env.evaluation.learning_gain import learning_gain
+from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain, reward_in_words
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
@@ -305,8 +305,9 @@ def test_gain_over_the_zero_action_is_on_the_page_and_in_the_manifest(run, tmp_p
     assert export.manifest["learning"]["verdict"] == gain.verdict()
     assert export.manifest["training"] == {"seed": 0}
     page = " ".join((tmp_path / "export" / "README.md").read_text().split())
-    assert f"over 2 episodes of 2 s, it is {gain.verdict()}." in page
-    assert "| own action, RMS | " in page
+    assert f"over 2 episodes of 2 s: {gain.verdict()}; {reward_in_words(gain.to_dict())}." in page
+    for row in gain_rows(gain.to_dict()):
+        assert " ".join(f"| {' | '.join(row)} |".split()) in page
 
 
 def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, monkeypatch):

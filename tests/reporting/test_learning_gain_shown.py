@@ -10,7 +10,7 @@ from report_page import Page
 
 from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain
+from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain, reward_in_words
 from quadruped_env.reporting.pages import run_comparison
 from quadruped_env.reporting.pages.learning import half_way, learning_clips, zero_return
 from quadruped_env.reporting.plots import learning_curve
@@ -42,7 +42,7 @@ def test_report_holds_the_table_above_the_findings(written):
     gain, text = written.gain, text_of(written.page)
     assert json.loads(written.numbers)["learning"] == json.loads(json.dumps(gain.to_dict()))
     place = text.index("What learning added")
-    assert place < text.index(f"n its own task, it is {gain.verdict()}") < text.index("In numbers")
+    assert place < text.index(f"n its own task, it {gain.verdict()}") < text.index("In numbers")
     for row in gain_rows(gain.to_dict()):
         assert " ".join(row).strip() in text[place:]
     assert "The dashed line is the return of the zero action" in text
@@ -56,8 +56,9 @@ def test_comparison_holds_the_gain_of_each_policy(run_directory, comparison, gai
     )
     assert json.loads(numbers.read_text())["policies"]["policy"]["learning"]["verdict"] == gain.verdict()
     text = text_of(page.read_text())
-    assert f"In its own task, it is {gain.verdict()}." in text
-    assert "policy zero action reward per second" in text
+    assert f"In its own task, it {gain.verdict()}." in text
+    assert " ".join(gain_rows(gain.to_dict())[0]) in text
+    assert reward_in_words(gain.to_dict()) in text
 
 
 def test_line_of_the_curve_is_the_zero_actions_return_of_a_whole_episode(gain):

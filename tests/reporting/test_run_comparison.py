@@ -13,6 +13,7 @@ from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting.pages import run_comparison
+from quadruped_env.reporting.pages.page import summary_table
 from quadruped_env.task import load_task_file
 
 
@@ -32,7 +33,7 @@ def test_runs_are_ranked_by_paired_differences(comparison):
     assert run_comparison.best_at(several, names, "forwards") == ["good", "level"]
     words = run_comparison.headline(several, names)
     assert words.startswith(
-        "Good and level are most accurate forwards, standing, backwards and turning; bad falls more often."
+        "Bad falls more often; good and level are most accurate forwards, standing, backwards and turning."
     )
     assert run_comparison.headline(several, ["good", "level"]).startswith("All are equally accurate forwards")
 
@@ -42,7 +43,8 @@ def test_runs_are_ranked_by_paired_differences(comparison):
     values["bad"]["forward_velocity_error"][backwards, 1:] = np.nan
     values["bad"]["yaw_rate_error"][turning] = np.nan
     assert run_comparison.headline(several, ["good", "bad"]).startswith(
-        "Good is most accurate forwards and standing; not comparable backwards and turning, because of early falls"
+        "Bad falls more often; good is most accurate forwards and standing; not comparable backwards and turning, "
+        "because of early falls"
     )
 
 
@@ -56,6 +58,10 @@ def test_runs_are_compared_on_one_page(run_directory, tmp_path):
     text = " ".join(Page(page.read_text()).text)
     for name in policies:
         assert name in text
+    assert "A single start has no confidence interval" in text
+    assert "ne start of each command gives no interval, so errors are not ranked" in text
+    assert "No intervals: a single random start of each command has none." in summary_table(compared)
+    assert "[" not in next(line for line in summary_table(compared).splitlines() if line.startswith("Forwards"))
     assert "script-src" not in page.read_text()
     assert set(json.loads(numbers.read_text())["policies"]) == set(policies)
     alone = compare(random_policy("position"), 1, 2.0, TINY)

@@ -144,6 +144,12 @@ def test_physics_on_tiles_is_measured_over_the_plane():
     assert "terrain" in throughput.WORKS
 
 
+def test_memory_of_a_training_is_measured_at_the_ends_of_its_rollouts():
+    resident, growth = throughput.training_memory(timesteps=13_000)
+    assert 50.0 < resident.value < 10_000.0, "MiB of a process with torch"
+    assert math.isfinite(growth.value)
+
+
 def test_memory_of_envs_is_at_least_that_of_their_states():
     (measure,) = throughput.env_memory(num_envs=1000)
     assert measure.value > 1000 * 8 * 100 / 2**20, "an env's state has over 100 numbers"

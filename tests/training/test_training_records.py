@@ -230,6 +230,7 @@ def replayed(run):
         ENV_ID, num_envs=ENVS, action_mode="residual", config=config().task, max_episode_steps=EPISODE_STEPS
     )
     _, info = env.reset(seed=SEED)
+    env.unwrapped.task.shorten_episodes()  # as in a training
     command, infos = info["command"], []
     for actions in run.actions:
         _, _, terminated, truncated, info = env.step(actions)
@@ -271,6 +272,7 @@ def test_tensorboard_has_the_levels_of_the_curriculum(watched, tmp_path):
         ENV_ID, num_envs=ENVS, action_mode="residual", config=task, max_episode_steps=EPISODE_STEPS
     )
     env.reset(seed=SEED)
+    env.unwrapped.task.shorten_episodes()  # as in a training
     levels, means = env.unwrapped.task.tiles, []
     for number, actions in enumerate(run.actions, 1):
         env.step(actions)
@@ -285,6 +287,18 @@ def test_tensorboard_has_the_levels_of_the_curriculum(watched, tmp_path):
     assert len(means) == 2
     found = [shown[f"terrain/{name}"][1] for name in ("mean_level", "level_stairs")]
     np.testing.assert_allclose(np.transpose(found), means, rtol=1e-6)
+
+
+def test_first_episodes_of_new_and_of_resumed_trainings_end_at_different_steps(watched, tmp_path):
+    standing = {"termination": {"max_tilt": 3.1}}
+    first = watched().train(tmp_path / "first", config(task=standing))
+    parent = Parent.load(first.directory)
+    again = watched().train(tmp_path / "again", parent.resumed({}), parent.directory)
+    for run in (first, again):
+        assert sum(run.falls) == 0
+        ends = np.array(run.dones)[:EPISODE_STEPS]
+        assert (ends.sum(axis=0) >= 1).all()
+        assert len(np.unique(ends.argmax(axis=0))) > ENVS / 2
 
 
 def tensorboard(directory):
@@ -309,9 +323,15 @@ def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path)
     }
     run.train(tmp_path, config(timesteps=2 * SAMPLES, task=task))
     env = gymnasium.make_vec(
-        ENV_ID, num_envs=ENVS, action_mode="residual", config=task, autoreset_mode="Disabled", max_episode_steps=1000
+        ENV_ID,
+        num_envs=ENVS,
+        action_mode="residual",
+        config=task,
+        autoreset_mode="Disabled",
+        max_episode_steps=EPISODE_STEPS,
     )
     _, info = env.reset(seed=SEED)
+    env.unwrapped.task.shorten_episodes()  # as in a training
     average, squares, ends = np.zeros((ENVS, 2)), [], 0
     for actions in run.actions:
         command = info["command"]  # in force in the step

@@ -9,7 +9,7 @@ from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.evaluation.comparison import Command, Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.learning_gain import LearningGain, gain_rows
+from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, LearningGain, gain_rows, reward_in_words
 from quadruped_env.evaluation.metrics import START_UP
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Controller, PolicyController, ZeroController, at_checkpoint
@@ -22,21 +22,22 @@ ZERO_LINE: Final = "The dashed line is the return of the zero action, without le
 
 
 def gain_section(gains: Mapping[str, LearningGain]) -> dict[str, Any]:
-    """Template variables of the table; `gains` are those of policies by name, one or more."""
-    documents = [gain.to_dict() for gain in gains.values()]
-    tables = [gain_rows(document) for document in documents]
-    labels = [label for label, _, _ in tables[0]]
-    rows = [[label, *(cell for table in tables for cell in table[i][1:])] for i, label in enumerate(labels)]
+    """Template variables of the tables; `gains` are those of policies by name, one or more."""
+    documents = {name: gain.to_dict() for name, gain in gains.items()}
+    tables = [
+        {"name": name, "rows": gain_rows(document), "reward": reward_in_words(document)}
+        for name, document in documents.items()
+    ]
     first = next(iter(gains.values()))
     note = (
-        f"The zero action is the stance, or the scripted gait under the policy. Both ran in the policy's own task, "
-        f"with its commands, randomization and terrain: {first.episodes} episodes of {first.seconds:g} s with the same "
-        f"seeds; a robot that falls begins again. 95 % intervals are in brackets. A command is met if the mean "
-        f"velocities from {START_UP:g} s after its beginning are within {first.tolerance[0]:g} m/s and "
-        f"{first.tolerance[1]:g} rad/s of it. The own action is what the policy adds to the joint targets of the zero "
-        f"action."
+        f"The zero action is the stance, or the scripted gait under the policy. {TABLE_NOTE} The last row and the "
+        f"rewards are those of the policy's own task, with its commands, randomization and terrain: {first.episodes} "
+        f"episodes of {first.seconds:g} s with the same seeds; a robot that falls begins again. 95 % intervals are in "
+        f"brackets. A command is met if the mean velocities from {START_UP:g} s after its beginning are within "
+        f"{first.tolerance[0]:g} m/s and {first.tolerance[1]:g} rad/s of it. The own action is what the policy adds to "
+        f"the joint targets of the zero action."
     )
-    return {"header": ["", *(each for name in gains for each in (name, "zero action"))], "rows": rows, "note": note}
+    return {"header": GAIN_HEADER, "tables": tables, "note": note}
 
 
 def zero_return(gain: LearningGain, config: TaskConfig) -> float:

@@ -44,9 +44,10 @@ def summary_table(comparison: Comparison) -> str:
     for title, metric, motion in _summary_rows(comparison):
         unit = METRICS[metric].unit
         cells = [_cell(metric, comparison.estimate(name, metric, motion)) for name in comparison.values]
-        texts = [c["mean"] if c["mean"] == "-" else f"{c['mean']} [{c['low']}, {c['high']}]" for c in cells]
+        texts = [c["mean"] if c["low"] == "-" else f"{c['mean']} [{c['low']}, {c['high']}]" for c in cells]
         rows.append([f"{title} ({unit})" if unit else title, *texts])
-    return text_table(rows, left=len(rows[0]))
+    note = "" if len(comparison.seeds) > 1 else "\nNo intervals: a single random start of each command has none."
+    return text_table(rows, left=len(rows[0])) + note
 
 
 def _summary_rows(comparison: Comparison) -> list[tuple[str, str, str | None]]:

@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison
+from quadruped_env.evaluation.comparison import MOTIONS, Comparison, equal_up_to, error_of
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.learning_gain import LearningGain
 from quadruped_env.evaluation.suite.suite import COMPONENTS
-from quadruped_env.evaluation.verdict import equal_up_to, error_of, listed, verdict
+from quadruped_env.evaluation.verdict import listed, verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
@@ -61,12 +61,19 @@ def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[s
 
 
 def headline(comparison: Comparison, names: Sequence[str]) -> str:
-    """A sentence that names the most accurate policies for each motion, and those that fall more often than others."""
+    """A sentence: the policies that fall more often than others, and the most accurate ones for each motion."""
+    if len(names) == 1:
+        return verdict(comparison.seen_as(names[0])).headline
+    falls = {name: comparison.estimate(name, "fall_rate") for name in names}
+    # "More often" requires that the confidence intervals do not overlap.
+    unsteady = [name for name in names if falls[name].low > min(fall.high for fall in falls.values())]
+    parts = [f"{listed(unsteady)} {_agreed(unsteady, 'falls', 'fall')} more often"] if unsteady else []
+    if len(comparison.seeds) == 1:
+        return _sentence([*parts, "one start of each command gives no interval, so errors are not ranked"])
     leaders: dict[tuple[str, ...], list[str]] = {}
     for motion in MOTIONS:
         if comparison.conditions(motion):
             leaders.setdefault(tuple(best_at(comparison, names, motion)), []).append(motion)
-    parts = []
     for best, motions in leaders.items():
         if len(best) == len(names):
             parts.append(f"all are equally accurate {listed(motions)}")
@@ -74,11 +81,10 @@ def headline(comparison: Comparison, names: Sequence[str]) -> str:
             parts.append(f"{listed(list(best))} {_agreed(best, 'is', 'are')} most accurate {listed(motions)}")
         else:
             parts.append(f"not comparable {listed(motions)}, because of early falls")
-    falls = {name: comparison.estimate(name, "fall_rate") for name in names}
-    # "More often" requires that the confidence intervals do not overlap.
-    unsteady = [name for name in names if falls[name].low > min(fall.high for fall in falls.values())]
-    if unsteady:
-        parts.append(f"{listed(unsteady)} {_agreed(unsteady, 'falls', 'fall')} more often")
+    return _sentence(parts)
+
+
+def _sentence(parts: Sequence[str]) -> str:
     sentence = "; ".join(parts)
     return f"{sentence[:1].upper()}{sentence[1:]}."
 

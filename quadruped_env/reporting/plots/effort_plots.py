@@ -32,8 +32,8 @@ def cost_over_speed(comparison: Comparison) -> str:
             for controller in comparison.values:
                 for motion, face in (("forwards", None), ("backwards", "white")):
                     rows = comparison.conditions(motion)
-                    speed = np.abs([comparison.estimate_at(controller, "forward_velocity", i).mean for i in rows])
-                    estimates = [comparison.estimate_at(controller, metric, i) for i in rows]
+                    speed = np.abs([comparison.estimate(controller, "forward_velocity", [i]).mean for i in rows])
+                    estimates = [comparison.estimate(controller, metric, [i]) for i in rows]
                     mean = np.array([e.mean for e in estimates])
                     reach = [[e.mean - e.low for e in estimates], [e.high - e.mean for e in estimates]]
                     # Commands that all lead to the same speed are not connected by a line.

@@ -31,7 +31,7 @@ def tracking(comparison: Comparison) -> str:
             # Offset horizontally, so that equal results of several controllers do not overlap.
             offsets = np.linspace(-1, 1, len(styles)) * 0.012 * max(float(np.ptp(span)), 0.1)
             for offset, controller in zip(offsets, styles, strict=True):
-                estimates = [comparison.estimate_at(controller, metric, row) for row in rows]
+                estimates = [comparison.estimate(controller, metric, [row]) for row in rows]
                 for hollow in (False, True):
                     chosen = [i for i, row in enumerate(rows) if bool(column and comparison.commands[row][0]) is hollow]
                     if chosen:

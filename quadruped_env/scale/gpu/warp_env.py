@@ -48,6 +48,7 @@ class WarpVecEnv(VecEnv):
         self.device = str(simulation.torch_device)
         self.cfg = config.to_dict()
         task.reset(np.arange(num_envs, like=simulation.sensordata), list(range(seed, seed + num_envs)))
+        task.shorten_episodes()
         self.last_terms: Any = np.zeros((num_envs, len(task.term_names)), like=simulation.sensordata)
         """Weighted reward terms of the last step, (N, T)."""
         self.falls: Any = np.zeros(1, like=simulation.sensordata)

@@ -183,7 +183,9 @@ def default_of(name: str, task: Mapping[str, Any], option: str) -> Any:
 
 
 def _unknown(option: str, name: str, found: str, known: Sequence[str], where: str) -> QuadrupedError:
-    near = difflib.get_close_matches(found, known, 3, 0.5)
+    # Without the section, which all of them share.
+    last = {field.rpartition(".")[2]: field for field in known}
+    near = [last[field] for field in difflib.get_close_matches(found.rpartition(".")[2], last, 3)]
     hint = f"similar fields: {', '.join(near)}" if near else f"fields of {where}: {', '.join(known)}"
     return QuadrupedError(
         f"{option} {name}: unknown field {short(found)}; {hint}; names of the task's fields begin with 'task.'"
