@@ -77,7 +77,7 @@ def run(command: Sequence[str | Path], folder: Path) -> str:
         RuntimeError: if it fails; with the end of its output.
     """
     done = subprocess.run(  # noqa: S603
-        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
+        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", check=False
     )
     if done.returncode:
         raise RuntimeError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout[-3000:]}")
@@ -101,7 +101,7 @@ def walk(contact: Contact, interpreter: str, wheel: Path, folder: Path) -> str:
             if not repair:
                 raise
             run(["sh", "-c", repair[1]], folder)
-    (folder / "walk.py").write_text(WALK)
+    (folder / "walk.py").write_text(WALK, encoding="utf-8")
     printed = run([binaries / "python", "-W", "error", "walk.py"], folder)
     if contact.extras:
         options = ["--seeds", "1", "--seconds", "2", "--no-video", "-o", "report"]

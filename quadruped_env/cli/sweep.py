@@ -13,6 +13,7 @@ Each trial is one training, as of 'train', with its run directory in sweeps/<nam
 
 import argparse
 import math
+import signal
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -29,7 +30,7 @@ from quadruped_env.training.algorithms import check_used
 from quadruped_env.training.user_classes import OPTIONS, absolute_name, is_user_class, recorded_name
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.plain import plain
-from quadruped_env.utils.program import INTERRUPTED_STATUS, shorten_help
+from quadruped_env.utils.program import on_stop, shorten_help, stopped_status
 
 SWEEPS: Final = Path("sweeps")
 """Default directory of the sweeps."""
@@ -142,7 +143,16 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     from quadruped_env.scale.sweep.sweep_driver import run_sweep
 
-    complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
+    received: list[int] = []
+
+    def stop(number: int) -> None:
+        received.append(number)
+        if number == signal.SIGINT:
+            raise KeyboardInterrupt
+        signal.raise_signal(signal.SIGINT)  # which alone Ray Tune handles
+
+    with on_stop(stop):
+        complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
     results = collect(folder, invocation.line)
     numbers, rows = write(folder, results)
     scores = table(results)
@@ -157,7 +167,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         print(f"see it walk:  {program_command('view', folder.path / best['run'], *task)}")
     if not complete:
         print(f"interrupted; go on with:  {program_command('sweep', '--resume', folder.path, *task)}")
-        return INTERRUPTED_STATUS
+        return stopped_status(*received[:1])
     failed = results["states"].get("failed", 0)
     if failed:
         print(f"{failed} of {len(config)} trials failed; {rows} has their errors")

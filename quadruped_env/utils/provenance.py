@@ -53,7 +53,7 @@ def versions() -> dict[str, str]:
 def machine() -> str:
     """The processor, the number of cores that this process may use, and the operating system."""
     try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
         lines = []
     models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
@@ -69,7 +69,7 @@ def git_commit() -> str:
         commit = subprocess.run(  # noqa: S603
             ["git", "-C", str(here), "describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"],  # noqa: S607
             capture_output=True,
-            text=True,
+            encoding="utf-8",
             check=True,
             timeout=10,
         )

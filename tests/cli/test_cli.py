@@ -81,7 +81,9 @@ def help_of(run, capsys):
 
 
 def test_help_names_every_command_and_loads_no_heavy_library():
-    done = subprocess.run([sys.executable, "-c", PRINT_HELP_AND_MODULES], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", PRINT_HELP_AND_MODULES], capture_output=True, encoding="utf-8", check=True
+    )
     text, _, modules = done.stdout.strip().rpartition("\n")
     for name, summary in SUMMARIES.items():
         (line,) = [line for line in text.splitlines() if line.split()[:1] == [name]]
@@ -198,7 +200,9 @@ def test_results_name_the_program_that_wrote_them(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["baseline", "--seconds", "1", "--episodes", "1", "-o", "a.csv", "--commands"]) == 0
     assert main(["replay", "a.csv", "-o", "by command"]) == 0
-    assert "mini-quadruped replay a.csv -o &#39;by command&#39;" in Path("by command/report.html").read_text()
+    assert "mini-quadruped replay a.csv -o &#39;by command&#39;" in Path("by command/report.html").read_text(
+        encoding="utf-8"
+    )
 
 
 # --- completion
@@ -213,7 +217,7 @@ def complete(request, tmp_path, capsys):
     assert main(["completion", shell]) == 0
     script = tmp_path / "scripts" / "_mini-quadruped"
     script.parent.mkdir()
-    script.write_text(capsys.readouterr().out)
+    script.write_text(capsys.readouterr().out, encoding="utf-8")
     directory = tmp_path / "here"
     for name in ("runs/20260101-000000-ppo", "runs/$(touch executed)", "train"):
         (directory / name).mkdir(parents=True)
@@ -240,7 +244,7 @@ def complete_in_fish(script, line, directory):
 
 def output_in(directory, *command):
     environment = {"PATH": os.environ["PATH"], "HOME": str(directory)}
-    done = subprocess.run(command, capture_output=True, text=True, check=True, env=environment, cwd=directory)
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=True, env=environment, cwd=directory)
     return done.stdout.splitlines()
 
 

@@ -125,7 +125,7 @@ class SweepFolder:
         """Within it, no other process runs this sweep; the lock ends with the process."""
         path = self.path / _LOCK_FILE
         try:
-            file = path.open("a")
+            file = path.open("a", encoding="utf-8")
         except OSError as error:
             raise unwritable(path, error) from error
         with file:
@@ -268,4 +268,4 @@ class TrialFolder:
     def write_error(self, text: str) -> None:
         """Write the traceback of a failed trial."""
         with whole(self.path / ERROR_FILE) as part:
-            part.write_text(text)
+            part.write_text(text, encoding="utf-8")
