@@ -15,6 +15,7 @@ import argparse
 import math
 import signal
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -30,7 +31,7 @@ from quadruped_env.training.algorithms import check_used
 from quadruped_env.training.user_classes import OPTIONS, absolute_name, is_user_class, recorded_name
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.plain import plain
-from quadruped_env.utils.program import on_stop, shorten_help, stopped_status
+from quadruped_env.utils.program import Extras, on_stop, shorten_help, stopped_status
 
 SWEEPS: Final = Path("sweeps")
 """Default directory of the sweeps."""
@@ -144,21 +145,14 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.scale.sweep.sweep_driver import run_sweep
 
     received: list[int] = []
-
-    def stop(number: int) -> None:
-        received.append(number)
-        if number == signal.SIGINT:
-            raise KeyboardInterrupt
-        signal.raise_signal(signal.SIGINT)  # which alone Ray Tune handles
-
-    with on_stop(stop):
+    with on_stop(partial(_stop, received)):
         complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
     results = collect(folder, invocation.line)
     numbers, rows = write(folder, results)
     scores = table(results)
     heading = "score: interquartile mean over the seeds and the parts of the suite [95 % interval]\n"
     print(f"\n{heading + scores if scores else 'no trial has a score'}\n")
-    _write_report(folder, results)
+    extras = _write_report(folder, results)
     print(f"results: {rows} and {numbers}")
     best = results["best"]
     task = [] if config.task_file is None else ["--task", config.task_file]
@@ -171,7 +165,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     failed = results["states"].get("failed", 0)
     if failed:
         print(f"{failed} of {len(config)} trials failed; {rows} has their errors")
-    return 0 if failed < len(config) else 1
+    return extras.status if failed < len(config) else 1
 
 
 def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
@@ -270,11 +264,18 @@ def describe(config: SweepConfig) -> str:
     return f"{config.settings} settings ({config.search}) of {fields}, each with {seeds}{asha}"
 
 
-def _write_report(folder: SweepFolder, results: Mapping[str, Any]) -> None:
-    from quadruped_env.errors import MissingExtraError
-    from quadruped_env.reporting.pages.sweep_report import write_sweep_report
+def _stop(received: list[int], number: int) -> None:
+    """Remember a signal, and end the sweep as Ctrl-C does, the one signal that Ray Tune handles."""
+    received.append(number)
+    if number == signal.SIGINT:
+        raise KeyboardInterrupt
+    signal.raise_signal(signal.SIGINT)
 
-    try:
+
+def _write_report(folder: SweepFolder, results: Mapping[str, Any]) -> Extras:
+    extras = Extras()
+    with extras.part("report.html"):
+        from quadruped_env.reporting.pages.sweep_report import write_sweep_report
+
         print(f"report:  {write_sweep_report(folder.path, results)}")
-    except MissingExtraError as error:
-        print(f"no report: {error}")
+    return extras

@@ -2,6 +2,7 @@
 
 import io
 import shutil
+import socket
 import sys
 import threading
 import time
@@ -253,7 +254,8 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
             # In the end the last of these comes first, and each though another fails.
             stack.enter_context(_quiet_threads())
             stack.callback(run.close)
-            model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
+            with _nameless_host():
+                model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
             stack.callback(recorder.finish)
             stack.push(recorder.save_after)
             learning()
@@ -261,6 +263,16 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
         kind = type(cause) if isinstance(cause, _BETWEEN_RANKS) else QuadrupedError
         raise kind(f"{cause}; what was saved before is kept in {run.directory}") from error
+
+
+@contextmanager
+def _nameless_host() -> Iterator[None]:
+    """Within it, TensorBoard does not name its file after this machine: runs are published."""
+    usual, socket.gethostname = socket.gethostname, lambda: "training"
+    try:
+        yield
+    finally:
+        socket.gethostname = usual
 
 
 @contextmanager

@@ -20,6 +20,8 @@ SYSTEM_ERROR_STATUS: Final = 1
 """Exit status after the system refused something that is no input, such as to print."""
 CLEAR_LINE: Final = "\r\x1b[K"
 """Control sequence that clears the terminal line of the cursor, the only one that programs print."""
+EXTRAS_STATUS: Final = 3
+"""Exit status after the results were written, and a report, page or film was not."""
 STOPPING: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 """Signals that ask a program to end."""
 
@@ -261,6 +263,29 @@ def run_program(prog: str, run: Callable[[], int], needs_output: bool = False) -
         if error is not None:
             print(f"{prog}: error: standard output cannot be written ({error.strerror})", file=sys.stderr)
         return status or (SYSTEM_ERROR_STATUS if error else 0)
+
+
+class Extras:
+    """The parts of a result beyond its numbers, such as a report or a film: each fails alone, with a line."""
+
+    status = 0
+    """Exit status: `EXTRAS_STATUS` after one has failed."""
+
+    @contextmanager
+    def part(self, name: str, of_some_only: bool = False) -> Iterator[None]:
+        """Within it, an error means only that this part is missing.
+
+        Args:
+            name: of the part, for the line.
+            of_some_only: True if a `QuadrupedError` says that it cannot be made of this input, which is no failure.
+        """
+        try:
+            yield
+        except Exception as error:  # whatever a library for plots, films or files raises
+            known = isinstance(error, QuadrupedError | MissingExtraError)
+            if not (of_some_only and isinstance(error, QuadrupedError)):
+                self.status = EXTRAS_STATUS
+            print(f"no {name}: {'' if known else f'{type(error).__name__}: '}{error}", file=sys.stderr)
 
 
 def _has_directory() -> bool:

@@ -20,7 +20,8 @@ import quadruped_env
 from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.scale.ranks.job import Job, threads_per_rank
-from quadruped_env.training.run_directory import LATEST, check_latest
+from quadruped_env.training.run_directory import check_latest
+from quadruped_env.utils.files import LATEST
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.program import Stopped, on_stop
 
