@@ -23,7 +23,7 @@ from quadruped_env.cli.common_options import (
 )
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.utils.program import Extras
 
 if TYPE_CHECKING:
@@ -78,7 +78,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     prepare_output(evaluated.output)
     for film in (arguments.video, arguments.learning_film):
         prepare_video(film, arguments.overwrite)
-    print(f"evaluating {evaluated.name}")
+    interrupted = evaluated.policy.card.get("interrupted")
+    print(f"evaluating {evaluated.name}{f', whose training ended early: {short(interrupted)}' if interrupted else ''}")
     comparison = compared(evaluated.policy, arguments)
     gain = gain_of(evaluated.policy, arguments)
     suite = _suite(evaluated, arguments.quick) if arguments.suite else None

@@ -5,7 +5,7 @@ import json
 import os
 import warnings
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -92,7 +92,7 @@ def export_policy(
     """
     evaluated.policy.check_is_data("export")
     check_output(output, overwrite)
-    policy = replace(evaluated.policy, card=_published(evaluated.policy.card))
+    policy = evaluated.policy.with_card(_published(evaluated.policy.card))
     interface = PolicyInterface(policy)
     graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface))
     difference = largest_difference(interface, graph)

@@ -17,6 +17,7 @@ from quadruped_env import __version__
 from quadruped_env.cli.invocation import SUMMARIES
 from quadruped_env.cli.main import main, make_parser
 from quadruped_env.live.nodes import SUMMARIES as NODES
+from quadruped_env.utils.program import EXTRAS_STATUS
 
 HEAVY = {
     "torch",
@@ -203,6 +204,22 @@ def test_results_name_the_program_that_wrote_them(tmp_path, monkeypatch):
     assert "mini-quadruped replay a.csv -o &#39;by command&#39;" in Path("by command/report.html").read_text(
         encoding="utf-8"
     )
+
+
+@pytest.mark.slow
+def test_evaluation_without_report_and_page_keeps_its_numbers_and_says_so(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    for name in ("report.html", "walk.html"):
+        Path("out", name, "in its place").mkdir(parents=True)
+    assert main(["evaluate", "flat", "--seeds", "1", "--seconds", "1", "--no-video", "-o", "out"]) == EXTRAS_STATUS
+    out, err = capsys.readouterr()
+    assert "numbers: out/metrics.json" in out
+    assert Path("out/metrics.json").is_file()
+    assert [line.partition(":")[0] for line in err.splitlines() if line.startswith("no ")] == [
+        "no walk.html",
+        "no report.html",
+    ]
 
 
 # --- completion
