@@ -97,7 +97,7 @@ def run(command: Sequence[str | Path], folder: Path, **environment: str) -> str:
         env=os.environ | environment,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
-        text=True,
+        encoding="utf-8",
         check=False,
     )
     if done.returncode:
@@ -122,7 +122,7 @@ def walk(contact: Contact, interpreter: str, wheel: Path, folder: Path) -> str:
             if not repair:
                 raise
             run(["sh", "-c", repair[1]], folder)
-    (folder / "walk.py").write_text(WALK)
+    (folder / "walk.py").write_text(WALK, encoding="utf-8")
     printed = run([binaries / "python", "-W", "error", "walk.py"], folder)
     if contact.extras:
         options = ["--seeds", "1", "--seconds", "2", "--no-video", "-o", "report"]

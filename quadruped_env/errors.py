@@ -1,6 +1,7 @@
 """The errors this package raises for bad input."""
 
 import difflib
+import re
 import reprlib
 from collections.abc import Iterable
 from typing import Final
@@ -15,16 +16,19 @@ _MAX_END: Final = 250
 _MAX_SHOWN: Final = 40
 """Characters shown of a value from a file."""
 _MORE: Final = "..."
+_CONTROL: Final = re.compile("[\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+"""Characters with which a name from a file could control a terminal, or break or reverse a line."""
 
 
 class QuadrupedError(ValueError):
     """Bad input: the message names what was wrong, where, and how to fix it.
 
-    A message of over `MAX_MESSAGE` characters is cut in the middle, where values from a file stand.
+    A message of over `MAX_MESSAGE` characters is cut in the middle, where values from a file stand. Control characters
+    are escaped.
     """
 
     def __init__(self, message: str = "") -> None:
-        super().__init__(cut(message))
+        super().__init__(cut(escaped(message, keep="\n")))
 
 
 class MissingExtraError(ImportError):
@@ -51,6 +55,11 @@ def cut(message: str) -> str:
     if len(message) <= MAX_MESSAGE:
         return message
     return f"{message[: MAX_MESSAGE - _MAX_END - len(_MORE) - 2]} {_MORE} {message[-_MAX_END:]}"
+
+
+def escaped(text: str, keep: str = "") -> str:
+    """A text whose control characters are escaped, but for those to keep."""
+    return _CONTROL.sub(lambda found: found[0] if found[0] in keep else ascii(found[0])[1:-1], text)
 
 
 def short(value: object) -> str:

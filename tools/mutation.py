@@ -108,7 +108,7 @@ def measured_baseline(sources: list[str], tests: Iterable[str]) -> dict[str, Any
     path, digest = MUTANTS / "baseline.json", hashlib.sha256(json.dumps([sources, *tests]).encode())
     for file in sorted({Path(source) for source in sources} | set(Path("tests").rglob("*.py"))):
         digest.update(file.read_bytes())
-    if not path.exists() or json.loads(path.read_text())["digest"] != digest.hexdigest():
+    if not path.exists() or json.loads(path.read_text(encoding="utf-8"))["digest"] != digest.hexdigest():
         print("running all tests without a bug", flush=True)
         measured = MUTANTS / "measured.json"
         command = [
@@ -120,15 +120,15 @@ def measured_baseline(sources: list[str], tests: Iterable[str]) -> dict[str, Any
         ]
         if subprocess.run(command, check=False, env=_environment(), stdout=subprocess.DEVNULL).returncode:  # noqa: S603
             raise QuadrupedError("tests fail without a planted bug; fix them first")
-        write_json(path, {"digest": digest.hexdigest(), **json.loads(measured.read_text())})
-    found: dict[str, Any] = json.loads(path.read_text())
+        write_json(path, {"digest": digest.hexdigest(), **json.loads(measured.read_text(encoding="utf-8"))})
+    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     return found
 
 
 def try_all(mutants: list["Mutant"], baseline: dict[str, Any], arguments: argparse.Namespace) -> list[Result]:
     """Results of some bugs, read from `results.jsonl` or added to it."""
     path = MUTANTS / "results.jsonl"
-    known = [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
+    known = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()] if path.exists() else []
     by_key = {(result["name"], result["digest"]): result for result in known}
     results = {m.name: by_key.get((m.name, _digest(m))) for m in mutants}
     open_ = [m for m in mutants if (r := results[m.name]) is None or (arguments.retry and r["outcome"] not in KILLED)]
@@ -140,7 +140,7 @@ def try_all(mutants: list["Mutant"], baseline: dict[str, Any], arguments: argpar
         if not hasattr(runners, "one"):
             runners.one = Runner()
         result = tried(mutant, baseline, runners.one, not arguments.no_types)
-        with lock, path.open("a") as file:
+        with lock, path.open("a", encoding="utf-8") as file:
             results[mutant.name] = result
             file.write(json.dumps(result) + "\n")
             done += 1
@@ -163,7 +163,7 @@ class Runner:
     def __init__(self) -> None:
         command = [sys.executable, str(PROGRAMS / "runner.py")]
         self._process = subprocess.Popen(  # noqa: S603
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=_environment()
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8", env=_environment()
         )
 
     def __call__(self, **request: Any) -> Result:
@@ -206,10 +206,10 @@ def type_error(path: str, code: str) -> str:
     """First error of mypy on the bug; empty if there is none."""
     folder = MUTANTS / f"types-{threading.get_ident()}"
     folder.mkdir(exist_ok=True)
-    (folder / "code.py").write_text(code)
+    (folder / "code.py").write_text(code, encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--no-error-summary", "--shadow-file", path, str(folder / "code.py")]
     checked = subprocess.run(  # noqa: S603
-        [*command, "--cache-dir", str(folder)], check=False, capture_output=True, text=True, env=_environment()
+        [*command, "--cache-dir", str(folder)], check=False, capture_output=True, encoding="utf-8", env=_environment()
     )
     return checked.stdout.partition("\n")[0] if checked.returncode else ""
 

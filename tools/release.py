@@ -34,10 +34,10 @@ def check_release(folder: Path, tag: str) -> None:
     Raises:
         ReleaseError: if not; the message says what to change.
     """
-    (version,) = re.findall(r'"(.+)"', (folder / "quadruped_env" / "_version.py").read_text())
+    (version,) = re.findall(r'"(.+)"', (folder / "quadruped_env" / "_version.py").read_text(encoding="utf-8"))
     if tag != f"v{version}":
         raise ReleaseError(f"quadruped_env/_version.py: found {version}; the tag {tag} needs {tag.removeprefix('v')}")
-    sections = re.split(r"^## (.*)$", (folder / "CHANGELOG.md").read_text(), flags=re.MULTILINE)[1:]
+    sections = re.split(r"^## (.*)$", (folder / "CHANGELOG.md").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]
     heading, text = next(pair for pair in zip(sections[::2], sections[1::2], strict=True) if pair[1].strip())
     if not re.fullmatch(rf"{re.escape(version)} - \d{{4}}-\d\d-\d\d", heading):
         raise ReleaseError(
@@ -49,11 +49,14 @@ def check_release(folder: Path, tag: str) -> None:
 def prepare(folder: Path, address: str, tag: str) -> None:
     """Give a copy of a checkout the links and addresses of an index page; `address` is that of the repository."""
     page = folder / "README.md"
-    page.write_text(absolute(PLACEHOLDER.sub(rf"git clone {address} \1", page.read_text()), address, tag))
+    page.write_text(
+        absolute(PLACEHOLDER.sub(rf"git clone {address} \1", page.read_text(encoding="utf-8")), address, tag),
+        encoding="utf-8",
+    )
     project = folder / "pyproject.toml"
     lines = [f'{name} = "{address}{path.format(tag=tag)}"' for name, path in URLS.items()]
     urls = "\n".join(["[project.urls]", *lines, "", "[project.scripts]"])
-    project.write_text(project.read_text().replace("[project.scripts]", urls, 1))
+    project.write_text(project.read_text(encoding="utf-8").replace("[project.scripts]", urls, 1), encoding="utf-8")
 
 
 def absolute(page: str, address: str, tag: str) -> str:
@@ -87,7 +90,7 @@ def build(address: str, tag: str, output: Path) -> list[Path]:
 
 
 def _run(*command: str | Path) -> str:
-    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)  # noqa: S603
     if done.returncode:
         raise ReleaseError(f"{' '.join(map(str, command))}: exit status {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout

@@ -80,7 +80,7 @@ def timed(command: Sequence[str]) -> tuple[float, dict[str, float]]:
     """
     began = time.perf_counter()
     process = subprocess.Popen(  # noqa: S603
-        [sys.executable, *command], cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        [sys.executable, *command], cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8"
     )
     peak: dict[str, float] = {}
     ended = threading.Event()

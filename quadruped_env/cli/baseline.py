@@ -19,6 +19,7 @@ from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.gait import PRESETS
 from quadruped_env.utils.files import free_path
+from quadruped_env.utils.program import Extras
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -71,7 +72,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.control.task_file import load_robot
     from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
     from quadruped_env.reporting.films.film import Clip
-    from quadruped_env.reporting.films.video import prepare_video, save_film
+    from quadruped_env.reporting.films.video import prepare_video
 
     name = f"baseline-{arguments.preset}{'-commands' if arguments.commands else ''}.csv"
     output = arguments.output or free_path(Path("results") / name)
@@ -88,10 +89,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         options.named_terrain(arguments),
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
-    if arguments.video:
-        save_film(arguments.video, [Clip(arguments.preset, baseline.recording)], ProgressLine("filming"))
     print(baseline.table())
     print(f"\n{'commands' if arguments.commands else 'measured joints'}: {output}\nmetrics: {report_path(output)}")
-    if arguments.video:
-        print(f"video: {arguments.video}")
-    return 0
+    extras = Extras()
+    options.save_video(arguments.video, lambda: [Clip(arguments.preset, baseline.recording)], extras)
+    return extras.status

@@ -3,7 +3,7 @@
 import argparse
 import shlex
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -14,12 +14,15 @@ from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, compare
 from quadruped_env.evaluation.learning_gain import EPISODES, LearningGain, learning_gain
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies import Policy
-from quadruped_env.reporting.films.video import STILLS, SUFFIXES
+from quadruped_env.reporting.films.film import Clip
+from quadruped_env.reporting.films.video import STILLS, SUFFIXES, save_film
 from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain
 from quadruped_env.simulation.terrain import LEVELS, Terrain
 from quadruped_env.task import PRESETS
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.read_options import FLAGS
+from quadruped_env.utils.files import shown_argument
+from quadruped_env.utils.program import Extras
 from quadruped_env.utils.progress import Progress
 
 NEXT_FREE: Final = "or that name with the next free number"
@@ -54,6 +57,14 @@ def add_video(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help=f"also film the robot: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
     )
+
+
+def save_video(path: Path | None, clips: Callable[[], Sequence[Clip]], extras: Extras) -> None:
+    """Write the film of `--video`, if it was given, and print where it is."""
+    if path is not None:
+        with extras.part(str(path)):
+            save_film(path, clips(), ProgressLine("filming"))
+            print(f"video:   {path}")
 
 
 def add_task_file(parser: argparse.ArgumentParser) -> None:
@@ -136,7 +147,7 @@ def task_option(arguments: argparse.Namespace) -> str:
     """The option `--task` or `--trust-task` as a user types it again, and a space; nothing without a file."""
     if arguments.trust_task:
         return "--trust-task "
-    return "" if arguments.task is None else f"--task {shlex.quote(str(arguments.task))} "
+    return "" if arguments.task is None else f"--task {shlex.quote(shown_argument(str(arguments.task)))} "
 
 
 def evaluation_options(arguments: argparse.Namespace) -> str:

@@ -13,10 +13,18 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from quadruped_env.cli.common_options import add_evaluation_options, add_run, compared, evaluation_options, gain_of
+from quadruped_env.cli.common_options import (
+    add_evaluation_options,
+    add_run,
+    compared,
+    evaluation_options,
+    gain_of,
+    save_video,
+)
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.utils.program import Extras
 
 if TYPE_CHECKING:
     from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
@@ -64,12 +72,12 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     )
     from quadruped_env.evaluation.verdict import verdict
     from quadruped_env.page import PAGE_FILE, write_page
-    from quadruped_env.reporting.films.video import prepare_video, save_film
-    from quadruped_env.reporting.pages.evaluation_report import write_report
+    from quadruped_env.reporting.films.video import prepare_video
+    from quadruped_env.reporting.pages.evaluation_report import write_numbers, write_report
     from quadruped_env.reporting.pages.learning import learning_clips
-    from quadruped_env.reporting.pages.page import summary_table
+    from quadruped_env.reporting.pages.page import METRICS_FILE, summary_table
     from quadruped_env.reporting.pages.pictures import filmed, recorded
-    from quadruped_env.reporting.report_directory import prepare_output
+    from quadruped_env.reporting.report_directory import REPORT_FILE, prepare_output
     from quadruped_env.trajectory import saving
 
     if arguments.quick and not arguments.suite:
@@ -80,43 +88,39 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         saving.check(arguments.joints, saving.WriteOptions(overwrite=arguments.overwrite))
     for film in (arguments.video, arguments.learning_film):
         prepare_video(film, arguments.overwrite)
-    print(f"evaluating {evaluated.name}")
+    interrupted = evaluated.policy.card.get("interrupted")
+    print(f"evaluating {evaluated.name}{f', whose training ended early: {short(interrupted)}' if interrupted else ''}")
     comparison = compared(evaluated.policy, arguments)
     gain = gain_of(evaluated.policy, arguments)
     suite = _suite(evaluated, arguments.quick) if arguments.suite else None
-    page, unwritten = evaluated.output / PAGE_FILE, []
-    try:
-        write_page(evaluated.policy, page, evaluated.name)
-    except QuadrupedError as error:
-        unwritten = [f"no {PAGE_FILE}: {error}"]
-    report, numbers, missing = write_report(
-        evaluated,
-        comparison,
-        f"{invocation.program} {evaluated.source} {evaluation_options(arguments)}",
-        not arguments.no_video,
-        ProgressLine("filming"),
-        suite,
-        gain,
-        None if unwritten else page.name,
-    )
-    if arguments.video:
-        save_film(arguments.video, filmed(comparison), ProgressLine("filming"))
-    if arguments.joints:
-        recorded(comparison).save(arguments.joints, arguments.overwrite)
-    if arguments.learning_film:
-        save_film(arguments.learning_film, learning_clips(evaluated, comparison), ProgressLine("filming"))
+    line = f"{invocation.program} {evaluated.source} {evaluation_options(arguments)}"
+    document = write_numbers(evaluated, comparison, line, suite, gain)
     print(f"\n{summary_table(comparison)}\n\n{gain.table()}\n\n{verdict(comparison, suite, gain).text()}\n")
     if suite is not None:
         ranking = ranked(
             (row["name"], row) for row in (*with_zero_action(suite), *references_for(suite, read_references()))
         )
         print(f"{score_table([row for _, row in ranking])}\n")
-    print_results(report, numbers, [*missing, *unwritten], arguments.video)
+    print(f"numbers: {evaluated.output / METRICS_FILE}")
+    extras, page, linked = Extras(), evaluated.output / PAGE_FILE, None
     if arguments.joints:
-        print(f"joints:  {arguments.joints}")
-    if not unwritten:
+        with extras.part(str(arguments.joints)):
+            recorded(comparison).save(arguments.joints, arguments.overwrite)
+            print(f"joints:  {arguments.joints}")
+    with extras.part(PAGE_FILE, of_some_only=True):
+        write_page(evaluated.policy, page, evaluated.name)
         print(f"page:    {page}")
-    return 0
+        linked = page.name
+    filming = ProgressLine("filming")
+    with extras.part(REPORT_FILE):
+        with_video = not arguments.no_video
+        report, _, missing = write_report(
+            evaluated, comparison, line, with_video, filming, suite, gain, linked, document
+        )
+        print_report(report, missing)
+    save_video(arguments.video, lambda: filmed(comparison), extras)
+    save_video(arguments.learning_film, lambda: learning_clips(evaluated, comparison), extras)
+    return extras.status
 
 
 def _suite(evaluated: "EvaluatedPolicy", quick: bool) -> dict[str, Any]:
@@ -132,10 +136,8 @@ def _suite(evaluated: "EvaluatedPolicy", quick: bool) -> dict[str, Any]:
     return run_suite(measured, suite, ProgressLine(suite.label), zero_action=True)
 
 
-def print_results(report: Path, numbers: Path, missing: Sequence[str], video: Path | None) -> None:
-    """Print what could not be made, and where the rest is."""
+def print_report(report: Path, missing: Sequence[str]) -> None:
+    """Print where the report is, and what it lacks."""
     for message in missing:
         print(message, file=sys.stderr)
-    if video is not None:
-        print(f"video:   {video}")
-    print(f"numbers: {numbers}\nreport:  {report}")
+    print(f"report:  {report}")

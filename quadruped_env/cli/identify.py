@@ -43,7 +43,7 @@ from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.identification import BASES, FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import check_free, free_path
-from quadruped_env.utils.program import shorten_help
+from quadruped_env.utils.program import Extras, shorten_help
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -89,8 +89,14 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Fit, write the results, and print them."""
     from quadruped_env.control.task_file import load_robot
     from quadruped_env.identification import find_commands, identify
-    from quadruped_env.identification.identification_report import check_report_extra, identification_files, save
+    from quadruped_env.identification.identification_report import (
+        check_report_extra,
+        identification_files,
+        save_numbers,
+        write_report,
+    )
     from quadruped_env.replay.motors_file import read_motors
+    from quadruped_env.reporting.report_directory import REPORT_FILE
 
     output = arguments.output or free_path(Path("results") / f"identify-{arguments.file.stem}")
     check_free(identification_files(output), arguments.overwrite)
@@ -115,7 +121,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         ProgressLine("fitting"),
         robot,
     )
-    save(found, output, invocation.line, arguments.overwrite)
+    document = save_numbers(found, output, invocation.line, arguments.overwrite)
     print(found.text())
-    print(f"\nmotors, numbers and report: {output}")
-    return 0
+    print(f"\nmotors and numbers: {output}")
+    extras = Extras()
+    with extras.part(REPORT_FILE):
+        print(f"report: {write_report(found, output, document)}")
+    return extras.status

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import ModuleType
 from typing import Final
 
+from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import HelpFormatter
 
@@ -45,8 +46,8 @@ class Invocation:
 
     @property
     def line(self) -> str:
-        """Command line that is recorded in results."""
-        return shlex.join([*shlex.split(self.program), *self.arguments])
+        """Command line that is recorded in results, without the directories of this machine."""
+        return shlex.join([*shlex.split(self.program), *map(shown_argument, self.arguments)])
 
 
 def command_module(name: str) -> ModuleType:

@@ -46,6 +46,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from quadruped_env.live.__main__ import main as run_node
 
         return run_node(typed[1:])
-    args = make_parser(only=name).parse_args(typed)
-    invocation = Invocation(f"{COMMAND} {name}", tuple(typed[1:]))
-    return run_program(invocation.program, lambda: int(command_module(name).run(args, invocation)))
+    invocation = Invocation(f"{COMMAND} {name}".strip(), tuple(typed[1:]))
+
+    def run() -> int:
+        args = make_parser(only=name).parse_args(typed)
+        return int(command_module(name).run(args, invocation))
+
+    return run_program(invocation.program, run)

@@ -30,7 +30,7 @@ from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.replay.replay import MODES
 from quadruped_env.utils.files import check_free, free_path
-from quadruped_env.utils.program import shorten_help
+from quadruped_env.utils.program import Extras, shorten_help
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -71,7 +71,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.replay.motors_file import read_motors
     from quadruped_env.replay.replay import replay, replay_files
     from quadruped_env.replay.replay_report import write_replay_report
-    from quadruped_env.reporting.films.video import prepare_video, save_film
+    from quadruped_env.reporting.films.video import prepare_video
+    from quadruped_env.reporting.report_directory import REPORT_FILE
 
     output = arguments.output or free_path(Path("results") / f"replay-{arguments.file.stem}")
     compare = arguments.compare is not None
@@ -89,14 +90,13 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         options.named_terrain(arguments),
     )
     result.save(output, arguments.overwrite, ProgressLine("writing"), compare)
-    if not arguments.no_report:
-        write_replay_report(result, output, invocation.line, compare)
-    if arguments.video:
-        save_film(arguments.video, [result.film()], ProgressLine("filming"))
     print(result.text(compare))
-    written = [*([] if arguments.no_report else ["report"]), "link poses"]
-    written += ["joints and tracking errors" if arguments.mode == "dynamic" else "tracking errors"]
-    print(f"\n{', '.join(written)}: {output}")
-    if arguments.video:
-        print(f"video: {arguments.video}")
-    return 0
+    written = "joints and tracking errors" if arguments.mode == "dynamic" else "tracking errors"
+    print(f"\nlink poses, {written}: {output}")
+    extras = Extras()
+    if not arguments.no_report:
+        with extras.part(REPORT_FILE):
+            write_replay_report(result, output, invocation.line, compare)
+            print(f"report:  {output / REPORT_FILE}")
+    options.save_video(arguments.video, lambda: [result.film()], extras)
+    return extras.status

@@ -13,7 +13,9 @@ Each trial is one training, as of 'train', with its run directory in sweeps/<nam
 
 import argparse
 import math
+import signal
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -30,7 +32,7 @@ from quadruped_env.training.default_settings import with_recipe
 from quadruped_env.training.user_classes import OPTIONS, absolute_name, is_user_class, recorded_name
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.plain import plain
-from quadruped_env.utils.program import INTERRUPTED_STATUS, shorten_help
+from quadruped_env.utils.program import Extras, on_stop, shorten_help, stopped_status
 
 SWEEPS: Final = Path("sweeps")
 """Default directory of the sweeps."""
@@ -143,13 +145,15 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
     from quadruped_env.scale.sweep.sweep_driver import run_sweep
 
-    complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
+    received: list[int] = []
+    with on_stop(partial(_stop, received)):
+        complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
     results = collect(folder, invocation.line)
     numbers, rows = write(folder, results)
     scores = table(results)
     heading = "score: interquartile mean over the seeds and the parts of the suite [95 % interval]\n"
     print(f"\n{heading + scores if scores else 'no trial has a score'}\n")
-    _write_report(folder, results)
+    extras = _write_report(folder, results)
     print(f"results: {rows} and {numbers}")
     best = results["best"]
     task = [] if config.task_file is None else ["--task", config.task_file]
@@ -158,11 +162,11 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         print(f"see it walk:  {program_command('view', folder.path / best['run'], *task)}")
     if not complete:
         print(f"interrupted; go on with:  {program_command('sweep', '--resume', folder.path, *task)}")
-        return INTERRUPTED_STATUS
+        return stopped_status(*received[:1])
     failed = results["states"].get("failed", 0)
     if failed:
         print(f"{failed} of {len(config)} trials failed; {rows} has their errors")
-    return 0 if failed < len(config) else 1
+    return extras.status if failed < len(config) else 1
 
 
 def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
@@ -261,11 +265,18 @@ def describe(config: SweepConfig) -> str:
     return f"{config.settings} settings ({config.search}) of {fields}, each with {seeds}{asha}"
 
 
-def _write_report(folder: SweepFolder, results: Mapping[str, Any]) -> None:
-    from quadruped_env.errors import MissingExtraError
-    from quadruped_env.reporting.pages.sweep_report import write_sweep_report
+def _stop(received: list[int], number: int) -> None:
+    """Remember a signal, and end the sweep as Ctrl-C does, the one signal that Ray Tune handles."""
+    received.append(number)
+    if number == signal.SIGINT:
+        raise KeyboardInterrupt
+    signal.raise_signal(signal.SIGINT)
 
-    try:
+
+def _write_report(folder: SweepFolder, results: Mapping[str, Any]) -> Extras:
+    extras = Extras()
+    with extras.part("report.html"):
+        from quadruped_env.reporting.pages.sweep_report import write_sweep_report
+
         print(f"report:  {write_sweep_report(folder.path, results)}")
-    except MissingExtraError as error:
-        print(f"no report: {error}")
+    return extras

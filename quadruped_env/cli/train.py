@@ -16,6 +16,7 @@ mini-quadruped train --resume runs/latest     continue an earlier run, or the la
 import argparse
 import dataclasses
 import json
+import signal
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from pathlib import Path
@@ -50,7 +51,7 @@ from quadruped_env.training.recipes import RECIPES
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import module_command, program_command
-from quadruped_env.utils.program import shorten_help
+from quadruped_env.utils.program import shorten_help, stopped_status
 
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
@@ -168,9 +169,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         return 0  # one of torchrun's other ranks
     directory, finished = result
     card = read_json(directory / CARD_FILE)["card"]
-    steps = card["timesteps"]
+    steps, interrupted = card["timesteps"], card.get("interrupted")
     print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")
-    print("trained" if finished else "stopped, and saved what was learned", f"-> {directory}")
+    ended = "trained" if finished else f"stopped by {interrupted}, and saved what was learned"
+    print(f"{ended} -> {directory}")
     print(f"{latest} now means this run{f', and no longer {before}' if before else ''}")
     gain = measure_learning(directory, task_file, steps)
     print(f"\n{gain.table()}\nIn its own task, {gain.episodes} episodes of {gain.seconds:g} s, it {gain.verdict()}")
@@ -179,7 +181,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     print(f"evaluate it:  {program_command('evaluate', directory, *task)}")
     print(f"see it walk:  {program_command('view', directory, *task)}")
     print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")
-    return 0
+    return 0 if finished else stopped_status(signal.Signals[interrupted])
 
 
 def measure_learning(directory: Path, task_file: Path | None, timesteps: int) -> LearningGain:

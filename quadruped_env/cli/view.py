@@ -10,10 +10,10 @@ Ctrl-C ends it.
 """
 
 import argparse
-import signal
 
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
+from quadruped_env.utils.program import on_stop
 from quadruped_env.viewer import LOOPBACK, PORT, RESULTS, Show, open_show
 from quadruped_env.viewer.server import add_allow_host
 
@@ -74,17 +74,14 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 def run_show(show: Show, host: str, port: int, seconds: float | None) -> int:
     """Print the address of a show, and run it until Ctrl-C or for a time in s."""
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: show.stop())
-    if port not in (0, show.port):
-        print(f"port {port} is taken: {show.port} is the next free one")
-    if host != LOOPBACK:
-        print(f"listening on {host}: every machine that reaches it can steer this show")
-    print(f"{', '.join(show.controller.robots)}: {show.address}   (Ctrl-C ends)", flush=True)
-    pace = show.run(seconds)
-    print("ending; what was recorded is being saved (Ctrl-C: without it)" if show.controller.saving else "ending")
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, signal.SIG_DFL)
+    with on_stop(lambda _: show.stop()):
+        if port not in (0, show.port):
+            print(f"port {port} is taken: {show.port} is the next free one")
+        if host != LOOPBACK:
+            print(f"listening on {host}: every machine that reaches it can steer this show")
+        print(f"{', '.join(show.controller.robots)}: {show.address}   (Ctrl-C ends)", flush=True)
+        pace = show.run(seconds)
+        print("ending; what was recorded is being saved (Ctrl-C: without it)" if show.controller.saving else "ending")
     show.close()
     for message in show.controller.messages():
         print(message)

@@ -1,6 +1,7 @@
 """The policy to evaluate, and the directory of its results."""
 
 import json
+import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -18,6 +19,7 @@ from quadruped_env.control.policy_files import (
 from quadruped_env.policies import Policy, load_policy, trained_with
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
 from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.files import check_no_links
 from quadruped_env.utils.provenance import TaskFile
 
 LATEST_RUN: Final = Path("runs", "latest")
@@ -89,7 +91,7 @@ def find_policy(
     to `results/<name>`. `task_file` is executed, or with `trust_task` the copy that the run keeps.
 
     Raises:
-        QuadrupedError: if the policy does not exist or is damaged.
+        QuadrupedError: if the policy does not exist or is damaged, or the results would be written through a link.
 
     Warns:
         QuadrupedWarning: if a run is given and its policy is a checkpoint.
@@ -109,5 +111,8 @@ def find_policy(
     directory = finished_directory(Path(run))
     # Its errors are this package's, also for names that no file can have.
     policy = load_policy(directory, task_file, trust_task=trust_task)
-    directory = directory.resolve()
-    return EvaluatedPolicy(run_name(directory), policy, directory, output or Path(run) / "evaluation")
+    directory, output = directory.resolve(), output or Path(run) / "evaluation"
+    # Before an evaluation, not after it.
+    for path in (output, *(output.iterdir() if os.path.isdir(output) else ())):
+        check_no_links(path)
+    return EvaluatedPolicy(run_name(directory), policy, directory, output)

@@ -35,7 +35,7 @@ from quadruped_env.reporting.pages.pictures import filmed
 from quadruped_env.robot.ros2_control import controllers_yaml
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.documents import read_json
-from quadruped_env.utils.files import unwritable, whole, write_json
+from quadruped_env.utils.files import shown_argument, unwritable, whole, write_json
 from quadruped_env.utils.plain import plain
 from quadruped_env.utils.progress import Progress
 
@@ -92,7 +92,8 @@ def export_policy(
     """
     evaluated.policy.check_is_data("export")
     check_output(output, overwrite)
-    policy, interface = evaluated.policy, PolicyInterface(evaluated.policy)
+    policy = evaluated.policy.with_card(_published(evaluated.policy.card))
+    interface = PolicyInterface(policy)
     graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface))
     difference = largest_difference(interface, graph)
     trace = csv_text(trace_fields(interface), golden_trace(interface))
@@ -101,7 +102,9 @@ def export_policy(
     contents[CONTROLLERS_FILE] = controllers_yaml(policy.robot.joint_names, policy.robot.base_name).encode()
     if evaluated.progress_file is not None:
         contents[PROGRESS_FILE] = evaluated.progress_file.read_bytes()
-    document = manifest(policy, interface, evaluated.name, evaluation_of(evaluated), difference, opset)
+    results = evaluation_of(evaluated)
+    results = None if results is None else _published(results)
+    document = manifest(policy, interface, evaluated.name, results, difference, opset)
     if c is not None:
         contents |= c_files(interface, evaluated.name, int8=c == "int8")
         document["c"] = {"weights": c, "loss": int8_loss(policy) if c == "int8" else None}
@@ -129,6 +132,13 @@ def export_policy(
         full: dict[str, Any] = without_nan(plain({**document, **_checksums(contents)}))
         write_json(part / MANIFEST_FILE, full)
     return Export(output, full, (*contents, MANIFEST_FILE))
+
+
+def _published(document: Mapping[str, Any]) -> dict[str, Any]:
+    """A card, or results, whose command line names no directories."""
+    commands = {name: str(document[name]) for name in ("command", "command_line") if document.get(name)}
+    shown = {name: [shown_argument(one, names_only=True) for one in text.split()] for name, text in commands.items()}
+    return {**document, **{name: " ".join(words) for name, words in shown.items()}}
 
 
 def check_output(output: Path, overwrite: bool = False) -> None:

@@ -2,7 +2,7 @@
 
 import importlib.util
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -38,11 +38,21 @@ def save(found: Identification, directory: Path, command_line: str, overwrite: b
         QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
         MissingExtraError: if a library of the `report` extra is not installed.
     """
-    check_free(identification_files(directory), overwrite)
     check_report_extra()
+    write_report(found, directory, save_numbers(found, directory, command_line, overwrite))
+
+
+def save_numbers(found: Identification, directory: Path, command_line: str, overwrite: bool = False) -> dict[str, Any]:
+    """Write motors and numbers, and return the document of these; see `save`."""
+    check_free(identification_files(directory), overwrite)
     document = {**found.report(), **provenance(command_line)}
     write_json(directory / MOTORS_FILE, found.config())
     write_json(directory / NUMBERS_FILE, document)
+    return document
+
+
+def write_report(found: Identification, directory: Path, document: dict[str, Any]) -> Path:
+    """Write the report, and return its path; see `save`."""
     context = {
         "title": f"Motors identified from {Path(found.source).name}",
         "headline": found.verdict(),
@@ -54,6 +64,7 @@ def save(found: Identification, directory: Path, command_line: str, overwrite: b
         "motors": found.config(),
     }
     write_html(directory / REPORT_FILE, "motion.html", context)
+    return directory / REPORT_FILE
 
 
 def _joints_table(found: Identification) -> Table:

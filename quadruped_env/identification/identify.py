@@ -18,6 +18,7 @@ from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.text_table import Table
 
@@ -150,7 +151,7 @@ class Identification:
         """The identification as JSON-serializable values."""
         times = self.recorded.times
         return {
-            "recording": self.source,
+            "recording": shown_argument(self.source),
             "commands": self.commands,
             "base": self.base,
             "base_fits": self.base_fits,

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.nodes import SUMMARIES, node_module
+from quadruped_env.live.nodes import PRINTING, SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
 from quadruped_env.utils.interpreter import COMMAND, pasteable
 from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
@@ -78,21 +78,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status: 0 on success, 2 after an error.
     """
     typed = list(sys.argv[1:] if arguments is None else arguments) or ["--help"]
-    # Only the node's own module is imported: faster start and less memory on a robot.
-    parser = make_parser(only=typed[0] if typed and typed[0] in SUMMARIES else "")
-    try:
-        args = parser.parse_args(without_ros_arguments(typed))
-    except QuadrupedError as error:
-        parser.error(str(error))
+    name = typed[0] if typed[0] in SUMMARIES else ""
 
     def run() -> int:
+        # Only the node's own module is imported: faster start and less memory on a robot.
+        parser = make_parser(only=name)
+        try:
+            args = parser.parse_args(without_ros_arguments(typed))
+        except QuadrupedError as error:
+            parser.error(str(error))
         module = node_module(args.node)
         if hasattr(module, "start"):
             return int(module.start(args))
         with Session(args.node, args) as session:
             return int(module.run(session, args))
 
-    return run_program(f"{parser.prog} {args.node}", run)
+    return run_program(f"{COMMAND} live {name}".strip(), run, needs_output=name in PRINTING)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,8 @@ import sys
 import time
 from collections.abc import Sequence
 
-from quadruped_env.live.session import CLEAR_LINE, POLL_PERIOD
+from quadruped_env.live.session import POLL_PERIOD
+from quadruped_env.utils.program import CLEAR_LINE, on_stop
 
 _GRACE = 5.0
 """Time for a node to end before it is killed, s."""
@@ -23,8 +24,11 @@ def launch(nodes: Sequence[Sequence[str]], status: str) -> int:
         0 after Ctrl-C, otherwise the exit status of the node that ended first.
     """
     signals: list[int] = []
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda number, _: signals.append(number))
+    with on_stop(signals.append):
+        return _launch(nodes, status, signals)
+
+
+def _launch(nodes: Sequence[Sequence[str]], status: str, signals: Sequence[int]) -> int:
     shared = sys.stderr.isatty()
     commands = [[*node, *["--quiet"] * (shared and node[0] != status)] for node in nodes]
     processes = [subprocess.Popen([sys.executable, "-m", "quadruped_env.live", *node]) for node in commands]  # noqa: S603

@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable
 from typing import Final
 
+from quadruped_env.errors import escaped
 from quadruped_env.live.pace import Clock
 
 PERIOD: Final = 1.0
@@ -79,5 +80,4 @@ def _messages(count: int) -> str:
 
 def _line(text: str) -> str:
     """A text as part of one line: control characters are escaped, and long texts are truncated."""
-    short = text if len(text) <= _MAX_CHARACTERS else f"{text[:_MAX_CHARACTERS]}..."
-    return "".join(one if one.isprintable() else ascii(one)[1:-1] for one in short)
+    return escaped(text if len(text) <= _MAX_CHARACTERS else f"{text[:_MAX_CHARACTERS]}...")

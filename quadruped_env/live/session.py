@@ -2,19 +2,21 @@
 
 import argparse
 import shutil
-import signal
 import sys
 import time
 from collections.abc import Iterable, Iterator
-from types import FrameType, TracebackType
+from contextlib import ExitStack
+from types import TracebackType
 from typing import Any, Final, Self, TextIO
 
+from quadruped_env.errors import escaped
 from quadruped_env.live.middleware import dds_log
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.node import Node, Publisher, Subscription
 from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
 from quadruped_env.live.refusals import Refusals
+from quadruped_env.utils.program import CLEAR_LINE, on_stop
 
 POLL_PERIOD: Final = 0.1
 """Maximum time between checks whether to end, s."""
@@ -26,8 +28,6 @@ PROBLEMS_PERIOD: Final = 1.0
 """Time between checks of the ROS graph for problems, s."""
 WAITING_PERIOD: Final = 1.0
 """Time between log lines about what a node waits for, s."""
-CLEAR_LINE: Final = "\r\x1b[K"
-"""Control sequence that clears the terminal line of the cursor."""
 _SAME_SIGNAL: Final = 0.5
 """Time within which repeated signals count as one Ctrl-C, s."""
 _ARRIVING: Final = 0.05
@@ -103,26 +103,20 @@ class Session:
         self._rates: dict[Any, Rate] = {}
         self._status_pace = Pace(STATUS_PERIOD if self._log.isatty() else STATUS_PERIOD_LOG)
         self._problems_pace = Pace(PROBLEMS_PERIOD)
-        self._handlers: dict[int, Any] = {}
+        self._ends_with = ExitStack()
         self._status_pace.tick()
         if refusal:
             self.say(f"--realtime: {refusal}; continuing with normal priority")
 
     def __enter__(self) -> Self:
-        # Signal handlers can be set in the main thread only; tests run nodes in other threads.
-        try:
-            for number in (signal.SIGINT, signal.SIGTERM):
-                self._handlers[number] = signal.signal(number, self._interrupted)
-        except ValueError:
-            pass
+        self._ends_with.enter_context(on_stop(self._interrupted))
         self.say(f"on {self.node.network}")
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        for number, handler in self._handlers.items():
-            signal.signal(number, handler)
+        self._ends_with.close()
         self._take_dds_lines()
         for lines in (self.refuse, self._dds_lines):
             lines.report(last=True)
@@ -179,7 +173,7 @@ class Session:
 
     def say(self, text: str) -> None:
         """Write a line to the log."""
-        self._write(f"[{self.node.name}] {text}\n")
+        self._write(f"[{self.node.name}] {escaped(text)}\n")
 
     def say_once(self, text: str) -> None:
         """Write a line to the log unless it is among the last lines written by this method."""
@@ -249,7 +243,7 @@ class Session:
         self._log.write(f"{CLEAR_LINE}{line}" if self._log.isatty() else line)
         self._log.flush()
 
-    def _interrupted(self, number: int, frame: FrameType | None) -> None:
+    def _interrupted(self, number: int) -> None:
         now = time.monotonic()
         # A terminal and a launcher may both forward the same Ctrl-C; a later one means that the node hangs.
         if self._stopped and now - self._stopped_at > _SAME_SIGNAL:

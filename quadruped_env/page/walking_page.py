@@ -33,7 +33,7 @@ def write_page(policy: Policy, path: Path, name: str = "policy") -> None:
         QuadrupedError: if the policy is code or observes terms of the task's own file, or the file cannot be written.
     """
     content = json.dumps(page_document(policy, name), allow_nan=False).encode()
-    style, script = ((_ASSETS / file).read_text() for file in ("page.css", "page.js"))
+    style, script = ((_ASSETS / file).read_text(encoding="utf-8") for file in ("page.css", "page.js"))
     parts = {
         "csp": _POLICY.format(style=_source(style), script=_source(script)),
         "style": style,
@@ -42,7 +42,7 @@ def write_page(policy: Policy, path: Path, name: str = "policy") -> None:
         "worker": base64.b64encode((_ASSETS / "worker.js.gz").read_bytes()).decode(),
         "document": base64.b64encode(gzip.compress(content, mtime=0)).decode(),
     }
-    template = (_ASSETS / "page.html").read_text()
+    template = (_ASSETS / "page.html").read_text(encoding="utf-8")
     html = re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found[1]], template)
     write_whole({path: html.encode()})
 

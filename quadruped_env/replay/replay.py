@@ -21,7 +21,7 @@ from quadruped_env.simulation import Terrain, build_model
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
-from quadruped_env.utils.files import check_free, write_json
+from quadruped_env.utils.files import check_free, shown_argument, write_json
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.text_table import Table
 
@@ -120,7 +120,7 @@ class Replay:
         }
         gaps = [{"start": gap.start, "seconds": gap.seconds} for gap in self.recorded.gaps()]
         return {
-            "recording": self.recorded.source.name,
+            "recording": shown_argument(self.recorded.source.name),
             "mode": self.mode,
             "rows": len(self.recorded),
             "seconds": self.recorded.duration,

@@ -61,7 +61,7 @@ def check_answers(address: str, seconds: float = 60.0) -> None:
     # What answers may be no Ray, and Ray's own client then waits for minutes, or ends its process.
     command = [sys.executable, "-c", _PROBE, address]
     try:
-        probe = subprocess.run(command, capture_output=True, text=True, check=False, timeout=seconds)  # noqa: S603
+        probe = subprocess.run(command, capture_output=True, encoding="utf-8", check=False, timeout=seconds)  # noqa: S603
     except subprocess.TimeoutExpired as error:
         raise _refused(address, f"no answer within {seconds:g} s") from error
     if probe.returncode:

@@ -95,7 +95,9 @@ def build_spec(
 def scene(robot: Robot) -> mujoco.MjSpec:
     """A robot on a plane, with light and camera."""
     robot.spec()  # whose errors name the robot
-    return mujoco.MjSpec.from_string(asset_path(_SCENE).read_text(), include={_ROBOT: robot.mjcf.encode()})
+    return mujoco.MjSpec.from_string(
+        asset_path(_SCENE).read_text(encoding="utf-8"), include={_ROBOT: robot.mjcf.encode()}
+    )
 
 
 def lay_ground(spec: mujoco.MjSpec, heights: NDArray[np.float64], extent: tuple[float, float]) -> None:

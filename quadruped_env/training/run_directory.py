@@ -17,7 +17,7 @@ from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.training import user_classes
 from quadruped_env.training.train_config import TrainConfig
-from quadruped_env.utils.files import unwritable, write_whole
+from quadruped_env.utils.files import LATEST, unwritable, write_whole
 from quadruped_env.utils.provenance import TaskFile, git_commit, machine, versions
 
 CONFIG_FILE: Final = "config.json"
@@ -34,9 +34,6 @@ before: reward of a whole episode at the present rate; falls in the time of a wh
 rad/s, root mean square, with the exploration's noise. Runs of earlier versions have these alone."""
 TERM_COLUMN: Final = "reward_"
 """Prefix of the other columns, one per reward term: its mean, weighted, per second."""
-
-LATEST: Final = "latest"
-"""Link to the newest run"""
 
 
 class Run:

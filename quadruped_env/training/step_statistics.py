@@ -30,6 +30,8 @@ class StepStatistics(Scheduled):
         self._group = group
         self.stopped = False
         """True if a signal asked to stop, after a rollout also if it asked another rank"""
+        self.signal = "SIGTERM"
+        """Name of the signal that asked to stop, if one did; on other ranks, that of a cluster"""
         self.ended = False
         """True if the ranks agreed to end the training"""
 

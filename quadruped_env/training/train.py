@@ -3,10 +3,9 @@
 import signal
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import asdict, replace
 from pathlib import Path
-from types import FrameType
 from typing import Any, Final
 
 # First, because it sets a variable that torch reads when it is loaded.
@@ -22,6 +21,7 @@ from quadruped_env.training.run_directory import Run, check_latest
 from quadruped_env.training.step_statistics import StepStatistics
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.training.training_recorder import Observer, Recorder, record
+from quadruped_env.utils.program import on_stop
 from quadruped_env.utils.seeds import check_training_seeds
 
 try:
@@ -166,17 +166,10 @@ def learn(config: TrainConfig, model: Any, statistics: StepStatistics, fresh: bo
 @contextmanager
 def stop_on_signal(statistics: StepStatistics) -> Iterator[None]:
     """Within it, the first Ctrl-C (or SIGTERM) ends the training at the next step; the second one as usual."""
-    previous: dict[int, Any] = {}
 
-    def stop(number: int, frame: FrameType | None) -> None:
-        statistics.stopped = True
-        signal.signal(number, previous[number])
+    def stop(number: int) -> None:
+        statistics.stopped, statistics.signal = True, signal.Signals(number).name
+        restore()
 
-    with suppress(ValueError):  # outside the main thread, where no signals arrive
-        for stopping in (signal.SIGINT, signal.SIGTERM):
-            previous[stopping] = signal.signal(stopping, stop)
-    try:
+    with on_stop(stop) as restore:
         yield
-    finally:
-        for number, handler in previous.items():
-            signal.signal(number, handler)

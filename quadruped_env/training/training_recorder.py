@@ -2,13 +2,15 @@
 
 import io
 import shutil
+import socket
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import Any, Final
 
 import numpy as np
 
@@ -44,6 +46,7 @@ _FIRST_LINE, _LINE_INTERVAL = 1.5, 10.0
 _BETWEEN_RANKS = (RankLostError, DifferentWeightsError)
 """Errors after which this rank's policy is not that of a whole update of all ranks."""
 
+NO_FIELDS: Final[Mapping[str, Any]] = MappingProxyType({})
 Observer = Callable[[int, Callable[[], Policy]], None]
 """Called after each rollout with the number of time steps and a function that makes the policy at this point."""
 
@@ -182,15 +185,19 @@ class Recorder(StepStatistics):
     def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
         """Save at the end of a training, but not a policy that the ranks do not share."""
         if not isinstance(error, _BETWEEN_RANKS):
-            self.save()
+            self.save("an error" if error is not None else self.signal if self.stopped else None)
 
-    def save(self) -> None:
+    def save(self, interrupted: str | None = None) -> None:
         """Write the policy as data into the run directory, and the files that resuming needs.
+
+        Args:
+            interrupted: what ended the training before its budget was used, if it was, for the policy's card.
 
         Raises:
             QuadrupedError: if a file cannot be written, or the training diverged; then no file is written.
         """
-        write_whole({self._run.directory / name: content for name, content in self._files().items()})
+        files = self._files({"interrupted": interrupted})
+        write_whole({self._run.directory / name: content for name, content in files.items()})
 
     def _save_checkpoint(self, directory: Path) -> None:
         """Write a checkpoint, which appears when it is complete and does not depend on the run's files."""
@@ -202,11 +209,11 @@ class Recorder(StepStatistics):
             for name, content in self._files().items():
                 (part / name).write_bytes(content)
 
-    def _files(self) -> dict[str, bytes]:
+    def _files(self, ending: Mapping[str, Any] = NO_FIELDS) -> dict[str, bytes]:
         """Name -> content; the policy's card, which marks a directory as complete, is the last."""
         archive = io.BytesIO()
         self.model.save(archive)
-        return {self.resume_file: archive.getvalue(), **self._policy(self._card()).files()}
+        return {self.resume_file: archive.getvalue(), **self._policy({**self._card(), **ending}).files()}
 
     def _card(self) -> dict[str, Any]:
         return {
@@ -247,7 +254,8 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
             # In the end the last of these comes first, and each though another fails.
             stack.enter_context(_quiet_threads())
             stack.callback(run.close)
-            model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
+            with _nameless_host():
+                model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
             stack.callback(recorder.finish)
             stack.push(recorder.save_after)
             learning()
@@ -255,6 +263,16 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
         kind = type(cause) if isinstance(cause, _BETWEEN_RANKS) else QuadrupedError
         raise kind(f"{cause}; what was saved before is kept in {run.directory}") from error
+
+
+@contextmanager
+def _nameless_host() -> Iterator[None]:
+    """Within it, TensorBoard does not name its file after this machine: runs are published."""
+    usual, socket.gethostname = socket.gethostname, lambda: "training"
+    try:
+        yield
+    finally:
+        socket.gethostname = usual
 
 
 @contextmanager

@@ -19,6 +19,10 @@ from quadruped_env.errors import QuadrupedError
 PART: Final = ".part"
 """Suffix of incomplete files and directories."""
 
+LATEST: Final = "latest"
+"""Link to the newest run, next to it."""
+_RUN_FILES: Final = ("policy.json", "sweep.json")
+_CHECKPOINT: Final = "checkpoints/*/policy.json"
 _NO_ROOM: Final = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 _NO_RIGHT: Final = (errno.EACCES, errno.EPERM, errno.EROFS)
 _DEVICE_DIRECTORIES: Final = (Path("/dev"), Path("/dev/fd"))
@@ -32,11 +36,13 @@ def whole(path: Path) -> Iterator[Path]:
 
     It has the last name of `path`, lies on the same file system and does not exist yet. Missing parents of `path` are
     made. A file replaces a file in one step; a directory replaces whatever is at `path`. A symbolic link stays, and
-    what it points to is replaced. A device or a pipe receives the whole file's bytes.
+    what it points to is replaced, but not below a run: see `check_no_links`. A device or a pipe receives the whole
+    file's bytes.
 
     Raises:
-        QuadrupedError: if the system refuses to write, also within the context.
+        QuadrupedError: if the system refuses to write, also within the context, or below a run there is a link.
     """
+    check_no_links(path)
     try:
         device = path.exists() and not path.is_dir() and (not path.is_file() or path.parent in _DEVICE_DIRECTORIES)
         target = Path(os.path.realpath(path))
@@ -56,6 +62,31 @@ def whole(path: Path) -> Iterator[Path]:
                 put_in_place(part, target)
     except OSError as error:
         raise unwritable(path, error) from error
+
+
+def check_no_links(path: Path) -> None:
+    """Refuse a path below a run, or a sweep, that leads through a symbolic link: others' runs could write anywhere.
+
+    Raises:
+        QuadrupedError: if that is so; the message names the link.
+    """
+    steps = [path, *path.parents]
+    top = next((number for number in reversed(range(1, len(steps))) if _is_run(steps[number])), 0)
+    for step in steps[:top]:
+        try:
+            target = os.readlink(step)
+        except OSError:
+            continue  # no link
+        if step.name != LATEST or os.sep in target:
+            raise QuadrupedError(
+                f"{step}: is a link, and through links below a run nothing is written; remove it, or name another place"
+            )
+
+
+def _is_run(directory: Path) -> bool:
+    """True for the directory of a run, also of one that was killed, or of a sweep."""
+    known = any(os.path.exists(directory / name) for name in _RUN_FILES)
+    return known or next(directory.glob(_CHECKPOINT), None) is not None
 
 
 def write_whole(files: Mapping[Path, bytes]) -> None:
@@ -114,6 +145,23 @@ def shown_path(path: Path) -> str:
     except ValueError:
         # The root and a user's home below it are not shown.
         return "/".join(path.parts[-2:]) if len(path.parts) > 4 else path.name
+
+
+def shown_argument(text: str, names_only: bool = False) -> str:
+    """An argument of a command line, without the directories of this machine, as it is recorded.
+
+    An absolute path is shown relative to the working directory; one that lies elsewhere, by its name.
+
+    Args:
+        text: a path, `--option=PATH`, or anything else, which stays.
+        names_only: True to show relative paths by their names, too.
+    """
+    option, equals, value = text.partition("=") if text.startswith("-") else ("", "", text)
+    path = Path(value)
+    if "://" in value or not (path.is_absolute() or names_only):
+        return text
+    below = not names_only and path.is_relative_to(Path.cwd())
+    return f"{option}{equals}{path.relative_to(Path.cwd()) if below else path.name or value}"
 
 
 def unwritable(path: Path, error: Exception) -> QuadrupedError:

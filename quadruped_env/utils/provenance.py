@@ -53,7 +53,7 @@ def versions() -> dict[str, str]:
 def machine() -> str:
     """The processor, the number of cores that this process may use, and the operating system."""
     try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
         lines = []
     models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
@@ -63,16 +63,18 @@ def machine() -> str:
 
 
 def git_commit() -> str:
-    """The checkout's commit, marked `-dirty` where files differ from it; 'unknown' outside a checkout."""
-    here = Path(__file__).parent
+    """The checkout's commit, marked `-dirty` where files differ from it; 'unknown' outside a checkout.
+
+    An installed package may lie within somebody's repository, whose commit says nothing about it.
+    """
     try:
-        commit = subprocess.run(  # noqa: S603
-            ["git", "-C", str(here), "describe", "--always", "--dirty", "--abbrev=12", "--exclude=*"],  # noqa: S607
-            capture_output=True,
-            text=True,
-            check=True,
-            timeout=10,
-        )
+        _git("ls-files", "--error-unmatch", Path(__file__).name)
+        return _git("describe", "--always", "--dirty", "--abbrev=12", "--exclude=*")
     except (OSError, subprocess.SubprocessError):
         return "unknown"
-    return commit.stdout.strip()
+
+
+def _git(*arguments: str) -> str:
+    command = ["git", "-C", str(Path(__file__).parent), *arguments]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=True, timeout=10)  # noqa: S603
+    return done.stdout.strip()

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from quadruped_env.errors import escaped
+
 
 class Table(NamedTuple):
     """A table of texts, which pages show as HTML."""
@@ -21,6 +23,7 @@ class Table(NamedTuple):
 
 def text_table(rows: Sequence[Sequence[str]], left: int = 1) -> str:
     """Lines of cells, two blanks apart: the first `left` columns are left-aligned, the others right-aligned."""
+    rows = [[escaped(cell) for cell in row] for row in rows]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = (
         "  ".join(

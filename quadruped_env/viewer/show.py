@@ -15,7 +15,8 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import Agent, find_controllers, kept_definition
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
-from quadruped_env.training.run_directory import CONFIG_FILE, LATEST
+from quadruped_env.training.run_directory import CONFIG_FILE
+from quadruped_env.utils.files import LATEST
 from quadruped_env.viewer.access import page_address
 from quadruped_env.viewer.live_plots import Plots
 from quadruped_env.viewer.panel import Panel

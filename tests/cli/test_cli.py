@@ -17,6 +17,7 @@ from quadruped_env import __version__
 from quadruped_env.cli.invocation import SUMMARIES
 from quadruped_env.cli.main import main, make_parser
 from quadruped_env.live.nodes import SUMMARIES as NODES
+from quadruped_env.utils.program import EXTRAS_STATUS
 
 HEAVY = {
     "torch",
@@ -81,7 +82,9 @@ def help_of(run, capsys):
 
 
 def test_help_names_every_command_and_loads_no_heavy_library():
-    done = subprocess.run([sys.executable, "-c", PRINT_HELP_AND_MODULES], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", PRINT_HELP_AND_MODULES], capture_output=True, encoding="utf-8", check=True
+    )
     text, _, modules = done.stdout.strip().rpartition("\n")
     for name, summary in SUMMARIES.items():
         (line,) = [line for line in text.splitlines() if line.split()[:1] == [name]]
@@ -199,7 +202,25 @@ def test_results_name_the_program_that_wrote_them(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["baseline", "--seconds", "1", "--episodes", "1", "-o", "a.csv", "--commands"]) == 0
     assert main(["replay", "a.csv", "-o", "by command"]) == 0
-    assert "mini-quadruped replay a.csv -o &#39;by command&#39;" in Path("by command/report.html").read_text()
+    assert "mini-quadruped replay a.csv -o &#39;by command&#39;" in Path("by command/report.html").read_text(
+        encoding="utf-8"
+    )
+
+
+@pytest.mark.slow
+def test_evaluation_without_report_and_page_keeps_its_numbers_and_says_so(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    for name in ("report.html", "walk.html"):
+        Path("out", name, "in its place").mkdir(parents=True)
+    assert main(["evaluate", "flat", "--seeds", "1", "--seconds", "1", "--no-video", "-o", "out"]) == EXTRAS_STATUS
+    out, err = capsys.readouterr()
+    assert "numbers: out/metrics.json" in out
+    assert Path("out/metrics.json").is_file()
+    assert [line.partition(":")[0] for line in err.splitlines() if line.startswith("no ")] == [
+        "no walk.html",
+        "no report.html",
+    ]
 
 
 # --- completion
@@ -214,7 +235,7 @@ def complete(request, tmp_path, capsys):
     assert main(["completion", shell]) == 0
     script = tmp_path / "scripts" / "_mini-quadruped"
     script.parent.mkdir()
-    script.write_text(capsys.readouterr().out)
+    script.write_text(capsys.readouterr().out, encoding="utf-8")
     directory = tmp_path / "here"
     for name in ("runs/20260101-000000-ppo", "runs/$(touch executed)", "train"):
         (directory / name).mkdir(parents=True)
@@ -241,7 +262,7 @@ def complete_in_fish(script, line, directory):
 
 def output_in(directory, *command):
     environment = {"PATH": os.environ["PATH"], "HOME": str(directory)}
-    done = subprocess.run(command, capture_output=True, text=True, check=True, env=environment, cwd=directory)
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=True, env=environment, cwd=directory)
     return done.stdout.splitlines()
 
 

@@ -297,6 +297,22 @@ def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_
     assert f"{error:.3g}" in (tmp_path / "export" / "README.md").read_text()
 
 
+def test_an_export_names_no_directories(run, tmp_path, monkeypatch):
+    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
+    command = "mini-quadruped train --task=/secret/place/my_task.py -o ../secret/runs --resume secret/runs/latest"
+    told = dataclasses.replace(run, policy=run.policy.with_card({"command": command}))
+    told.policy.save(run.directory)
+    comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
+    write_report(told, comparison, "mini-quadruped evaluate secret/a --task /secret/b.py", with_video=False)
+    export = export_policy(told, tmp_path / "export")
+    shown = "mini-quadruped train --task=my_task.py -o runs --resume latest"
+    assert export.manifest["training"]["command"] == shown
+    assert export.manifest["evaluation"]["command_line"] == "mini-quadruped evaluate a --task b.py"
+    assert load_policy(tmp_path / "export").card["command"] == shown
+    files = {name: (tmp_path / "export" / name).read_bytes() for name in export.files}
+    assert [name for name, content in files.items() if b"secret" in content] == []
+
+
 def test_gain_over_the_zero_action_is_on_the_page_and_in_the_manifest(run, tmp_path):
     gain = learning_gain(run.policy, 2, 2.0)
     learned = dataclasses.replace(run, policy=run.policy.with_card({"seed": 0, "learning": gain.to_dict()}))

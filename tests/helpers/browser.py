@@ -77,7 +77,7 @@ def launched():
     with playwright.sync_playwright() as driver, tempfile.TemporaryDirectory() as directory:
         if os.getuid() == 0 and shutil.which("setpriv"):
             wrapper = Path(directory, "chromium")
-            wrapper.write_text(UNPRIVILEGED.format(executable=shlex.quote(executable)))
+            wrapper.write_text(UNPRIVILEGED.format(executable=shlex.quote(executable)), encoding="utf-8")
             wrapper.chmod(0o755)
             executable = str(wrapper)
         browser = driver.chromium.launch(executable_path=executable, args=list(ARGUMENTS))
@@ -129,7 +129,7 @@ def still(page, picture, frames=10):
 
 def pixels(target, **options):
     """Screenshot (height, width, 3) of a page or of a part of it, with the options of Playwright's `screenshot`."""
-    return np.asarray(Image.open(BytesIO(target.screenshot(**options))).convert("RGB"))
+    return np.asarray(Image.open(BytesIO(target.screenshot(**options)), encoding="utf-8").convert("RGB"))
 
 
 def field(page, label):

@@ -80,7 +80,9 @@ def check_signal(number, runs, *options, files=RUN_FILES):
         ranks = ranks_of(process)
         process.send_signal(number)
         output, errors = output_of(process)
-    assert process.returncode == 0, errors
-    assert "stopped, and saved what was learned" in output
+    assert process.returncode == 128 + number, errors
+    assert f"stopped by {number.name}, and saved what was learned" in output
     assert_gone(ranks)
-    assert assert_complete((runs / "latest").resolve(), files).card["timesteps"] > 0
+    card = assert_complete((runs / "latest").resolve(), files).card
+    assert card["timesteps"] > 0
+    assert card["interrupted"] == number.name

@@ -67,7 +67,9 @@ def test_echo_output_can_be_read_back(tmp_path, write, suffix):
     """By the reader of what `ros2 topic echo` prints, to the last bit: NaN, and numbers of any size."""
     trajectory = random_trajectory(40)
     file = tmp_path / f"echo.{suffix}"
-    file.write_text("".join(write(plain(message_of(trajectory, row))) for row in range(len(trajectory))))
+    file.write_text(
+        "".join(write(plain(message_of(trajectory, row))) for row in range(len(trajectory))), encoding="utf-8"
+    )
     assert_same(JointTrajectory.load(file), trajectory)
 
 
@@ -213,7 +215,7 @@ def assert_read_by_others(bag, trajectory):
             elif channel.topic == "/robot_description":
                 texts.append(message.data)
     np.testing.assert_array_equal(positions, trajectory.positions)
-    assert texts == [asset_path("mini_quadruped.urdf").read_text()]
+    assert texts == [asset_path("mini_quadruped.urdf").read_text(encoding="utf-8")]
 
 
 def contents(bag):
@@ -408,7 +410,7 @@ def test_gamepad_that_is_missing_is_an_error(domain_id, tmp_path, capsys):
 
 
 def test_teleop_needs_a_terminal(domain_id, capsys, monkeypatch):
-    with open(os.devnull) as nothing:
+    with open(os.devnull, encoding="utf-8") as nothing:
         monkeypatch.setattr("sys.stdin", nothing)
         assert main(["teleop"]) == 2
     assert "error: the keyboard: standard input is not a terminal" in capsys.readouterr().err

@@ -5,6 +5,7 @@ import dataclasses
 import json
 import math
 import re
+import shutil
 import sys
 from pathlib import Path
 from xml.etree import ElementTree
@@ -15,11 +16,13 @@ from comparisons import TINY
 from matplotlib.axes import Axes
 from report_page import Page
 
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.metrics import METRICS
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
+from quadruped_env.reporting.pages import evaluation_report
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.pages.page import summary_table
 from quadruped_env.task import TaskConfig
@@ -148,3 +151,23 @@ def test_reward_terms_of_a_policy_that_always_falls_are_not_drawn_as_zero(compar
     )
     assert widths
     assert np.isnan(np.concatenate(widths)).all()
+
+
+def test_numbers_are_written_before_a_report_that_fails(run_directory, comparison, tmp_path, monkeypatch):
+    def fail(*_, **__):
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(evaluation_report.page, "write_html", fail)
+    with pytest.raises(ZeroDivisionError):
+        write_report(find_policy(str(run_directory), tmp_path), comparison, "", with_video=False)
+    assert json.loads((tmp_path / "metrics.json").read_text())["verdict"]["headline"]
+
+
+def test_evaluation_into_a_run_with_links_is_refused_before_it_begins(run_directory, tmp_path):
+    copy, victim = tmp_path / "run", tmp_path / "victim"
+    shutil.copytree(run_directory, copy, ignore=shutil.ignore_patterns("evaluation"))
+    victim.touch()
+    (copy / "evaluation").mkdir()
+    (copy / "evaluation" / "metrics.json").symlink_to(victim)
+    with pytest.raises(QuadrupedError, match=r"metrics\.json: is a link"):
+        find_policy(str(copy))

@@ -4,11 +4,13 @@ import dataclasses
 import json
 import re
 import signal
+import socket
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
-from trainings import ENDLESS, TINY, assert_complete, progress, running, scalars, train
+from trainings import ENDLESS, TINY, assert_complete, command, progress, running, scalars, train
 from waiting import output_of
 
 import quadruped_env
@@ -99,14 +101,41 @@ def test_the_same_seed_gives_the_same_policy_bit_for_bit(tiny_run, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_a_training_which_saves_and_exits_cleanly(tmp_path, number):
+@pytest.mark.parametrize(
+    ("number", "name", "status"),
+    [(signal.SIGINT, "SIGINT", 130), (signal.SIGTERM, "SIGTERM", 143), (signal.SIGHUP, "SIGTERM", 143)],
+)
+def test_a_signal_ends_a_training_which_saves_and_says_so(tmp_path, number, name, status):
     with running(tmp_path, *ENDLESS) as process:
         process.send_signal(number)
         output, errors = output_of(process)
-    assert process.returncode == 0, errors
-    assert "stopped, and saved what was learned" in output
+    assert process.returncode == status, errors
+    assert f"stopped by {name}, and saved what was learned" in output
     assert "Traceback" not in errors
     directory = (tmp_path / "latest").resolve()
     policy = assert_complete(directory)
+    assert policy.card["interrupted"] == name
     assert policy.card["timesteps"] == int(progress(directory)[-1]["timesteps"]) > 0
+
+
+@pytest.mark.slow
+def test_a_training_whose_output_nobody_reads_goes_on_to_its_end(tmp_path):
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command(tmp_path, *TINY), **pipes) as process:
+        process.stdout.close()
+        errors = process.stderr.read()
+    assert process.returncode == 0, errors
+    card = load_policy((tmp_path / "latest").resolve()).card
+    assert (card["timesteps"], card["interrupted"]) == (2048, None)
+    assert card["learning"], "also what comes after the training"
+
+
+@pytest.mark.slow
+def test_a_run_names_neither_directories_nor_the_machine(tmp_path):
+    directory = train(tmp_path / "secret place", *TINY)
+    card = load_policy(directory).card
+    assert card["command"].startswith("mini-quadruped train -o 'secret place' --timesteps")
+    assert "secret" not in (directory / CONFIG_FILE).read_text().replace("-o 'secret place'", "")
+    (events,) = (directory / "tensorboard").iterdir()
+    assert ".training." in events.name
+    assert socket.gethostname() not in events.name.split(".")

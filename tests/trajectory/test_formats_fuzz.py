@@ -81,7 +81,7 @@ def parse_yaml(path):
     found = []
     for document in re.split(r"---[^\S\n]*\n", text):
         if document.strip() and not document.lstrip().startswith("A message was lost!!!"):
-            found.append(yaml.load(document, yaml.BaseLoader))  # noqa: S506
+            found.append(yaml.load(document, yaml.BaseLoader))
     names = found[0]["name"]
     assert all(set(one["name"]) == set(names) for one in found)
     arrays = {

@@ -18,7 +18,7 @@ from waiting import DEADLINE, output_of
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.policies import load_policy
 from quadruped_env.reporting.films.video import save_video
-from quadruped_env.utils.files import PART, free_path, whole, write_json, write_whole
+from quadruped_env.utils.files import PART, free_path, shown_argument, whole, write_json, write_whole
 
 
 def names(directory):
@@ -109,6 +109,76 @@ def test_whole_file_behind_a_symbolic_link_is_replaced_and_the_link_stays(tmp_pa
         assert link.is_symlink()
         assert (tmp_path / "real" / "file").read_bytes() == content
     assert names(tmp_path / "real") == ["file"]
+
+
+@pytest.fixture(params=["policy.json", "sweep.json", "checkpoints/00010s/policy.json"])
+def run_of_others(tmp_path, request):
+    """The directory of a run or a sweep, and a directory that its links lead to."""
+    run, victim = tmp_path / "run", tmp_path / "victim"
+    (run / request.param).parent.mkdir(parents=True)
+    (run / request.param).touch()
+    victim.mkdir()
+    (victim / "file").write_text("kept")
+    return run, victim
+
+
+@pytest.mark.parametrize("at", ["evaluation", "evaluation/metrics.json", "evaluation/deeper/metrics.json"])
+def test_below_a_run_nothing_is_written_through_links(run_of_others, monkeypatch, at):
+    run, victim = run_of_others
+    link = run / at
+    link.parent.mkdir(parents=True, exist_ok=True)
+    link.symlink_to(victim / "file" if at.endswith(".json") else victim)
+    for path in (link, link / "file", link / "new" / "metrics.json"):
+        for place in (path, Path(os.path.relpath(path))):
+            with pytest.raises(QuadrupedError, match=f"{at}: is a link"):
+                write_json(place, {})
+    monkeypatch.chdir(run)
+    with pytest.raises(QuadrupedError, match=f"{at}: is a link"):
+        write_json(Path(at), {})
+    assert {path.name: path.read_text() for path in victim.iterdir()} == {"file": "kept"}
+
+
+def test_above_a_run_links_are_followed(run_of_others):
+    run, victim = run_of_others
+    (run.parent / "latest").symlink_to("run")
+    (run.parent / "elsewhere").symlink_to(victim)
+    write_json(run.parent / "latest" / "evaluation" / "metrics.json", {})
+    write_json(run.parent / "elsewhere" / "file", {})
+    assert (run / "evaluation" / "metrics.json").read_text() == (victim / "file").read_text() == "{}\n"
+
+
+def test_newest_run_of_a_trial_is_written_into_through_its_link_alone(run_of_others):
+    run, victim = run_of_others
+    (run / "trial" / "20260101-ppo").mkdir(parents=True)
+    latest = run / "trial" / "latest"
+    latest.symlink_to("20260101-ppo")
+    write_json(latest / "metrics.json", {})
+    assert (run / "trial" / "20260101-ppo" / "metrics.json").exists()
+    latest.unlink()
+    latest.symlink_to(victim)
+    with pytest.raises(QuadrupedError, match="latest: is a link"):
+        write_json(latest / "file", {})
+
+
+@pytest.mark.parametrize(
+    ("argument", "shown", "name"),
+    [
+        ("{cwd}/runs/a", "runs/a", "a"),
+        ("--output={cwd}/runs/a", "--output=runs/a", "--output=a"),
+        ("/home/somebody/secret/a.py", "a.py", "a.py"),
+        ("--task=/secret/a.py", "--task=a.py", "--task=a.py"),
+        ("../runs/a", "../runs/a", "a"),
+        ("hf://owner/name", "hf://owner/name", "hf://owner/name"),
+        ("0.5", "0.5", "0.5"),
+        ("-o", "-o", "-o"),
+        (".", ".", "."),
+        ("/", "/", "/"),
+    ],
+)
+def test_arguments_are_shown_without_directories_of_the_machine(argument, shown, name):
+    argument = argument.format(cwd=Path.cwd())
+    assert shown_argument(argument) == shown
+    assert shown_argument(argument, names_only=True) == name
 
 
 def test_whole_file_to_a_pipe_writes_its_bytes(tmp_path):

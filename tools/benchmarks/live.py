@@ -169,7 +169,7 @@ def process(name: str, network: Network, *arguments: str) -> Iterator["subproces
         [sys.executable, "-m", "quadruped_env.live", name, *arguments, "--quiet"],
         env=environment,
         stderr=subprocess.DEVNULL,
-        text=True,
+        encoding="utf-8",
     ) as started:
         try:
             yield started

@@ -50,7 +50,7 @@ def run_python(program: str, *arguments: str) -> dict[str, Any]:
         [sys.executable, "-c", _END_WITH_PARENT + program, *arguments],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
-        text=True,
+        encoding="utf-8",
         env={**os.environ, "PYTHONWARNINGS": "ignore", "PYTHONPATH": os.pathsep.join(filter(None, paths))},
     ) as process:
         assert process.stdout is not None

@@ -59,7 +59,7 @@ def run_ranks(measure: str, ranks: int, **values: Any) -> dict[str, Any]:
                 [sys.executable, "-m", "benchmarks.ranks", arguments],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
-                text=True,
+                encoding="utf-8",
                 env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))},
             )
             processes.append(stack.enter_context(process))

@@ -82,7 +82,9 @@ def main() -> int:
             line: sorted({number[test] for context in contexts for test in recorder.users[context]})
             for line, contexts in sorted(by_line.items())
         }
-    output.write_text(json.dumps({"tests": {test: recorder.seconds[test] for test in tests}, "lines": lines}))
+    output.write_text(
+        json.dumps({"tests": {test: recorder.seconds[test] for test in tests}, "lines": lines}), encoding="utf-8"
+    )
     return 0
 
 

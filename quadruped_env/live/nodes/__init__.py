@@ -24,6 +24,8 @@ SUMMARIES: Final = {
     "record": "record topics into a bag",
 }
 """Node -> summary, in the order of --help. Kept here so that running a node does not import the others."""
+PRINTING: Final = ("echo", "hz")
+"""Nodes whose only result is what they print, and which end when nobody reads it."""
 
 
 def node_module(name: str) -> ModuleType:

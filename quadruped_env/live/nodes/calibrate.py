@@ -27,7 +27,7 @@ from quadruped_env.live.keyboard import Keyboard
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
 from quadruped_env.live.motor_swing import Motors, MotorSwing
 from quadruped_env.live.node_options import add_robot_argument, robot_of
-from quadruped_env.live.session import CLEAR_LINE, POLL_PERIOD, Session
+from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
@@ -35,6 +35,7 @@ from quadruped_env.ros.robot_messages import read_joint_state
 from quadruped_env.trajectory.maps import UNITS, JointMap, JointRule
 from quadruped_env.utils.files import check_free, write_whole
 from quadruped_env.utils.interpreter import program_command
+from quadruped_env.utils.program import CLEAR_LINE
 
 _LISTEN: Final = 1.0
 """Time in which all motors have sent a state, s."""

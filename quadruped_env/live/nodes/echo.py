@@ -11,8 +11,6 @@ back: `mini-quadruped replay recording.csv`.
 """
 
 import argparse
-import io
-import sys
 
 from quadruped_env.live.listener import Listener
 from quadruped_env.live.messages.message_text import as_csv, as_yaml, check_field, field_at, plain
@@ -43,9 +41,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         return message_reader(topic, lambda message: write(field_at(plain(message), arguments.field)))
 
     listener = Listener(session, [arguments.topic], text_reader)
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        # Escape characters that the terminal's encoding does not support.
-        sys.stdout.reconfigure(errors="backslashreplace")
     printed = False
     for _ in session.turns():
         listener.update()

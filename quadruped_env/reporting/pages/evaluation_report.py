@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.failures import Failure, worst_episodes
@@ -19,10 +20,12 @@ from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
 from quadruped_env.reporting.pages.learning import ZERO_LINE, gain_section, learning_clips, zero_return
+from quadruped_env.reporting.pages.page import METRICS_FILE
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import section, summary, write_results
 from quadruped_env.reporting.report_directory import prepare_output
 from quadruped_env.sim2sim import transfer_results as sim2sim
+from quadruped_env.utils.files import write_json
 from quadruped_env.utils.progress import Progress, part_of
 
 
@@ -35,8 +38,9 @@ def write_report(
     suite: Mapping[str, Any] | None = None,
     gain: LearningGain | None = None,
     walking_page: str | None = None,
+    document: dict[str, Any] | None = None,
 ) -> tuple[Path, Path, list[str]]:
-    """Write the report and the numbers into the policy's output directory; existing files are replaced.
+    """Write the numbers and the report into the policy's output directory; existing files are replaced.
 
     Args:
         evaluated: policy that was evaluated.
@@ -47,6 +51,7 @@ def write_report(
         suite: the policy's results of the suite, which are written to a file of their own, too; None: it was not run.
         gain: the policy against the zero action; None: it was not measured.
         walking_page: file next to the report in which the robot walks, to which the report links; None: there is none.
+        document: what `write_numbers` returned; None: they are written here, before the report.
 
     Returns:
         The paths of the report and of the numbers, and a message for each part that could not be made.
@@ -56,6 +61,7 @@ def write_report(
         QuadrupedError: if a file cannot be written, or the run's learning curve cannot be read.
     """
     prepare_output(evaluated.output)
+    document = document or write_numbers(evaluated, comparison, command_line, suite, gain)
     failures = worst_episodes(comparison)
     rollout = comparison.rollouts["policy"]
     # Rendering and encoding leave the interpreter to another thread, which draws the figures on another core.
@@ -72,26 +78,9 @@ def write_report(
             learning = None
             pictures = Pictures({"missing": "No video: it was switched off."})
         replay = scene(comparison)
-    judged = verdict(comparison, suite, gain)
-    if suite is not None:
-        write_results(evaluated, suite, command_line)
-    document = {
-        **page.provenance(command_line),
-        "policy": {
-            "name": evaluated.name,
-            "card": page.without_nan(evaluated.policy.card),
-            "task_file": page.task_of(evaluated),
-        },
-        "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
-        "learning": None if gain is None else gain.to_dict(),
-        "worst_episodes": [page.without_nan(dataclasses.asdict(failure)) for failure in failures],
-        "suite": None if suite is None else summary(suite),
-        "config": comparison.config.to_dict(),
-        **comparison.to_dict(),
-    }
     context = {
         "name": evaluated.name,
-        "verdict": judged,
+        "verdict": verdict(comparison, suite, gain),
         "video": pictures.video,
         "learning": None if gain is None else gain_section({evaluated.name: gain}),
         "learning_film": learning,
@@ -103,14 +92,53 @@ def write_report(
         "failures": [_failure(f, pictures, svg.result()) for f, svg in zip(failures, of_failures, strict=True)],
         **page.tables(comparison),
     }
-    report, numbers = page.write_page(evaluated.output, "report.html", document, context)
+    report = page.write_report_page(evaluated.output, "report.html", document, context)
     missing = [part["missing"] for part in (pictures.video, replay) if "missing" in part]
-    return report, numbers, missing if with_video else missing[1:]
+    return report, evaluated.output / METRICS_FILE, missing if with_video else missing[1:]
+
+
+def write_numbers(
+    evaluated: EvaluatedPolicy,
+    comparison: Comparison,
+    command_line: str,
+    suite: Mapping[str, Any] | None = None,
+    gain: LearningGain | None = None,
+) -> dict[str, Any]:
+    """Write the numbers of a report, and the suite's results; arguments as in `write_report`.
+
+    Returns:
+        The document that was written.
+
+    Raises:
+        QuadrupedError: if a file cannot be written.
+    """
+    judged = verdict(comparison, suite, gain)
+    document = {
+        **page.provenance(command_line),
+        "policy": {
+            "name": evaluated.name,
+            "card": page.without_nan(evaluated.policy.card),
+            "task_file": page.task_of(evaluated),
+        },
+        "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
+        "learning": None if gain is None else gain.to_dict(),
+        "worst_episodes": [page.without_nan(dataclasses.asdict(one)) for one in worst_episodes(comparison)],
+        "suite": None if suite is None else summary(suite),
+        "config": comparison.config.to_dict(),
+        **comparison.to_dict(),
+    }
+    write_json(evaluated.output / METRICS_FILE, document)
+    if suite is not None:
+        write_results(evaluated, suite, command_line)
+    return document
 
 
 def _learning_film(evaluated: EvaluatedPolicy, comparison: Comparison, progress: Progress | None) -> dict[str, str]:
     """Source and caption of the film of a training."""
-    clips = learning_clips(evaluated, comparison)
+    try:
+        clips = learning_clips(evaluated, comparison)
+    except QuadrupedError as error:  # a damaged checkpoint
+        return {"missing": f"No video: {error}"}
     shown = ", then ".join(clip.title for clip in clips)
     return take_pictures(clips, f"{shown}; the same start and command", progress=progress).video
 

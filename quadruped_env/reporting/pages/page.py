@@ -18,7 +18,7 @@ from quadruped_env.reporting import plots
 from quadruped_env.reporting.plots.canvas import label
 from quadruped_env.reporting.report_directory import REPORT_FILE
 from quadruped_env.robot import Robot
-from quadruped_env.utils.files import write_json, write_whole
+from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.provenance import circumstances
 from quadruped_env.utils.text_table import text_table
 
@@ -159,15 +159,13 @@ def without_nan(value: Any) -> Any:
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def write_page(output: Path, template: str, document: dict[str, Any], context: dict[str, Any]) -> tuple[Path, Path]:
-    """Write a report and its numbers into a directory, and return both files; existing ones are replaced.
+def write_report_page(output: Path, template: str, document: dict[str, Any], context: dict[str, Any]) -> Path:
+    """Write a report into a directory, and return its file; an existing one is replaced.
 
-    The document of JSON-serializable numbers is also the template's variable `document`.
+    The document of its numbers is the template's variable `document`.
     """
-    report, numbers = output / REPORT_FILE, output / METRICS_FILE
-    write_json(numbers, document)
-    write_html(report, template, {"document": document, **context})
-    return report, numbers
+    write_html(output / REPORT_FILE, template, {"document": document, **context})
+    return output / REPORT_FILE
 
 
 def write_html(path: Path, template: str, context: dict[str, Any]) -> None:

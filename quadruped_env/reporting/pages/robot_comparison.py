@@ -13,6 +13,7 @@ from quadruped_env.evaluation.verdict import listed, verdict
 from quadruped_env.reporting.pages import page
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of
+from quadruped_env.utils.files import write_json
 from quadruped_env.utils.text_table import Table
 
 NOTE: Final = (
@@ -78,21 +79,25 @@ def _better(metric: str, estimates: Mapping[str, Estimate], robots: Mapping[str,
     return "no clear difference" if len(best) == len(lows) else listed(best)
 
 
-def write_index(
-    output: Path, comparisons: Mapping[str, Comparison], reports: Mapping[str, Path], command_line: str
-) -> tuple[Path, Path]:
-    """Write the page that holds the tables and leads to the reports of the robots, and its numbers; return both."""
-    tables = robot_tables(comparisons)
-    verdicts = {name: verdict(comparison.seen_as(name)) for name, comparison in comparisons.items()}
-    document: dict[str, Any] = {
+def write_index_numbers(output: Path, comparisons: Mapping[str, Comparison], command_line: str) -> dict[str, Any]:
+    """Write the numbers of all robots, and return their document."""
+    document = {
         **page.provenance(command_line),
         "seeds": list(next(iter(comparisons.values())).seeds),
         "robots": {name: {**c.robot.identity, **c.seen_as(name).to_dict()} for name, c in comparisons.items()},
     }
+    write_json(output / page.METRICS_FILE, document)
+    return document
+
+
+def write_index(
+    output: Path, comparisons: Mapping[str, Comparison], reports: Mapping[str, Path], document: dict[str, Any]
+) -> Path:
+    """Write the page that holds the tables, and leads to the reports of the robots."""
     context = {
         "names": list(comparisons),
-        "tables": tables,
-        "verdicts": verdicts,
+        "tables": robot_tables(comparisons),
+        "verdicts": {name: verdict(comparison.seen_as(name)) for name, comparison in comparisons.items()},
         "reports": {name: report.relative_to(output).as_posix() for name, report in reports.items()},
     }
-    return page.write_page(output, "robots.html", document, context)
+    return page.write_report_page(output, "robots.html", document, context)

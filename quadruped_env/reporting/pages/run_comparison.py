@@ -16,9 +16,11 @@ from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
 from quadruped_env.reporting.pages.learning import ZERO_LINE, gain_section, zero_return
+from quadruped_env.reporting.pages.page import METRICS_FILE
 from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
 from quadruped_env.reporting.report_directory import prepare_output
+from quadruped_env.utils.files import write_json
 from quadruped_env.utils.progress import Progress
 
 
@@ -103,7 +105,7 @@ def write_comparison(
     ranked: Mapping[str, Any] | None = None,
     gains: Mapping[str, LearningGain] | None = None,
 ) -> tuple[Path, Path, list[str]]:
-    """Write the page and its numbers into a directory; arguments and results as in `evaluation_report.write_report`.
+    """Write the numbers and then the page into a directory; arguments and results as in `write_report`.
 
     `ranked` is the ranking on the suite, from `suite_section.ranking`; None: the page has no ranking.
     `gains` are the policies against their zero actions, by name; None: they were not measured.
@@ -111,19 +113,27 @@ def write_comparison(
     Raises:
         MissingExtraError, QuadrupedError: as `evaluation_report.write_report`.
     """
+    document = write_numbers(policies, comparison, output, command_line, ranked, gains)
+    report, missing = write_page(policies, comparison, output, document, with_video, progress, ranked, gains)
+    return report, output / METRICS_FILE, missing
+
+
+def write_numbers(
+    policies: Mapping[str, EvaluatedPolicy],
+    comparison: Comparison,
+    output: Path,
+    command_line: str,
+    ranked: Mapping[str, Any] | None = None,
+    gains: Mapping[str, LearningGain] | None = None,
+) -> dict[str, Any]:
+    """Write the numbers of a comparison, and return their document; arguments as in `write_comparison`."""
     prepare_output(output)
     names = list(policies)
     judged = {name: verdict(comparison.seen_as(name)) for name in names}
-    head = headline(comparison, names)
     terms = reward_terms(policies, comparison)
-    if with_video:
-        shown = f"{', then '.join(names)}, each under the same commands"
-        video = take_pictures(films(comparison, names), shown, progress=progress).video
-    else:
-        video = {"missing": "No video: it was switched off."}
     document = {
         **page.provenance(command_line),
-        "headline": head,
+        "headline": headline(comparison, names),
         "suite": ranked,
         "policies": {
             name: {
@@ -137,21 +147,46 @@ def write_comparison(
         },
         **comparison.to_dict(),
     }
+    write_json(output / METRICS_FILE, document)
+    return document
+
+
+def write_page(
+    policies: Mapping[str, EvaluatedPolicy],
+    comparison: Comparison,
+    output: Path,
+    document: dict[str, Any],
+    with_video: bool = True,
+    progress: Progress | None = None,
+    ranked: Mapping[str, Any] | None = None,
+    gains: Mapping[str, LearningGain] | None = None,
+) -> tuple[Path, list[str]]:
+    """Write the page of a comparison, whose numbers are in `document`; arguments as in `write_comparison`.
+
+    Returns:
+        The page, and a message for each part that could not be made.
+    """
+    names = list(policies)
+    if with_video:
+        shown = f"{', then '.join(names)}, each under the same commands"
+        video = take_pictures(films(comparison, names), shown, progress=progress).video
+    else:
+        video = {"missing": "No video: it was switched off."}
     context: dict[str, Any] = {
         "names": names,
-        "headline": head,
-        "verdicts": judged,
+        "headline": headline(comparison, names),
+        "verdicts": {name: verdict(comparison.seen_as(name)) for name in names},
         "gains": {name: gain.verdict() for name, gain in (gains or {}).items()},
         "learning": gain_section(gains) if gains else None,
-        "reward_terms": _term_rows(terms),
+        "reward_terms": _term_rows(reward_terms(policies, comparison)),
         "diffs": _diffs(policies),
         "ranking": None if ranked is None else _ranking(ranked),
         "video": video,
         "figures": _figures(policies, comparison, gains or {}),
         **page.tables(comparison),
     }
-    report, numbers = page.write_page(output, "comparison.html", document, context)
-    return report, numbers, [video["missing"]] if with_video and "missing" in video else []
+    report = page.write_report_page(output, "comparison.html", document, context)
+    return report, [video["missing"]] if with_video and "missing" in video else []
 
 
 def _ranking(found: Mapping[str, Any]) -> dict[str, Any]:

@@ -11,19 +11,19 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from types import FrameType
-from typing import Any, Final
+from typing import Final
 
 import quadruped_env
 from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.scale.ranks.job import Job, threads_per_rank
-from quadruped_env.training.run_directory import LATEST, check_latest
+from quadruped_env.training.run_directory import check_latest
+from quadruped_env.utils.files import LATEST
 from quadruped_env.utils.interpreter import program_command
+from quadruped_env.utils.program import Stopped, on_stop
 
 _Ranks = Sequence[subprocess.Popen[bytes]]
 
@@ -49,7 +49,16 @@ def train_in_processes(job: Job) -> tuple[Path, bool]:
         try:
             for rank, report in enumerate(reports):
                 ranks.append(_start(job, rank, report))
-            with _forwarded_signals(ranks[0]) as interrupted:
+            received: list[int] = []
+
+            def forward(number: int) -> None:
+                """The first signal asks rank 0 to stop and save, and the second one ends this process."""
+                received.append(number)
+                if len(received) > 1:
+                    raise Stopped(number)
+                ranks[0].send_signal(number)
+
+            with on_stop(forward):
                 failed = _wait(ranks)
         finally:
             for process in ranks:
@@ -57,11 +66,15 @@ def train_in_processes(job: Job) -> tuple[Path, bool]:
             for process in ranks:
                 process.communicate()
         if failed is None:
-            directory, finished = json.loads(reports[0].read_text())
+            directory, finished = json.loads(reports[0].read_text(encoding="utf-8"))
             return Path(directory), finished
-        if interrupted():
-            raise KeyboardInterrupt
-        error = reports[failed].read_text() if reports[failed].is_file() else _death(failed, ranks[failed].returncode)
+        if received:
+            raise Stopped(received[0])
+        error = (
+            reports[failed].read_text(encoding="utf-8")
+            if reports[failed].is_file()
+            else _death(failed, ranks[failed].returncode)
+        )
         raise QuadrupedError(f"{error}; {_advice(link, before)}")
 
 
@@ -103,31 +116,3 @@ def _advice(link: Path, before: Path) -> str:
     if checkpoints.is_dir() and any(checkpoints.iterdir()):
         return f"continue from its last checkpoint: {program_command('train', '--resume', directory)}"
     return f"{directory} has no checkpoint yet; start again"
-
-
-@contextmanager
-def _forwarded_signals(rank: subprocess.Popen[bytes]) -> Iterator[Callable[[], bool]]:
-    """Within it, the first Ctrl-C or SIGTERM asks a rank to stop and save, and the second one ends this process.
-
-    Yields:
-        A function that returns True if there was one.
-    """
-    received: list[int] = []
-
-    def forward(number: int, frame: FrameType | None) -> None:
-        received.append(number)
-        if len(received) > 1:
-            raise KeyboardInterrupt
-        rank.send_signal(signal.SIGINT)
-
-    previous: dict[int, Any] = {}
-    try:
-        for interrupt in (signal.SIGINT, signal.SIGTERM):
-            previous[interrupt] = signal.signal(interrupt, forward)
-    except ValueError:
-        pass  # not in the main thread, where no signals arrive
-    try:
-        yield lambda: bool(received)
-    finally:
-        for number, handler in previous.items():
-            signal.signal(number, handler)

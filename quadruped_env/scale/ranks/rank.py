@@ -19,7 +19,7 @@ from quadruped_env.scale.ranks.job import Job
 from quadruped_env.scale.ranks.torch_group import on_this_machine
 from quadruped_env.training.group import ALONE, DifferentWeightsError, Group, RankLostError
 from quadruped_env.utils.files import write_whole
-from quadruped_env.utils.program import end_with_parent
+from quadruped_env.utils.program import end_with_parent, outputs
 
 _GRACE: Final = 5.0
 """Time that a rank that lost another one leaves that one to report the cause first, s."""
@@ -88,7 +88,8 @@ def main() -> int:
         # Those of all ranks are the same.
         warnings.simplefilter("ignore", QuadrupedWarning)
     try:
-        result = run_rank(job, on_this_machine(store, rank, job.config.ranks, threads))
+        with outputs():
+            result = run_rank(job, on_this_machine(store, rank, job.config.ranks, threads))
     except (QuadrupedError, MissingExtraError) as error:
         if isinstance(error, RankLostError):
             time.sleep(_GRACE)

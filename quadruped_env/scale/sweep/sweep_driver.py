@@ -15,15 +15,13 @@ from quadruped_env.scale.ray_connection import connected
 from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.search_space import of_json, shown
 from quadruped_env.scale.sweep.sweep_definition import MakeConfig, known
-from quadruped_env.scale.sweep.sweep_records import SweepFolder
+from quadruped_env.scale.sweep.sweep_records import TUNE_FOLDER, SweepFolder
 from quadruped_env.scale.sweep.sweep_results import score_of_setting
 from quadruped_env.scale.sweep.trial import RUNG, SCORE, run_in_ray
 from quadruped_env.utils.plain import plain
 
 MAX_LOSSES: Final = 10
 """Number of times that a trial may lose its process or its node before it counts as failed."""
-TUNE_FOLDER: Final = ".tune"
-"""Directory of Ray Tune's own files in that of the sweep; it is removed at the end."""
 Say = Callable[[str], None]
 
 

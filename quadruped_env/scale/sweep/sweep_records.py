@@ -31,12 +31,14 @@ from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.train_config import field_rule
 from quadruped_env.training.user_classes import OPTIONS, is_user_class
 from quadruped_env.utils.documents import check_regular, read_json
-from quadruped_env.utils.files import free_path, unwritable, whole, write_json, write_whole
+from quadruped_env.utils.files import check_no_links, free_path, unwritable, whole, write_json, write_whole
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.provenance import git_commit, machine, versions
 
 SWEEP_FILE: Final = "sweep.json"
 TRIALS: Final = "trials"
+TUNE_FOLDER: Final = ".tune"
+"""Directory of Ray Tune's own files; it is removed at the end."""
 TRIAL_FILE: Final = "trial.json"
 RESULT_FILE: Final = "result.json"
 SCORES_FILE: Final = "scores.csv"
@@ -124,8 +126,11 @@ class SweepFolder:
     def locked(self) -> Iterator[None]:
         """Within it, no other process runs this sweep; the lock ends with the process."""
         path = self.path / _LOCK_FILE
+        trials = self.path / TRIALS
+        for place in (path, self.path / TUNE_FOLDER, *(trials.iterdir() if trials.is_dir() else ())):
+            check_no_links(place)
         try:
-            file = path.open("a")
+            file = path.open("a", encoding="utf-8")
         except OSError as error:
             raise unwritable(path, error) from error
         with file:
@@ -268,4 +273,4 @@ class TrialFolder:
     def write_error(self, text: str) -> None:
         """Write the traceback of a failed trial."""
         with whole(self.path / ERROR_FILE) as part:
-            part.write_text(text)
+            part.write_text(text, encoding="utf-8")
