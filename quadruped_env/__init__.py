@@ -25,6 +25,8 @@ from quadruped_env.utils.registration import register_envs  # noqa: E402
 
 if TYPE_CHECKING:
     from quadruped_env import envs, policies
+    from quadruped_env.api import compare, evaluate, page, train
+    from quadruped_env.policies import load_policy
     from quadruped_env.simulation import build_model
     from quadruped_env.trajectory import JointState, JointTrajectory
 
@@ -41,13 +43,24 @@ __all__ = [
     "__version__",
     "asset_path",
     "build_model",
+    "compare",
     "envs",
+    "evaluate",
     "forward_kinematics",
+    "load_policy",
+    "page",
     "policies",
+    "train",
 ]
 
 _PACKAGES: Final = ("control", "envs", "policies", "simulation", "task", "trajectory")
-_DEFINED_IN: Final = {"JointState": "trajectory", "JointTrajectory": "trajectory", "build_model": "simulation"}
+_DEFINED_IN: Final = {
+    "JointState": "trajectory",
+    "JointTrajectory": "trajectory",
+    "build_model": "simulation",
+    "load_policy": "policies",
+    **dict.fromkeys(("compare", "evaluate", "page", "train"), "api"),
+}
 
 register_envs()
 

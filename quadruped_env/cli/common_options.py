@@ -11,7 +11,7 @@ from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, compare
-from quadruped_env.evaluation.learning_gain import EPISODES, LearningGain, learning_gain
+from quadruped_env.evaluation.learning_gain import LearningGain, gain_beside
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies import Policy
 from quadruped_env.reporting.films.film import Clip
@@ -195,13 +195,8 @@ def compared(policies: Policy | Mapping[str, Policy], arguments: argparse.Namesp
 
 
 def gain_of(policy: Policy, arguments: argparse.Namespace) -> LearningGain:
-    """The policy against the zero action in its own task, with as many episodes as these options ask of an evaluation.
-
-    The terrain and the randomization are the policy's own, whatever the options say.
-    """
-    episodes = max(2, min(EPISODES, EPISODES // NUM_SEEDS * arguments.seeds))
-    seconds = min(DEFAULT_SECONDS, arguments.seconds)
-    return learning_gain(policy, episodes, seconds, ProgressLine("measuring what it learned"), arguments.seeds)
+    """The policy against the zero action, with these options."""
+    return gain_beside(policy, arguments.seeds, arguments.seconds, ProgressLine("measuring what it learned"))
 
 
 def add_reading_options(parser: argparse.ArgumentParser) -> None:

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from quadruped_env.cli import common_options as options
-from quadruped_env.cli.evaluate import print_report
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.utils.files import free_path
@@ -46,7 +45,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.reporting.pages.robot_comparison import by_robot, robot_tables, write_index, write_index_numbers
     from quadruped_env.reporting.pages.run_comparison import films, find_policies
     from quadruped_env.reporting.pages.suite_section import ranking, ranking_in_words
-    from quadruped_env.reporting.report_directory import REPORT_FILE, prepare_output
+    from quadruped_env.reporting.report_directory import REPORT_FILE, prepare_output, print_report
 
     output = arguments.output or free_path(Path("results", "comparison"))
     policies = find_policies(arguments.runs, output, arguments.task, arguments.trust_task)
@@ -91,7 +90,7 @@ def _one_robot(
     """Compare policies for one robot, write numbers and report, and print the summary."""
     from quadruped_env.reporting.pages.page import METRICS_FILE, summary_table
     from quadruped_env.reporting.pages.run_comparison import headline, write_numbers, write_page
-    from quadruped_env.reporting.report_directory import REPORT_FILE
+    from quadruped_env.reporting.report_directory import REPORT_FILE, print_report
 
     comparison = options.compared({name: evaluated.policy for name, evaluated in policies.items()}, arguments)
     gains = {name: options.gain_of(evaluated.policy, arguments) for name, evaluated in policies.items()}

@@ -8,17 +8,14 @@ mini-quadruped evaluate flat --suite       also run the suite mq-eval, whose res
 """
 
 import argparse
-import sys
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from quadruped_env.cli.common_options import (
     add_evaluation_options,
     add_run,
-    compared,
     evaluation_options,
-    gain_of,
+    named_terrain,
     save_video,
 )
 from quadruped_env.cli.invocation import Invocation
@@ -62,6 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Evaluate, write the report, and print its summary."""
+    from quadruped_env.api import Evaluation
     from quadruped_env.evaluation.evaluated_policy import find_policy
     from quadruped_env.evaluation.suite.suite import (
         ranked,
@@ -70,14 +68,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         score_table,
         with_zero_action,
     )
-    from quadruped_env.evaluation.verdict import verdict
-    from quadruped_env.page import PAGE_FILE, write_page
     from quadruped_env.reporting.films.video import prepare_video
-    from quadruped_env.reporting.pages.evaluation_report import write_numbers, write_report
     from quadruped_env.reporting.pages.learning import learning_clips
-    from quadruped_env.reporting.pages.page import METRICS_FILE, summary_table
     from quadruped_env.reporting.pages.pictures import filmed, recorded
-    from quadruped_env.reporting.report_directory import REPORT_FILE, prepare_output
+    from quadruped_env.reporting.report_directory import prepare_output
     from quadruped_env.trajectory import saving
 
     if arguments.quick and not arguments.suite:
@@ -90,36 +84,32 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         prepare_video(film, arguments.overwrite)
     interrupted = evaluated.policy.card.get("interrupted")
     print(f"evaluating {evaluated.name}{f', whose training ended early: {short(interrupted)}' if interrupted else ''}")
-    comparison = compared(evaluated.policy, arguments)
-    gain = gain_of(evaluated.policy, arguments)
-    suite = _suite(evaluated, arguments.quick) if arguments.suite else None
-    line = f"{invocation.program} {evaluated.source} {evaluation_options(arguments)}"
-    document = write_numbers(evaluated, comparison, line, suite, gain)
-    print(f"\n{summary_table(comparison)}\n\n{gain.table()}\n\n{verdict(comparison, suite, gain).text()}\n")
+    found = Evaluation.measure(
+        evaluated,
+        f"{invocation.program} {evaluated.source} {evaluation_options(arguments)}",
+        arguments.seeds,
+        arguments.seconds,
+        named_terrain(arguments),
+        arguments.randomization or "none",
+        (lambda: _suite(evaluated, arguments.quick)) if arguments.suite else None,
+        ProgressLine,
+    )
+    print(f"\n{found}\n")
+    suite = found.suite
     if suite is not None:
         ranking = ranked(
             (row["name"], row) for row in (*with_zero_action(suite), *references_for(suite, read_references()))
         )
         print(f"{score_table([row for _, row in ranking])}\n")
-    print(f"numbers: {evaluated.output / METRICS_FILE}")
-    extras, page, linked = Extras(), evaluated.output / PAGE_FILE, None
+    print(f"numbers: {found.numbers}")
+    extras = Extras()
     if arguments.joints:
         with extras.part(str(arguments.joints)):
-            recorded(comparison).save(arguments.joints, arguments.overwrite)
+            recorded(found.comparison).save(arguments.joints, arguments.overwrite)
             print(f"joints:  {arguments.joints}")
-    with extras.part(PAGE_FILE, of_some_only=True):
-        write_page(evaluated.policy, page, evaluated.name)
-        print(f"page:    {page}")
-        linked = page.name
-    filming = ProgressLine("filming")
-    with extras.part(REPORT_FILE):
-        with_video = not arguments.no_video
-        report, _, missing = write_report(
-            evaluated, comparison, line, with_video, filming, suite, gain, linked, document
-        )
-        print_report(report, missing)
-    save_video(arguments.video, lambda: filmed(comparison), extras)
-    save_video(arguments.learning_film, lambda: learning_clips(evaluated, comparison), extras)
+    found.write(extras, not arguments.no_video, ProgressLine("filming"))
+    save_video(arguments.video, lambda: filmed(found.comparison), extras)
+    save_video(arguments.learning_film, lambda: learning_clips(evaluated, found.comparison), extras)
     return extras.status
 
 
@@ -134,10 +124,3 @@ def _suite(evaluated: "EvaluatedPolicy", quick: bool) -> dict[str, Any]:
     print(f"{suite.label}: up to {hours:.1f} hours of simulated time, with and without the policy's action")
     measured = MeasuredController.of_policy(evaluated.policy, evaluated.name)
     return run_suite(measured, suite, ProgressLine(suite.label), zero_action=True)
-
-
-def print_report(report: Path, missing: Sequence[str]) -> None:
-    """Print where the report is, and what it lacks."""
-    for message in missing:
-        print(message, file=sys.stderr)
-    print(f"report:  {report}")

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import (
     ERRORS,
+    NUM_SEEDS,
     Command,
     Comparison,
     commands_for,
@@ -211,6 +212,16 @@ def reward_in_words(document: Mapping[str, Any]) -> str:
         f"reward per second {shown(ours['return_per_second'])}, zero action {shown(zeros['return_per_second'])}, "
         f"difference {shown(document['difference'], '{:+z.2f}')}; own action {ours['own_action']:.3f} rad"
     )
+
+
+def gain_beside(policy: Policy, num_seeds: int, seconds: float, progress: Progress | None = None) -> LearningGain:
+    """The gain in the policy's own task, with as many episodes as an evaluation of `num_seeds` per command has.
+
+    Terrain and randomization are the policy's own, whatever those of the evaluation are. Episodes are at most
+    `DEFAULT_SECONDS` long.
+    """
+    episodes = max(2, min(EPISODES, EPISODES // NUM_SEEDS * num_seeds))
+    return learning_gain(policy, episodes, min(DEFAULT_SECONDS, seconds), progress, num_seeds)
 
 
 def learning_gain(

@@ -1,6 +1,8 @@
 """Output directory of a report."""
 
 import importlib.util
+import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
@@ -22,3 +24,10 @@ def prepare_output(output: Path) -> None:
         output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise QuadrupedError(f"{output}: cannot be created ({error.strerror}); choose another directory") from error
+
+
+def print_report(report: Path, missing: Sequence[str]) -> None:
+    """Print where the report is, and what it lacks."""
+    for message in missing:
+        print(message, file=sys.stderr)
+    print(f"report:  {report}")
