@@ -13,8 +13,8 @@ from sphinx.application import Sphinx
 
 from quadruped_env import __version__
 from quadruped_env.control.policy_files import SHOWN
-from quadruped_env.page import write_page
 from quadruped_env.policies import load_policy
+from quadruped_env.walking_page import write_page
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"

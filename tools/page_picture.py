@@ -13,8 +13,8 @@ from PIL import Image
 from playwright.sync_api import sync_playwright
 
 from quadruped_env.control.policy_files import SHOWN as POLICY
-from quadruped_env.page import PAGE_FILE, write_page
 from quadruped_env.policies import load_policy
+from quadruped_env.walking_page import PAGE_FILE, write_page
 
 PICTURE = Path(__file__).parents[1] / "assets" / "pictures" / "page.webp"
 BROWSER = "chromium"

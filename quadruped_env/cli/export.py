@@ -93,6 +93,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 
 def _page_writer(evaluated: "EvaluatedPolicy") -> Callable[[Path], object]:
-    from quadruped_env.page import write_page
+    from quadruped_env.walking_page import write_page
 
     return lambda path: write_page(evaluated.policy, path, evaluated.name)

@@ -4,7 +4,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from quadruped_env import __version__
+from quadruped_env._version import __version__
 from quadruped_env.cli.invocation import SUMMARIES, Invocation, command_module, describe
 from quadruped_env.utils.interpreter import COMMAND, pasteable
 from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program

@@ -27,8 +27,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Write the page, and print where it is."""
     from quadruped_env.evaluation.evaluated_policy import find_policy
-    from quadruped_env.page import write_page
     from quadruped_env.utils.files import check_free
+    from quadruped_env.walking_page import write_page
 
     check_free([arguments.output], arguments.overwrite)
     evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task, SHOWN)

@@ -13,7 +13,7 @@ ENV_FILE: Final = "env.py"
 """LeRobot's EnvHub runs it."""
 RESULTS_FILE: Final = "results.json"
 PAGE_FILE: Final = "walk.html"
-"""The page that walks; `quadruped_env.page` writes it, also next to a report."""
+"""The page that walks; `quadruped_env.walking_page` writes it, also next to a report."""
 _EMPTY: Final = "CONFIG: dict[str, Any] = {}\n"
 
 

@@ -1,4 +1,4 @@
-// Builds quadruped_env/page/assets from src and the pinned packages. Usage: npm ci && npm run build
+// Builds quadruped_env/walking_page/assets from src and the pinned packages. Usage: npm ci && npm run build
 
 import { createHash } from 'node:crypto';
 import fs from 'node:fs';
@@ -7,7 +7,7 @@ import { gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 import { withoutEval } from './without-eval.mjs';
 
-const here = import.meta.dirname, assets = path.join(here, '../../quadruped_env/page/assets');
+const here = import.meta.dirname, assets = path.join(here, '../../quadruped_env/walking_page/assets');
 const read = (...parts) => fs.readFileSync(path.join(here, ...parts));
 const packages = ['@mujoco/mujoco', 'three'];
 const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex');

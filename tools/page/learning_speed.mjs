@@ -1,6 +1,6 @@
 // Processor time until a robot that marches on the spot walks at the commanded speed.
 // usage: node learning_speed.mjs PAGE.json [WORKERS] [SEEDS] [SECONDS]
-// PAGE.json: content of a page, `page_document` of quadruped_env/page/document.py.
+// PAGE.json: content of a page, `page_document` of quadruped_env/walking_page/document.py.
 
 import fs from 'node:fs';
 import { createRequire } from 'node:module';

@@ -67,7 +67,7 @@ export function floats(base64) {
   return new Float32Array(Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer);
 }
 
-/** A graph, ready to run: see `quadruped_env/page/document.py` for its form. */
+/** A graph, ready to run: see `quadruped_env/walking_page/document.py` for its form. */
 export class Graph {
   constructor({ nodes, constants, inputs, outputs }) {
     this.inputs = Object.fromEntries(Object.entries(inputs).map(([name, width]) => [name, new Float32Array(width)]));

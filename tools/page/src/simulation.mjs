@@ -24,7 +24,7 @@ export class Simulation {
   /**
    * @param mujoco result of `loadMujoco`
    * @param scene `{xml, heights}`: MJCF, and the height field's heights in [0, 1], or null on a plane
-   * @param robot description of the robot; see `quadruped_env/page/document.py`
+   * @param robot description of the robot; see `quadruped_env/walking_page/document.py`
    */
   constructor(mujoco, scene, robot) {
     this.mujoco = mujoco;

@@ -55,7 +55,7 @@ class Rollout {
 /**
  * Learn, one iteration per turn. In the first one all actions are zero: what the gait alone earns.
  * @param mujoco result of `loadMujoco`
- * @param page content of the page; see quadruped_env/page/document.py
+ * @param page content of the page; see quadruped_env/walking_page/document.py
  * @param settings `{seed, command, turns, weights}`: seed of all random numbers, and see `Episode`
  * @param ports as of `adder`
  * @yields results of an iteration over all workers

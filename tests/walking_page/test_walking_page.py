@@ -19,14 +19,14 @@ from quadruped_env.control.observations import observation
 from quadruped_env.control.policy_files import SHOWN
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.onnx_graph import Graph, policy_graph
-from quadruped_env.page import write_page
-from quadruped_env.page.document import graph_document, page_document
 from quadruped_env.policies import load_policy
 from quadruped_env.robot.motors import MOTOR_PRESETS
 from quadruped_env.simulation import SingleSimulation, flat
 from quadruped_env.task import Task
+from quadruped_env.walking_page import write_page
+from quadruped_env.walking_page.document import graph_document, page_document
 
-SOURCES, ASSETS = ROOT / "tools" / "page", ROOT / "quadruped_env" / "page" / "assets"
+SOURCES, ASSETS = ROOT / "tools" / "page", ROOT / "quadruped_env" / "walking_page" / "assets"
 ENV = np.zeros(1, dtype=np.intp)
 GRAPH = """([graph, inputs]) => {
     const made = new quadruped.Graph(graph);

@@ -14,10 +14,10 @@ import tasks
 import torch
 import waiting
 
-from quadruped_env.page import write_page
-from quadruped_env.page.learning import TERMS, learning_document
 from quadruped_env.policies import load_policy
 from quadruped_env.task import TaskConfig
+from quadruped_env.walking_page import write_page
+from quadruped_env.walking_page.learning import TERMS, learning_document
 
 STANCE = np.array([0.6, -0.72] * 4)
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.control.policy import Policy
-from quadruped_env.page.document import page_document
 from quadruped_env.utils.files import write_whole
+from quadruped_env.walking_page.document import page_document
 
 _ASSETS: Final = Path(__file__).parent / "assets"
 """Built by tools/page/build.mjs."""

@@ -1,4 +1,4 @@
-// Values of the page's learning for tests/page/test_page_learning.py: JSON in, JSON out.
+// Values of the page's learning for tests/walking_page/test_page_learning.py: JSON in, JSON out.
 
 import fs from 'node:fs';
 import { adder } from '../../tools/page/src/learn/adder.mjs';

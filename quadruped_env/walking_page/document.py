@@ -11,14 +11,13 @@ from typing import Any, Final
 import mujoco
 import numpy as np
 
-from quadruped_env import __version__
+from quadruped_env._version import __version__
 from quadruped_env.control.observations import OBSERVATIONS
 from quadruped_env.control.policy import Policy
 from quadruped_env.control.steering import key_steps
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.export.onnx_graph import Graph
 from quadruped_env.export.onnx_interface import PolicyInterface
-from quadruped_env.page.learning import learning_document
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.robot.readings import sensor_columns
@@ -27,6 +26,7 @@ from quadruped_env.simulation import SingleSimulation, Terrain, Tiles, flat
 from quadruped_env.simulation.built_in_terrains import terrain_scale
 from quadruped_env.simulation.model import build_spec, lay_ground
 from quadruped_env.task import Task, TaskConfig
+from quadruped_env.walking_page.learning import learning_document
 
 SIZE: Final = 16.0
 """Longest side of a terrain on the page, for the built-in robot, m: larger ones would make the file large."""
