@@ -65,7 +65,7 @@ def machine() -> str:
 def git_commit() -> str:
     """The checkout's commit, marked `-dirty` where files differ from it; 'unknown' outside a checkout.
 
-    An installed package may lie within somebody's repository, whose commit says nothing about it.
+    An installed package may lie within another repository, whose commit says nothing about it.
     """
     try:
         _git("ls-files", "--error-unmatch", Path(__file__).name)

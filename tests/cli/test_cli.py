@@ -213,7 +213,7 @@ def test_evaluation_without_report_and_page_keeps_its_numbers_and_says_so(tmp_pa
     monkeypatch.chdir(tmp_path)
     for name in ("report.html", "walk.html"):
         Path("out", name, "in its place").mkdir(parents=True)
-    assert main(["evaluate", "flat", "--seeds", "1", "--seconds", "1", "--no-video", "-o", "out"]) == EXTRAS_STATUS
+    assert main(["evaluate", "flat", "--seeds", "1", "--seconds", "2", "--no-video", "-o", "out"]) == EXTRAS_STATUS
     out, err = capsys.readouterr()
     assert "numbers: out/metrics.json" in out
     assert Path("out/metrics.json").is_file()

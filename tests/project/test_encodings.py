@@ -19,7 +19,7 @@ from quadruped_env.cli.main import main
 sys.exit(main())
 """
 TINY = ("--timesteps", "1024", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
-SHORT = ("--seeds", "1", "--seconds", "1", "--no-video")
+SHORT = ("--seeds", "1", "--seconds", "2", "--no-video")
 CORE = (
     ("page", "-o", "w.html"),
     ("demo",),

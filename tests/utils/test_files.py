@@ -119,6 +119,7 @@ def run_of_others(tmp_path, request):
     (run / request.param).touch()
     victim.mkdir()
     (victim / "file").write_text("kept")
+    (victim / "policy.json").touch()  # a run of one's own
     return run, victim
 
 
@@ -135,7 +136,7 @@ def test_below_a_run_nothing_is_written_through_links(run_of_others, monkeypatch
     monkeypatch.chdir(run)
     with pytest.raises(QuadrupedError, match=f"{at}: is a link"):
         write_json(Path(at), {})
-    assert {path.name: path.read_text() for path in victim.iterdir()} == {"file": "kept"}
+    assert {path.name: path.read_text() for path in victim.iterdir()} == {"file": "kept", "policy.json": ""}
 
 
 def test_above_a_run_links_are_followed(run_of_others):

@@ -1,4 +1,4 @@
-"""What all programs share: signals, output that cannot be written, errors of the system, extras, control characters."""
+"""Programs: signals, output that cannot be written, errors of the system, extras, control characters."""
 
 import os
 import signal

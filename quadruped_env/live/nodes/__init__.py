@@ -25,7 +25,7 @@ SUMMARIES: Final = {
 }
 """Node -> summary, in the order of --help. Kept here so that running a node does not import the others."""
 PRINTING: Final = ("echo", "hz")
-"""Nodes whose only result is what they print, and which end when nobody reads it."""
+"""Nodes whose only result is what they print, and which end when its reader does."""
 
 
 def node_module(name: str) -> ModuleType:
