@@ -30,7 +30,7 @@ from quadruped_env.export.hub import env_file
 from quadruped_env.export.manifest import manifest, metadata
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
-from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies import Policy, find_controllers, load_policy
 from quadruped_env.reporting.pages import evaluation_report
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.task import ActionConfig, TaskConfig
@@ -320,7 +320,7 @@ def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, mo
         export = export_policy(evaluated, tmp_path / "export")
     assert export.manifest["evaluation"] is None
     (run.output / "metrics.json").write_text("{}")
-    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: lacks the fields of an evaluation"):
+    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: command_line: expected a value; is missing; it is"):
         export_policy(run, tmp_path / "export", overwrite=True)
 
 
@@ -492,3 +492,19 @@ def test_env_of_the_folder_is_the_policys_own_as_lerobot_calls_it(for_hub, in_pr
     assert envs.call("_max_episode_steps") == (1000, 1000)
     envs.close()
     own.close()
+
+
+@pytest.mark.parametrize("name", ["läufer 🤖", "a.py", "flat", "with 'quotes\" and \\"])
+def test_run_of_any_name_is_exported_next_to_it(tmp_path, monkeypatch, capsys, name):
+    monkeypatch.chdir(tmp_path)
+    run = tmp_path / "mine" / name
+    random_policy("residual").save(run)
+    assert main(["export", f"mine/{name}", "--c"]) == 0
+    assert f"folder: mine/{name}/export (" in capsys.readouterr().out
+    document = json.loads((run / "export" / "manifest.json").read_text())
+    assert document["name"] == name
+    assert find_policy(f"mine/{name}").source == f"runs/{name}"
+    assert main(["check-export", f"mine/{name}/export"]) == 0
+    assert main(["page", f"mine/{name}", "-o", f"{name}.html"]) == 0
+    _, (controller,) = find_controllers([f"mine/{name}"])
+    assert controller == f"run mine/{name}"
