@@ -55,7 +55,7 @@ VALUES = {
 """Values in place of those of a document; a field is also left out, and one that no version has is added."""
 SAMPLE = 4
 """Variants of each document in the default tests."""
-MANY = int(os.environ.get("MUTATIONS", "150"))
+MANY = int(os.environ.get("MUTATIONS", "40"))
 """The same in the slow tests; with more, `MUTATIONS=5000 pytest -m slow tests/test_hostile_programs.py`."""
 
 
@@ -234,7 +234,7 @@ PROGRAMS = {
 
 
 def failure(arguments, capsys):
-    """What a program does that it must not, in words; None if it ends well or with one line of an error."""
+    """Wrong end of a program in words; None if it ends well or with one line of an error."""
     capsys.readouterr()
     try:
         with bounded(), warnings.catch_warnings():

@@ -53,7 +53,7 @@ class StoredSuiteName(TypedDict):
 
 
 class StoredSuite(TypedDict):
-    """What a card keeps of the suite."""
+    """Results of the suite on a card."""
 
     suite: StoredSuiteName
     findings: dict[str, str]

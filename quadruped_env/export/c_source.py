@@ -52,7 +52,7 @@ _KEYWORDS: Final = frozenset(
     int long new operator private public register restrict return short signed sizeof static struct switch template this
     throw try typedef union unsigned using virtual void volatile while""".split()  # noqa: SIM905
 )
-"""Words that are no names in C, or in the C++ of the sketch."""
+"""Words that C, or the C++ of the sketch, reserves."""
 
 
 def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[str, bytes]:

@@ -77,7 +77,7 @@ class StoredC(TypedDict, total=False):
 
 
 class StoredManifest(TypedDict):
-    """What a check needs of the manifest."""
+    """Fields of the manifest that a check needs."""
 
     golden_trace: StoredTrace
     command: StoredCommand

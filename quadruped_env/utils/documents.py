@@ -189,7 +189,7 @@ def fitted(document: Any, form: type[Form], where: str, fix: str) -> Form:
 
 
 class _UnfitError(Exception):
-    """A part of a document that does not fit its form; `found` is None if it is missing."""
+    """A part of a document that does not fit its form; `found`: None for one that is missing."""
 
     def __init__(self, place: tuple[object, ...], expected: str, found: str | None) -> None:
         super().__init__(place)

@@ -26,6 +26,7 @@ from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.folder import export_policy
+from quadruped_env.export.golden_trace import INT8_TRACE_FILE
 from quadruped_env.export.hub import env_file
 from quadruped_env.export.manifest import manifest, metadata
 from quadruped_env.export.onnx_graph import policy_graph
@@ -398,7 +399,7 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     of_graph = {entry["name"] for entry in graph["inputs"] + graph["outputs"]}
     policy = load_policy("flat")
     of_metadata = metadata(policy, PolicyInterface(policy)).keys()
-    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE}
+    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE, INT8_TRACE_FILE}
     assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c | FOR_HUB
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
