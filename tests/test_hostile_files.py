@@ -473,7 +473,7 @@ class TestForms:
             ({"version": 2}, "version: expected 1; found 2; fix it"),
             ({"version": True}, "version: expected 1; found True; fix it"),
             ({"inner": [1]}, r"inner: expected a table; found \[1\]; fix it"),
-            ({"inner": {"x": {}}}, r"inner\.x\.a: expected a value; is missing; fix it"),
+            ({"inner": {"x": {}}}, r"inner\.x\.a is missing; fix it"),
             ({"inner": {"x": {"a": "1"}}}, r"inner\.x\.a: expected a finite number or null; found '1'; fix it"),
             ({"inner": {"x": {"a": math.nan}}}, r"inner\.x\.a: expected a finite number or null; found nan; fix it"),
             ({"inner": {"x": {"a": True}}}, r"inner\.x\.a: expected a finite number or null; found True; fix it"),

@@ -127,7 +127,7 @@ def card_results(card: Mapping[str, Any], source: str) -> CardResults:
         QuadrupedWarning: for each of them that has another form, which is left out.
     """
     found = CardResults()
-    for name in CardResults.__optional_keys__ & card.keys():
+    for name in sorted(CardResults.__optional_keys__ & card.keys()):
         try:
             found.update(fitted({name: card[name]}, CardResults, f"{source}: card", "it is left out"))
         except QuadrupedError as error:

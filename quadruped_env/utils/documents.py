@@ -182,9 +182,9 @@ def fitted(document: Any, form: type[Form], where: str, fix: str) -> Form:
     try:
         found: Form = _fitted(document, form, ())
     except _UnfitError as error:
-        place = f" {short('.'.join(map(str, error.place)))[1:-1]}:" if error.place else ""
-        what = "is missing" if error.found is None else f"found {error.found}"
-        raise QuadrupedError(f"{where}:{place} expected {error.expected}; {what}; {fix}") from None
+        place = f"{where}: {short('.'.join(map(str, error.place)))[1:-1]}" if error.place else where
+        problem = " is missing" if error.found is None else f": expected {error.expected}; found {error.found}"
+        raise QuadrupedError(f"{place}{problem}; {fix}") from None
     return found
 
 

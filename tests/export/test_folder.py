@@ -321,7 +321,7 @@ def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, mo
         export = export_policy(evaluated, tmp_path / "export")
     assert export.manifest["evaluation"] is None
     (run.output / "metrics.json").write_text("{}")
-    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: command_line: expected a value; is missing; it is"):
+    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: command_line is missing; it is"):
         export_policy(run, tmp_path / "export", overwrite=True)
 
 
@@ -509,3 +509,24 @@ def test_run_of_any_name_is_exported_next_to_it(tmp_path, monkeypatch, capsys, n
     assert main(["page", f"mine/{name}", "-o", f"{name}.html"]) == 0
     _, (controller,) = find_controllers([f"mine/{name}"])
     assert controller == f"run mine/{name}"
+
+
+@pytest.mark.parametrize(
+    ("part", "value", "message"),
+    [
+        ("learning", {"verdict": "better"}, "card: learning.difference is missing; it is left out"),
+        ("metrics", {"return": 1.5}, "card: metrics.return: expected a table; found 1.5; it is left out"),
+        ("suite", {"suite": {"name": "mq-eval"}}, "card: suite.findings is missing; it is left out"),
+        ("verdict", {"level": "good"}, r"card: verdict: expected a text; found \{'level': 'good'\}; it is left out"),
+    ],
+)
+def test_results_on_a_card_of_another_form_are_left_out_and_named(tmp_path, part, value, message):
+    policy = load_policy("flat")
+    evaluated = save_run(tmp_path / "run", policy.with_card({**policy.card, part: value, "later": {"x": 1}}))
+    with pytest.warns(QuadrupedWarning, match=rf"run/policy\.json: {message}$") as warned:
+        export = export_policy(evaluated, tmp_path / "export")
+    assert len(warned) == 1
+    kept = {**export.manifest["evaluation"], "learning": export.manifest["learning"]}
+    known = ("metrics", "acceptance", "disturbed", "suite", "verdict", "learning")
+    assert {name: kept.get(name) for name in known} == {**{n: policy.card[n] for n in known}, part: None}
+    assert export.manifest["training"]["later"] == {"x": 1}
