@@ -4,10 +4,12 @@ import argparse
 import dataclasses
 import hashlib
 import json
+import math
 import os
 import re
 import shutil
 import struct
+from typing import Any, ClassVar, Literal, NotRequired, TypedDict
 
 import numpy as np
 import pytest
@@ -24,7 +26,7 @@ from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.aggregate import aggregate
 from quadruped_env.evaluation.suite.suite import ranked, read_references, read_results
-from quadruped_env.export.folder import check_output, evaluation_of
+from quadruped_env.export.folder import check_output, results_of
 from quadruped_env.export.golden_trace import TRACE_FILE
 from quadruped_env.export.manifest import FORMAT
 from quadruped_env.export.trace_check import ExportedTrace
@@ -38,7 +40,7 @@ from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
 from quadruped_env.trajectory import ColumnMap, JointMap
-from quadruped_env.utils.documents import MAX_BYTES, MAX_DEPTH, parse_json, read_json, read_toml
+from quadruped_env.utils.documents import MAX_BYTES, MAX_DEPTH, fitted, parse_json, read_json, read_toml
 
 ECHO = (
     "header:\n  stamp:\n    sec: 1\n    nanosec: 0\n  frame_id: ''\nname:\n- a\nposition:\n- 0.5\nvelocity: []\n"
@@ -127,7 +129,8 @@ def prepare_subject(directory):
     """A run with the results of its evaluation, and those in a second engine."""
     prepare_whole_run(directory)
     card = json.loads((directory / CARD_FILE).read_text())["card"]
-    own = {"command_line": "", "format_version": 1, "verdict": [], "suite": None, "commands": [], "seeds": []}
+    verdict = {"level": "good", "headline": "It walks.", "findings": {}}
+    own = {"command_line": "", "format_version": 1, "verdict": verdict, "suite": None, "commands": [], "seeds": []}
     own |= {"seconds": 1.0, "metrics": {}, "controllers": {"policy": {"all": {}, "by_motion": {}}}}
     (directory / "metrics.json").write_text(json.dumps({"policy": {"card": card}, **own}))
     engine = {"name": "MuJoCo", "version": "4", "timestep": 0.005}
@@ -182,7 +185,7 @@ READERS = {
     "references": Reader("references.json", read_references, sound=json.dumps({"rows": [ROW]})),
     "metrics": Reader(
         "metrics.json",
-        lambda path: evaluation_of(dataclasses.replace(find_policy(str(path.parent)), output=path.parent)),
+        lambda path: results_of(dataclasses.replace(find_policy(str(path.parent)), output=path.parent)),
         prepare_subject,
         lenient=True,
     ),
@@ -442,6 +445,51 @@ class TestDocuments:
             file.truncate(MAX_BYTES["JSON"] + 1)
         with pytest.raises(QuadrupedError, match=rf"a\.json: over {MAX_BYTES['JSON']} bytes are too many"):
             read_json(path)
+
+
+class Inner(TypedDict):
+    a: float | None
+    b: NotRequired[list[int]]
+
+
+class Outer(TypedDict):
+    version: Literal[1]
+    inner: dict[str, Inner]
+    text: str | Inner
+    free: Any
+
+
+class TestForms:
+    SOUND: ClassVar = {"version": 1, "inner": {"x": {"a": 1, "b": [1, 2]}, "y": {"a": None}}, "text": "t", "free": [{}]}
+
+    def test_fitted_leaves_out_what_the_form_lacks(self):
+        other = {**self.SOUND, "later": 1, "inner": {"x": {"a": 1, "b": [1, 2], "c": {}}, "y": {"a": None}}}
+        assert fitted(self.SOUND, Outer, "file", "fix it") == self.SOUND
+        assert fitted(other, Outer, "file", "fix it") == self.SOUND
+
+    @pytest.mark.parametrize(
+        ("change", "message"),
+        [
+            ({"version": 2}, "version: expected 1; found 2; fix it"),
+            ({"version": True}, "version: expected 1; found True; fix it"),
+            ({"inner": [1]}, r"inner: expected a table; found \[1\]; fix it"),
+            ({"inner": {"x": {}}}, r"inner\.x\.a is missing; fix it"),
+            ({"inner": {"x": {"a": "1"}}}, r"inner\.x\.a: expected a finite number or null; found '1'; fix it"),
+            ({"inner": {"x": {"a": math.nan}}}, r"inner\.x\.a: expected a finite number or null; found nan; fix it"),
+            ({"inner": {"x": {"a": True}}}, r"inner\.x\.a: expected a finite number or null; found True; fix it"),
+            ({"inner": {"x": {"a": 10**300}}}, r"inner\.x\.a: expected a finite number or null; found 1000.*; fix it"),
+            ({"inner": {"x": {"a": 1, "b": [1, 1.5]}}}, r"inner\.x\.b\.1: expected a whole number; found 1\.5; fix it"),
+            ({"text": 3}, "text: expected a text or a table; found 3; fix it"),
+            ({"text": {"a": "x"}}, r"text\.a: expected a finite number or null; found 'x'; fix it"),
+        ],
+    )
+    def test_fitted_names_file_field_value_and_fix(self, change, message):
+        with pytest.raises(QuadrupedError, match=rf"^file: {message}$"):
+            fitted({**self.SOUND, **change}, Outer, "file", "fix it")
+
+    def test_fitted_refuses_what_is_no_table(self):
+        with pytest.raises(QuadrupedError, match=r"^file: expected a table; found \[\]; fix it$"):
+            fitted([], Outer, "file", "fix it")
 
 
 class TestMessages:

@@ -54,13 +54,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Export, and print what was written."""
-    from quadruped_env.control.policy_files import SHIPPED
     from quadruped_env.evaluation.evaluated_policy import find_policy
     from quadruped_env.export import export_policy
     from quadruped_env.export.folder import check_output
 
     evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task)
-    own = evaluated.name not in SHIPPED and not evaluated.address
+    own = not evaluated.is_shipped and not evaluated.address
     default = evaluated.output.with_name("export") if own else Path("results", f"{evaluated.name}-export")
     output = arguments.output or default
     check_output(output, arguments.overwrite)
@@ -88,7 +87,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         print("no results are included: evaluate the policy first to export them, too")
     print(f"folder: {export.folder} ({', '.join(export.files)})")
     if arguments.hub:
-        print(f"to upload it: hf upload OWNER/{evaluated.name} {shlex.quote(str(export.folder))}")
+        print(f"to upload it: {shlex.join(['hf', 'upload', f'OWNER/{evaluated.name}', str(export.folder)])}")
     return 0
 
 

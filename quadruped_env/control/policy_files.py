@@ -48,8 +48,8 @@ SHOWN: Final = SHIPPED[1]
 
 
 def is_code(source: str | Path) -> bool:
-    """True for the name of a Python file, which defines a policy as code."""
-    return str(source).endswith(".py")
+    """True for the name of a Python file, which defines a policy as code; a run's directory may have such a name."""
+    return str(source).endswith(".py") and not os.path.isdir(source)
 
 
 def training_advice() -> str:

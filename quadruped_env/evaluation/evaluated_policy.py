@@ -42,16 +42,21 @@ class EvaluatedPolicy:
     """Address of a policy on the hub"""
 
     @property
+    def is_shipped(self) -> bool:
+        """True for a policy of the package; a run may have the name of one."""
+        return self.name in SHIPPED and self.directory == shipped_directory(self.name)
+
+    @property
     def source(self) -> str:
         """Name of the policy on the command line; contains no path of this machine."""
         if self.policy.agent is not None:
             return self.directory.name
-        return self.address or (self.name if self.name in SHIPPED else f"runs/{self.name}")
+        return self.address or (self.name if self.is_shipped else f"runs/{self.name}")
 
     @property
     def evaluation(self) -> Path:
         """Default directory of the results."""
-        own = self.name not in SHIPPED and self.policy.agent is None and not self.address
+        own = not self.is_shipped and self.policy.agent is None and not self.address
         return self.directory / "evaluation" if own else Path("results", self.name)
 
     @property

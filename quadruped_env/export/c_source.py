@@ -5,7 +5,7 @@ are put into it. It computes in float32, as the ONNX graph does.
 """
 
 import dataclasses
-import json
+import re
 from collections.abc import Iterable
 from importlib import resources
 from typing import Final
@@ -47,6 +47,12 @@ _ACTIVATIONS: Final = {
     "mish": "x * tanhf((x < 0.0f ? 0.0f : x) + log1pf(expf(-fabsf(x))))",
 }
 """Activation functions of policies, equal to those of `control.activations`."""
+_KEYWORDS: Final = frozenset(
+    """auto bool break case char class const continue default delete do double else enum extern float for goto if inline
+    int long new operator private public register restrict return short signed sizeof static struct switch template this
+    throw try typedef union unsigned using virtual void volatile while""".split()  # noqa: SIM905
+)
+"""Words that C, or the C++ of the sketch, reserves."""
 
 
 def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[str, bytes]:
@@ -58,8 +64,8 @@ def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[s
         int8: whether weights have 8 bits in place of float32 (`as_int8`).
     """
     readings = [
-        f"float {entry.name}[POLICY_READS_{entry.name.upper()}]; /* {_comment(f'{entry.unit}: {entry.description}')} */"
-        for entry in readings_of(interface)
+        f"float {member}[POLICY_READS_{member.upper()}]; /* {_comment(f'{entry.unit}: {entry.description}')} */"
+        for entry, member in _members(interface)
     ]
     servos = [
         f"{{{i}, 1.0f, 1500.0f}}, /* {_comment(name)} */" for i, name in enumerate(interface.policy.robot.joint_names)
@@ -116,19 +122,30 @@ def readings_of(interface: PolicyInterface) -> list[Input]:
     return [entry for entry in interface.inputs if entry.name not in own]
 
 
+def _members(interface: PolicyInterface) -> list[tuple[Input, str]]:
+    """The readings of a step, each with the name of its member in C: that of the field, as far as C allows it."""
+    members: dict[str, Input] = {}
+    for entry in readings_of(interface):
+        member = name = re.sub(r"[^a-zA-Z0-9_]", "_", entry.name) + ("_" if entry.name in _KEYWORDS else "")
+        while member.upper() in map(str.upper, members):
+            member = f"{name}_{len(members)}"
+        members[member] = entry
+    return [(entry, member) for member, entry in members.items()]
+
+
 def _constants(interface: PolicyInterface, name: str) -> str:
     """Macros of the header."""
     policy, robot = interface.policy, interface.policy.robot
     safety = Safety.of(robot)
     macros = [
-        ("NAME", json.dumps(name), ""),
-        ("ROBOT", json.dumps(robot.name), ""),
-        ("MADE_BY", json.dumps(f"mini-quadruped {__version__}"), ""),
+        ("NAME", _text(name), ""),
+        ("ROBOT", _text(robot.name), ""),
+        ("MADE_BY", _text(f"mini-quadruped {__version__}"), ""),
         ("JOINTS", str(robot.num_joints), ""),
         ("COMMANDS", str(VELOCITY), "forward velocity, m/s, and yaw rate, rad/s"),
         ("TIMESTEP", _number(policy.control.timestep), "s"),
         ("HISTORY", str(interface.history_width), "numbers"),
-        *((f"READS_{entry.name.upper()}", str(entry.width), "numbers") for entry in readings_of(interface)),
+        *((f"READS_{member.upper()}", str(entry.width), "numbers") for entry, member in _members(interface)),
         ("RAMP_SPEED", _number(safety.ramp_speed), "rad/s, on the way to the stance"),
         ("SETTLE", _number(safety.settle), "s in the stance before the first step"),
         ("MAX_TILT", _number(safety.max_tilt), "rad; beyond it, switch the motors off"),
@@ -191,7 +208,7 @@ def _tables(interface: PolicyInterface, int8: bool) -> str:
     return "\n".join(
         [
             *(f"#define {macro} {value}".rstrip() for macro, value in macros.items()),
-            f"const char *const policy_joint_names[POLICY_JOINTS] = {_list(map(json.dumps, robot.joint_names), 1)};",
+            f"const char *const policy_joint_names[POLICY_JOINTS] = {_list(map(_text, robot.joint_names), 1)};",
             *(_table(f"const float policy_{table}", values) for table, values in exported.items()),
             f"typedef {'int8_t' if int8 else 'float'} weight_type;",
             *(
@@ -207,10 +224,10 @@ def _tables(interface: PolicyInterface, int8: bool) -> str:
 def _observe(interface: PolicyInterface) -> str:
     """The function that writes the observation of one step."""
     lines = ["int at = 0;", "(void)readings;", "(void)memory;"]
+    members = {entry.name: f"readings->{member}" for entry, member in _members(interface)}
     for entry in interface.policy.fields:
-        source = "memory" if entry.name in (graph_io.COMMAND, graph_io.LAST_ACTION) else "readings"
         width = entry.width(interface.policy.robot)
-        put = f"put(observation, at, {source}->{entry.name}, {width})"
+        put = f"put(observation, at, {members.get(entry.name, f'memory->{entry.name}')}, {width})"
         lines.append(f"at = {'put_clock(observation, at, memory)' if entry is observations.gait_clock else put};")
     head = "static void observe(const policy_readings *readings, const policy_memory *memory, float *observation)"
     return f"{head}\n{{\n    " + "\n    ".join([*lines, "(void)at;"]) + "\n}"
@@ -236,6 +253,13 @@ def _number(value: float) -> str:
     return "INFINITY" if text == "inf" else f"{text}f"
 
 
+def _text(text: str) -> str:
+    """A text of any characters as a literal in C: its UTF-8 bytes, those beyond ASCII as octal numbers."""
+    plain = {*range(32, 127)} - {*b'"\\?'}
+    return '"' + "".join(chr(byte) if byte in plain else f"\\{byte:03o}" for byte in text.encode()) + '"'
+
+
 def _comment(text: str) -> str:
-    """Text that cannot end the comment that it is in."""
-    return text.replace("*/", "* /")
+    """Text that cannot end the comment that it is in, nor begin another one or a new line."""
+    visible = "".join(character if character.isprintable() else " " for character in text)
+    return visible.replace("*/", "* /").replace("/*", "/ *").replace("\\", "/").rstrip("/")

@@ -8,7 +8,7 @@ from typing import Any, Final
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, gain_rows, reward_in_words
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
-from quadruped_env.export.golden_trace import TRACE_FILE
+from quadruped_env.export.golden_trace import INT8_TRACE_FILE, TRACE_FILE
 from quadruped_env.export.hub import ENV_FILE, PAGE_FILE, RESULTS_FILE, mean_of, model_index
 from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
@@ -221,6 +221,7 @@ def _files(files: Iterable[str]) -> str:
     meanings = {
         GRAPH_FILE: "the policy: readings to joint targets, ONNX",
         TRACE_FILE: "readings and all that the loop makes of them, step by step, to compare your own loop with",
+        INT8_TRACE_FILE: "the same for weights of 8 bits: a loop of the C form is compared with it",
         MANIFEST_FILE: "joints, gains, limits, command, entry pose, training, results, and the SHA-256 of every file",
         "policy.json": 'the policy for this package: `load_policy(FOLDER)`, or from a hub `load_policy("hf://OWNER/NAME")`',
         "policy.safetensors": "its weights",

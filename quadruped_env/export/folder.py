@@ -13,9 +13,17 @@ from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.export.c_source import c_files, int8_loss
+from quadruped_env.evaluation.stored_results import CardResults, StoredEvaluation, card_results
+from quadruped_env.export.c_source import c_files, int8_loss, quantized
 from quadruped_env.export.card import CARD_PAGE, card_page
-from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
+from quadruped_env.export.golden_trace import (
+    INT8_TRACE_FILE,
+    TRACE_FILE,
+    csv_text,
+    golden_trace,
+    trace_document,
+    trace_fields,
+)
 from quadruped_env.export.hub import ENV_FILE, PAGE_FILE, RESULTS_FILE, env_file
 from quadruped_env.export.manifest import (
     CONTROLLERS_FILE,
@@ -34,7 +42,7 @@ from quadruped_env.reporting.pages.page import METRICS_FILE, without_nan
 from quadruped_env.reporting.pages.pictures import filmed
 from quadruped_env.robot.ros2_control import controllers_yaml
 from quadruped_env.training.run_directory import PROGRESS_FILE
-from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.files import shown_argument, unwritable, whole, write_json
 from quadruped_env.utils.plain import plain
 from quadruped_env.utils.progress import Progress
@@ -44,11 +52,6 @@ FILM_SECONDS: Final = 5.0
 """Length of the filmed episodes, s, of which a part of each is shown."""
 FILM_COMMANDS: Final[tuple[Command, ...]] = ((0.4, 0.0), (0.0, 0.5), (-0.2, 0.0))
 """Velocity commands of the film, m/s and rad/s."""
-
-_EVALUATION: Final = (
-    "command_line", "format_version", "verdict", "suite", "commands", "seeds", "seconds", "metrics",
-)  # fmt: skip
-"""Fields of an evaluation that its export keeps, with the policy's own results."""
 
 
 @dataclass(frozen=True)
@@ -96,18 +99,22 @@ def export_policy(
     interface = PolicyInterface(policy)
     graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface))
     difference = largest_difference(interface, graph)
-    trace = csv_text(trace_fields(interface), golden_trace(interface))
-    contents = {GRAPH_FILE: graph, TRACE_FILE: trace.encode(), **policy.files()}
+    fields, trace = trace_fields(interface), golden_trace(interface)
+    contents = {GRAPH_FILE: graph, TRACE_FILE: csv_text(fields, trace).encode(), **policy.files()}
     contents |= {"robot.urdf": policy.robot.urdf.encode(), "robot.xml": policy.robot.mjcf.encode()}
     contents[CONTROLLERS_FILE] = controllers_yaml(policy.robot.joint_names, policy.robot.base_name).encode()
     if evaluated.progress_file is not None:
         contents[PROGRESS_FILE] = evaluated.progress_file.read_bytes()
-    results = evaluation_of(evaluated)
-    results = None if results is None else _published(results)
-    document = manifest(policy, interface, evaluated.name, results, difference, opset)
+    on_card, found = results_of(evaluated)
+    evaluation = None if found is None else _published(found)
+    document = manifest(policy, interface, evaluated.name, evaluation, difference, opset, on_card.get("learning"))
     if c is not None:
         contents |= c_files(interface, evaluated.name, int8=c == "int8")
-        document["c"] = {"weights": c, "loss": int8_loss(policy) if c == "int8" else None}
+        document["c"] = {"weights": c, "loss": None}
+    if c == "int8":
+        int8 = golden_trace(PolicyInterface(quantized(policy)), trace)
+        contents[INT8_TRACE_FILE] = csv_text(fields, int8).encode()
+        document["c"] |= {"loss": int8_loss(policy), "golden_trace": trace_document(interface, INT8_TRACE_FILE)}
     if write_page is not None:
         if document["evaluation"] is not None:
             contents[RESULTS_FILE] = json.dumps(document["evaluation"], indent=2).encode()
@@ -160,32 +167,30 @@ def check_output(output: Path, overwrite: bool = False) -> None:
         raise QuadrupedError(f"{output}: exists already; name another place, or ask to overwrite it (--overwrite)")
 
 
-def evaluation_of(evaluated: EvaluatedPolicy) -> dict[str, Any] | None:
-    """Results of the evaluation in the policy's output directory, or those on a shipped policy's card, or None.
+def results_of(evaluated: EvaluatedPolicy) -> tuple[CardResults, dict[str, Any] | None]:
+    """Results on the card, and those of the evaluation in the policy's output directory, or of the card, or None.
 
     Raises:
-        QuadrupedError: if the file of the metrics is damaged.
+        QuadrupedError: if the file of the metrics is no JSON.
 
     Warns:
-        QuadrupedWarning: if the metrics are those of another policy, or lack fields; they are left out.
+        QuadrupedWarning: if results are those of another policy, or have another form; they are left out.
     """
-    path = evaluated.output / METRICS_FILE
+    path, policy = evaluated.output / METRICS_FILE, evaluated.policy
+    results = card_results(policy.card, policy.source)
     if path.is_file():
-        document = read_json(path, "evaluate the policy again")
+        document, fix = read_json(path, "evaluate the policy again"), "it is left out; evaluate the policy again"
         try:
-            if document["policy"]["card"] == without_nan(evaluated.policy.card):
-                own = document["controllers"]["policy"]
-                return {
-                    **{name: document[name] for name in _EVALUATION},
-                    "all": own["all"],
-                    "by_motion": own["by_motion"],
-                }
+            known = fitted(document, StoredEvaluation, str(path), fix)
+        except QuadrupedError as error:
+            warnings.warn(str(error), QuadrupedWarning, stacklevel=3)
+        else:
+            if known["policy"]["card"] == without_nan(policy.card):
+                own = {name: value for name, value in known.items() if name not in ("policy", "controllers")}
+                return results, without_nan({**own, **known["controllers"]["policy"]})
             problem = "is the evaluation of another policy, so it is left out; evaluate this one to export its results"
-        except (KeyError, TypeError):
-            problem = "lacks the fields of an evaluation, so it is left out; evaluate the policy again"
-        warnings.warn(f"{path}: {problem}", QuadrupedWarning, stacklevel=3)
-    results = {name: evaluated.policy.card[name] for name in RESULTS if name in evaluated.policy.card}
-    return without_nan(results) or None
+            warnings.warn(f"{path}: {problem}", QuadrupedWarning, stacklevel=3)
+    return results, without_nan({name: results[name] for name in RESULTS if name in results}) or None
 
 
 def _is_export(folder: Path) -> bool:

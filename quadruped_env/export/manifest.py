@@ -41,10 +41,12 @@ def manifest(
     evaluation: Mapping[str, Any] | None,
     difference: float,
     opset: int = OPSET,
+    learning: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
     """The manifest without its list of files.
 
-    `difference` is the largest one between the graph on ONNX Runtime and the policy.
+    `difference` is the largest one between the graph on ONNX Runtime and the policy; `learning` is the gain over the
+    zero action.
     """
     control = policy.control
     facts = {key: value for key, value in policy.card.items() if key not in (*RESULTS, "learning")}
@@ -80,7 +82,7 @@ def manifest(
         "entry": _entry(policy, interface),
         "task": {"config": policy.task, "task_file": policy.task.get(TASK_FILE)},
         "training": facts,
-        "learning": policy.card.get("learning"),
+        "learning": learning,
         "evaluation": None if evaluation is None else dict(evaluation),
     }
 

@@ -2,9 +2,9 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, NotRequired, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from quadruped_env.export.golden_trace import GIVEN, STATE, STEP, Loop, TraceFie
 from quadruped_env.export.manifest import FORMAT, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import OBSERVATION, REQUESTED
 from quadruped_env.export.runtime import Arrays, difference, run, session_of
-from quadruped_env.utils.documents import check_regular, read_json
+from quadruped_env.utils.documents import check_regular, fitted, read_json
 
 Run = Callable[[Arrays], Arrays]
 """Outputs of the graph by name for inputs by name, (1, width) each."""
@@ -32,6 +32,57 @@ class TraceResult:
     text: str
     passed: bool = True
     """True if no difference is above its tolerance."""
+
+
+class StoredField(TypedDict):
+    """A field of a trace in the manifest; see `TraceField`."""
+
+    name: str
+    part: str
+    width: int
+    unit: str
+    tolerance: float
+    description: str
+
+
+class StoredTrace(TypedDict):
+    """A trace in the manifest."""
+
+    file: str
+    fields: list[StoredField]
+
+
+class StoredComponent(TypedDict):
+    """A command in the manifest."""
+
+    largest_rate: NotRequired[float]
+
+
+class StoredCommand(TypedDict):
+    """The commands in the manifest."""
+
+    components: list[StoredComponent]
+
+
+class StoredControl(TypedDict):
+    """The control loop in the manifest."""
+
+    timestep_s: float
+
+
+class StoredC(TypedDict, total=False):
+    """The C form in the manifest."""
+
+    golden_trace: StoredTrace
+
+
+class StoredManifest(TypedDict):
+    """Fields of the manifest that a check needs."""
+
+    golden_trace: StoredTrace
+    command: StoredCommand
+    control: StoredControl
+    c: NotRequired[StoredC]
 
 
 @dataclass(frozen=True)
@@ -51,6 +102,9 @@ class ExportedTrace:
     timestep: float
     """Control step, s."""
 
+    int8: "ExportedTrace | None" = None
+    """The trace of the C form with weights of 8 bits, if the folder has one."""
+
     @classmethod
     def load(cls, folder: Path) -> "ExportedTrace":
         """The trace of an export."""
@@ -58,19 +112,24 @@ class ExportedTrace:
         document = read_json(path, "name the folder of an exported policy")
         if not isinstance(document, dict) or document.get("format") != FORMAT:
             raise QuadrupedError(f"{path}: is not the manifest of an exported policy; name the folder of one")
-        try:
-            trace = document["golden_trace"]
-            fields = tuple(TraceField(**field) for field in trace["fields"])
-            parts = document["command"]["components"]
-            rates = tuple(float(part["largest_rate"]) for part in parts if "largest_rate" in part)
-            timestep = float(document["control"]["timestep_s"])
-            if not all(0 < field.width < _MAX_WIDTH and field.tolerance > 0.0 for field in fields):
-                raise ValueError("expected a positive width and tolerance of each field")
-            file = folder / Path(trace["file"]).name
-            columns = [name for field in fields for name in field.columns]
-        except (KeyError, TypeError, ValueError, AttributeError, ArithmeticError) as error:
-            raise QuadrupedError(f"{path}: golden_trace: is missing or damaged ({error!r}); {_AGAIN}") from error
-        return cls(folder, fields, _arrays(fields, read_columns(file, columns)), rates, timestep)
+        manifest = fitted(document, StoredManifest, str(path), _AGAIN)
+        int8 = manifest.get("c", StoredC()).get("golden_trace")
+        other = None if int8 is None else cls._of(folder, manifest, int8)
+        return replace(cls._of(folder, manifest, manifest["golden_trace"]), int8=other)
+
+    @classmethod
+    def _of(cls, folder: Path, manifest: "StoredManifest", trace: "StoredTrace") -> "ExportedTrace":
+        fields = tuple(TraceField(**field) for field in trace["fields"])
+        rates = tuple(part["largest_rate"] for part in manifest["command"]["components"] if "largest_rate" in part)
+        for field in fields:
+            if not (0 < field.width < _MAX_WIDTH and field.tolerance > 0.0):
+                raise QuadrupedError(
+                    f"{folder / MANIFEST_FILE}: golden_trace: {short(field.name)}: expected a positive width and "
+                    f"tolerance; found {field.width} and {field.tolerance:g}; {_AGAIN}"
+                )
+        file, columns = folder / Path(trace["file"]).name, [name for field in fields for name in field.columns]
+        values = _arrays(fields, read_columns(file, columns))
+        return cls(folder, fields, values, rates, manifest["control"]["timestep_s"])
 
     def in_runtime(self, name: str, graph: Run) -> TraceResult:
         """Run the loop of the policy in a runtime on the trace's readings, and compare it with the trace."""
@@ -111,8 +170,8 @@ class ExportedTrace:
         names = ", ".join(field.name for field in compared)
         return TraceResult(name, text or f"equal; largest difference {largest:.1g} ({names})", not text)
 
-    def of_file(self, path: Path) -> TraceResult:
-        """Compare a file with columns of the trace, written by a program of one's own, with the trace.
+    def of_file(self, path: Path) -> list[TraceResult]:
+        """Compare a file with columns of the trace, written by a program of one's own, with each trace of the folder.
 
         Raises:
             QuadrupedError: if the file cannot be read, has no field of the state or of the results, only some columns
@@ -129,7 +188,10 @@ class ExportedTrace:
         steps, found = len(self.values[known[0].name]), len(table[known[0].columns[0]])
         if found != steps:
             raise QuadrupedError(f"{path}: has {found} lines under its header; write one for each of {steps} steps")
-        return self.compare(path.name, _arrays(known, table))
+        if self.int8 is None:
+            return [self.compare(path.name, _arrays(known, table))]
+        traces = {"float32": self, "weights of 8 bits": self.int8}
+        return [trace.compare(f"{path.name}, {name}", _arrays(known, table)) for name, trace in traces.items()]
 
 
 def read_columns(path: Path, expected: Sequence[str] = ()) -> dict[str, NDArray[np.float64]]:

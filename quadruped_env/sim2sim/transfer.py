@@ -2,9 +2,9 @@
 
 import math
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final, Self
+from typing import Any, Final, Self, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -131,28 +131,59 @@ class Transfer:
         }
 
     @classmethod
-    def from_dict(cls, document: Mapping[str, Any]) -> Self:
+    def from_dict(cls, document: "StoredTransfer") -> Self:
         """Results from the values of `to_dict`.
 
         Raises:
-            KeyError, TypeError, ValueError: if a field is missing or has another form.
+            QuadrupedError: if numbers or names do not fit together; the message names the field.
         """
-        here, there = (
-            {**engine, "name": str(engine["name"]), "version": str(engine["version"])} for engine in document["engines"]
-        )
-        seeds = tuple(int(seed) for seed in document["seeds"])
+        engines, seeds = document["engines"], document["seeds"]
+        if [engine.keys() & {"name", "version"} for engine in engines] != [{"name", "version"}] * 2:
+            raise QuadrupedError(f"engines: expected two with a name and a version; found {short(engines)}")
+        if "policy" not in document["controllers"] or not document["controllers"].keys() <= set(CONTROLLERS):
+            found = short(list(document["controllers"]))
+            raise QuadrupedError(f"controllers: expected policy, and no others than {CONTROLLERS}; found {found}")
         commands, values = {}, {}
         for controller, part in document["controllers"].items():
-            commands[controller] = tuple((float(v), float(w)) for v, w in part["commands"])
-            shape = len(commands[controller]), len(seeds)
+            pairs, shape = part["commands"], (len(part["commands"]), len(seeds))
+            tables: list[Any] = [table for engine in part["engines"] for table in engine.values()]
+            if 0 in shape or any(len(pair) != 2 for pair in pairs) or len(part["engines"]) != 2:
+                raise QuadrupedError(f"controllers.{controller}: expected pairs as commands, seeds, and two engines")
+            if any([len(row) for row in table] != [shape[1]] * shape[0] for table in tables):
+                raise QuadrupedError(f"controllers.{controller}.engines: expected {shape[0]} by {shape[1]} values each")
+            commands[controller] = tuple((float(v), float(w)) for v, w in pairs)
             first, second = (
-                {name: np.array(engine[name], dtype=np.float64).reshape(shape) for name in QUANTITIES}
+                {name: np.array(table, dtype=np.float64) for name, table in engine.items()}
                 for engine in part["engines"]
             )
             values[controller] = first, second
-        if "policy" not in values or not values.keys() <= set(CONTROLLERS):
-            raise ValueError(f"controllers: expected policy, and no others than {CONTROLLERS}; found {list(values)}")
-        return cls(commands, seeds, float(document["seconds"]), (here, there), values)
+        here, there = ({**engine, "name": str(engine["name"]), "version": str(engine["version"])} for engine in engines)
+        return cls(commands, tuple(seeds), float(document["seconds"]), (here, there), values)
+
+
+class StoredEngine(TypedDict):
+    """Quantity -> (K, S) of a controller in an engine; None where there was no data."""
+
+    forward_velocity: list[list[float | None]]
+    yaw_rate: list[list[float | None]]
+    base_height: list[list[float | None]]
+    fallen: list[list[float]]
+
+
+class StoredController(TypedDict):
+    """A controller's commands, and its results in both engines."""
+
+    commands: list[list[float]]
+    engines: list[StoredEngine]
+
+
+class StoredTransfer(TypedDict):
+    """`Transfer.to_dict`, as a file holds it."""
+
+    seeds: list[int]
+    seconds: float
+    engines: list[dict[str, str | bool | float | None]]
+    controllers: dict[str, StoredController]
 
 
 def run_transfer(

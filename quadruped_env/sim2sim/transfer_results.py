@@ -4,23 +4,40 @@ import hashlib
 import math
 import warnings
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple, TypedDict
 
 from quadruped_env.control.policy import TENSORS_FILE
-from quadruped_env.errors import QuadrupedWarning
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.sim2sim.transfer import TARGETS, Transfer
-from quadruped_env.utils.documents import read_json
+from quadruped_env.sim2sim.transfer import TARGETS, StoredTransfer, Transfer
+from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.provenance import circumstances
 from quadruped_env.utils.text_table import text_table
 
 RESULTS_FILE: Final = "sim2sim.json"
-FORMAT_VERSION: Final = 1
+FORMAT_VERSION: Final = 1  # as in `StoredResults`
 
 _LABELS: Final = {"policy": "Trained policy", "tuned": "Searched gait", "zero": "Standing still"}
 _VELOCITIES: Final = {"forward_velocity": "forward velocity", "yaw_rate": "yaw rate"}
 _NOTHING: Final = "-"
+
+
+_LEFT_OUT: Final = "it is left out; run sim2sim again"
+
+
+class StoredPolicy(TypedDict):
+    """The policy of the results."""
+
+    weights_sha256: str
+
+
+class StoredResults(StoredTransfer):
+    """The file of the results."""
+
+    format_version: Literal[1]
+    command_line: str
+    policy: StoredPolicy
 
 
 class Table(NamedTuple):
@@ -112,26 +129,22 @@ def save(transfer: Transfer, evaluated: EvaluatedPolicy, command_line: str) -> P
 def load(evaluated: EvaluatedPolicy) -> tuple[Transfer, str] | None:
     """The results in the policy's output directory and the command that made them; None if this policy has none.
 
-    Raises:
-        QuadrupedError: if the file is not JSON.
-
     Warns:
-        QuadrupedWarning: if the file is of another policy, or lacks fields.
+        QuadrupedWarning: if the file is damaged, of another version, or of another policy.
     """
     path = evaluated.output / RESULTS_FILE
     if not path.is_file():
         return None
-    document = read_json(path, "run sim2sim again")
     try:
-        if document["format_version"] != FORMAT_VERSION:
-            problem = f"has format_version {document['format_version']!r}, and this version reads {FORMAT_VERSION}"
-        elif document["policy"]["weights_sha256"] != _weights(evaluated):
-            problem = "is of another policy"
-        else:
-            return Transfer.from_dict(document), str(document["command_line"])
-    except (KeyError, TypeError, ValueError, AttributeError, OverflowError):
-        problem = "lacks fields of such results"
-    warnings.warn(f"{path}: {problem}, so it is left out; run sim2sim again", QuadrupedWarning, stacklevel=2)
+        document = fitted(read_json(path, _LEFT_OUT), StoredResults, str(path), _LEFT_OUT)
+        if document["policy"]["weights_sha256"] != _weights(evaluated):
+            raise QuadrupedError(f"{path}: is of another policy; {_LEFT_OUT}")
+        try:
+            return Transfer.from_dict(document), document["command_line"]
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{path}: {error}; {_LEFT_OUT}") from error
+    except QuadrupedError as error:
+        warnings.warn(str(error), QuadrupedWarning, stacklevel=2)
     return None
 
 

@@ -1,4 +1,4 @@
-"""Reader of small structured files (JSON, TOML) that turns every defect into this package's error.
+"""Reader of small structured files (JSON, TOML) that turns every defect into this package's error, and their forms.
 
 Python's own parsers raise errors of many types: for numbers of thousands of digits, for deep nesting, for bytes that
 are not text. Opening a pipe waits forever, and a TOML key of ten thousand parts takes very long. Every such file that a
@@ -13,15 +13,27 @@ import sys
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Final
+from types import NoneType, UnionType
+from typing import Any, Final, Literal, TypeVar, get_args, get_origin, get_type_hints, is_typeddict
 
 from quadruped_env.errors import QuadrupedError, short
+
+Form = TypeVar("Form")
 
 MAX_BYTES: Final = {"JSON": 16_000_000, "TOML": 1_000_000}
 """Maximum size of a document: far larger than any written by this package or by hand; Python's TOML parser is slow."""
 MAX_DEPTH: Final = 32
 """Maximum nesting depth: far deeper than any document of this package."""
 
+_LARGEST: Final = 1e15
+"""Largest size of a number in a form: far beyond any result, and far from where squares overflow."""
+_NAMES: Final = {
+    str: "a text",
+    bool: "true or false",
+    int: "a whole number",
+    float: "a finite number",
+    NoneType: "null",
+}
 _KINDS: Final = (
     (stat.S_ISDIR, "a directory"),
     (stat.S_ISFIFO, "a pipe"),
@@ -152,3 +164,77 @@ def _problem(value: Any, depth: int) -> str | None:
         except UnicodeEncodeError:
             return f"{short(value)} holds half a character"
     return None
+
+
+def fitted(document: Any, form: type[Form], where: str, fix: str) -> Form:
+    """The parts of a document that a form has; whatever else the document holds is left out.
+
+    Args:
+        document: from a JSON file.
+        form: a `TypedDict`, whose fields are forms too: `str`, `int`, `float`, `bool`, `Any`, `Literal`, `list`,
+            `dict` with texts as keys, or several with `|`. Numbers must be finite.
+        where: names the document in errors.
+        fix: what errors advise.
+
+    Raises:
+        QuadrupedError: if a field is missing or of another form; the message names it, its value and the form.
+    """
+    try:
+        found: Form = _fitted(document, form, ())
+    except _UnfitError as error:
+        place = f"{where}: {short('.'.join(map(str, error.place)))[1:-1]}" if error.place else where
+        problem = " is missing" if error.found is None else f": expected {error.expected}; found {error.found}"
+        raise QuadrupedError(f"{place}{problem}; {fix}") from None
+    return found
+
+
+class _UnfitError(Exception):
+    """A part of a document that does not fit its form; `found`: None for one that is missing."""
+
+    def __init__(self, place: tuple[object, ...], expected: str, found: str | None) -> None:
+        super().__init__(place)
+        self.place, self.expected, self.found = place, expected, found
+
+
+def _fitted(value: Any, form: Any, place: tuple[object, ...]) -> Any:
+    if form is Any:
+        return value
+    kind, parts = get_origin(form) or form, get_args(form)
+    if is_typeddict(form) or kind is dict:
+        if not isinstance(value, dict):
+            raise _UnfitError(place, "a table", short(value))
+        if kind is dict:
+            return {key: _fitted(entry, parts[1], (*place, key)) for key, entry in value.items()}
+        if missing := sorted(form.__required_keys__ - value.keys()):
+            raise _UnfitError((*place, missing[0]), "a value", None)
+        hints = get_type_hints(form)
+        return {key: _fitted(value[key], hint, (*place, key)) for key, hint in hints.items() if key in value}
+    if kind is list:
+        if not isinstance(value, list):
+            raise _UnfitError(place, "a list", short(value))
+        return [_fitted(entry, parts[0], (*place, i)) for i, entry in enumerate(value)]
+    if kind is UnionType:
+        return _fitted_to_one(value, parts, place)
+    if kind is Literal:
+        fits = any(type(value) is type(part) and value == part for part in parts)
+    elif kind is float:
+        fits = type(value) in (int, float) and abs(value) <= _LARGEST
+    else:
+        fits = type(value) is kind and (kind is not int or abs(value) <= _LARGEST)
+    if not fits:
+        raise _UnfitError(place, _NAMES.get(kind) or " or ".join(map(repr, parts)), short(value))
+    return value
+
+
+def _fitted_to_one(value: Any, forms: tuple[Any, ...], place: tuple[object, ...]) -> Any:
+    """The value in the first form that it fits, or the error of the form that it fits farthest."""
+    errors = []
+    for form in forms:
+        try:
+            return _fitted(value, form, place)
+        except _UnfitError as error:
+            errors.append(error)
+    deepest = max(errors, key=lambda error: len(error.place))
+    if len(deepest.place) > len(place):
+        raise deepest
+    raise _UnfitError(place, " or ".join(error.expected for error in errors), errors[0].found)

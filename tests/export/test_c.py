@@ -1,5 +1,6 @@
 """The C form of a policy: compiled with all warnings, and equal to ONNX Runtime; its sketch with simulated devices."""
 
+import csv
 import ctypes
 import json
 import math
@@ -38,15 +39,15 @@ def compiler(*arguments, **options):
 class Compiled:
     """The C form of a policy as a library: structures are arrays of float32, in the order of their members."""
 
-    def __init__(self, policy, folder, int8=False):
+    def __init__(self, policy, folder, int8=False, name="test", flags=("-O2",)):
         self.policy, self.interface = policy, PolicyInterface(policy)
-        for path, content in c_files(self.interface, "test", int8).items():
-            (folder / path).parent.mkdir(exist_ok=True)
+        for path, content in c_files(self.interface, name, int8).items():
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
             (folder / path).write_bytes(content)
         library = folder / "policy.so"
         # Not the processor's wider registers: their sums could be rounded differently from one machine to another.
         source = folder / FOLDER / "policy.c"
-        compiler("gcc", "-std=c99", *WARNINGS, "-O2", "-shared", "-fPIC", source, "-o", library, "-lm")
+        compiler("gcc", "-std=c99", *WARNINGS, *flags, "-shared", "-fPIC", source, "-o", library, "-lm")
         self.library = ctypes.CDLL(str(library))
         symbols = compiler("nm", "-D", "--undefined-only", library)
         assert not {"malloc", "calloc", "realloc", "free"} & set(symbols.split())
@@ -239,6 +240,115 @@ def test_sketch_with_a_field_that_nobody_fills_does_not_move_and_has_the_robots_
     text = c_files(PolicyInterface(POLICIES["other robot, position"]()), "other")[f"{FOLDER}/{FOLDER}.ino"].decode()
     names = [f"{{{i}, 1.0f, 1500.0f}}, /* {name} */" for i, name in enumerate(second_robot.ROBOT.joint_names)]
     assert [line.strip() for line in text.splitlines() if "1500.0f}" in line] == names
+
+
+AWKWARD = 'läufer 🤖 */ /* ??/ "x" \\'
+FIELDS = f"""
+from quadruped_env.task import observation
+
+def field(unit):
+    return observation(unit=unit, mirror=(1.0,), scale=5.0, bound=0.9)
+
+@field("m")
+def double(readings, control):
+    {AWKWARD!r}
+    return readings.base_position[:, 2:]
+
+@field("*/ int")
+def größe(readings, control):
+    "Line one /* not closed"
+    return readings.base_position[:, 2:]
+
+@field("m")
+def grüße(readings, control):
+    "高度。"
+    return readings.base_position[:, 2:]
+"""
+
+
+def test_c_of_a_policy_with_names_that_c_does_not_allow_compiles_and_keeps_its_name(tmp_path):
+    policy = own_policy(tmp_path, FIELDS, widths=3 * 37)
+    compiled = Compiled(policy, tmp_path, name=AWKWARD)
+    inputs = runtime.random_inputs(compiled.interface, 100)
+    expected = runtime.run(runtime.session_of(policy_graph(compiled.interface, "test")), inputs)
+    np.testing.assert_allclose(compiled.graph(inputs)["joint_target"], expected["joint_target"], atol=TOLERANCE)
+    header = (tmp_path / FOLDER / "policy.h").read_text()
+    assert [f"float {name}[" in header for name in ("double_", "gr__e", "高度")] == [True, True, False]
+    assert "高度。 */" in header
+    source = tmp_path / FOLDER / "name.c"
+    source.write_text('#include <stdio.h>\n#include "policy.h"\nint main(void) { puts(POLICY_NAME); return 0; }\n')
+    compiler("gcc", "-std=c99", *WARNINGS, source, "-o", tmp_path / "name")
+    assert compiler(tmp_path / "name") == f"{AWKWARD}\n"
+
+
+FINITE = "without -ffast-math, -Ofast, -ffinite-math-only and /fp:fast"
+FLAGS = {
+    ("-O2",): None,
+    ("-O3", "-fno-signed-zeros", "-fno-trapping-math", "-fassociative-math", "-freciprocal-math"): None,
+    ("-O2", "-funsafe-math-optimizations"): None,
+    ("-O2", "-ffast-math"): FINITE,
+    ("-Ofast",): FINITE,
+    ("-O2", "-ffinite-math-only"): FINITE,
+    ("-O2", "-funsafe-math-optimizations", "-ffinite-math-only"): FINITE,
+    ("-O2", "-D_M_FP_FAST"): FINITE,
+}
+
+
+@pytest.mark.parametrize("flags", FLAGS, ids=" ".join)
+def test_c_compiled_without_nan_is_an_error_and_with_other_fast_math_it_is_the_policy(tmp_path, flags):
+    if FLAGS[flags] is not None:
+        with pytest.raises(AssertionError, match=FLAGS[flags]):
+            Compiled(load_policy("flat"), tmp_path, flags=flags)
+        return
+    compiled = Compiled(load_policy("flat"), tmp_path, flags=flags)
+    trace = golden_trace(compiled.interface)
+    readings = np.concatenate([trace[entry.name] for entry in readings_of(compiled.interface)], axis=1)
+    memory, target = np.empty(compiled.memory_width, np.float32), np.empty(8, np.float32)
+    compiled.call("policy_reset", memory)
+    for step, requested in enumerate(trace["requested_command"]):
+        missing = np.where(np.arange(readings.shape[1]) == step % 22, np.float32(np.nan), readings[step])
+        assert compiled.call("policy_step", missing, requested, memory, target) == 0
+        assert compiled.call("policy_step", readings[step], requested, memory, target) == 1
+        np.testing.assert_allclose(target, trace["joint_target"][step], rtol=0, atol=1e-4)
+
+
+@pytest.mark.parametrize("form", ["--c", "--c-int8"])
+def test_loop_in_c_is_checked_with_the_trace_of_its_own_weights(form, tmp_path, capsys):
+    folder, policy = tmp_path / "flat", load_policy("flat")
+    assert main(["export", "flat", form, "-o", str(folder)]) == 0
+    compiled = Compiled(policy, tmp_path / "c", int8=form == "--c-int8")
+    with (folder / "golden_trace.csv").open(newline="") as file:
+        rows = [{name: float(text) for name, text in row.items()} for row in csv.DictReader(file)]
+    memory, target = np.empty(compiled.memory_width, np.float32), np.empty(8, np.float32)
+    compiled.call("policy_reset", memory)
+    mine = tmp_path / "mine.csv"
+
+    def write(shift=0.0):
+        lines = ["step," + ",".join(f"joint_target_{i}" for i in range(8))]
+        lines += [",".join(map(str, (step, *targets))) for step, targets in enumerate(found)]
+        lines[60] = ",".join([*lines[60].split(",")[:-1], str(found[59][7] + shift)])
+        mine.write_text("\n".join(lines))
+        capsys.readouterr()
+        return main(["check-export", str(folder), "--trace", str(mine)]), capsys.readouterr().out
+
+    found = []
+    for row in rows:
+        names = [f"{entry.name}_{i}" for entry in readings_of(compiled.interface) for i in range(entry.width)]
+        requested = np.float32([row["requested_command_0"], row["requested_command_1"]])
+        assert compiled.call("policy_step", np.float32([row[name] for name in names]), requested, memory, target) == 1
+        found.append(target.tolist())
+    status, said = write()
+    assert status == 0, said
+    if form == "--c":
+        assert said.startswith("mine.csv: equal; ")
+    else:
+        first, second = said.splitlines()
+        assert first.startswith("mine.csv, float32: differs from step 0 on: joint_target_")
+        assert second.startswith("mine.csv, weights of 8 bits: equal; ")
+    status, said = write(shift=0.01)
+    assert status == 1
+    assert "differs from step 59 on: joint_target_7 is" in said
+    assert main(["check-export", str(folder)]) == 0, "the graph has float32"
 
 
 def test_program_writes_the_c_files_and_the_loss_of_8_bits(tmp_path, capsys):

@@ -26,11 +26,12 @@ from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.folder import export_policy
+from quadruped_env.export.golden_trace import INT8_TRACE_FILE
 from quadruped_env.export.hub import env_file
 from quadruped_env.export.manifest import manifest, metadata
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
-from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies import Policy, find_controllers, load_policy
 from quadruped_env.reporting.pages import evaluation_report
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.task import ActionConfig, TaskConfig
@@ -337,7 +338,7 @@ def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, mo
         export = export_policy(evaluated, tmp_path / "export")
     assert export.manifest["evaluation"] is None
     (run.output / "metrics.json").write_text("{}")
-    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: lacks the fields of an evaluation"):
+    with pytest.warns(QuadrupedWarning, match=r"metrics\.json: command_line is missing; it is"):
         export_policy(run, tmp_path / "export", overwrite=True)
 
 
@@ -415,7 +416,7 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     of_graph = {entry["name"] for entry in graph["inputs"] + graph["outputs"]}
     policy = load_policy("flat")
     of_metadata = metadata(policy, PolicyInterface(policy)).keys()
-    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE}
+    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE, INT8_TRACE_FILE}
     assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c | FOR_HUB
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
@@ -509,3 +510,40 @@ def test_env_of_the_folder_is_the_policys_own_as_lerobot_calls_it(for_hub, in_pr
     assert envs.call("_max_episode_steps") == (1000, 1000)
     envs.close()
     own.close()
+
+
+@pytest.mark.parametrize("name", ["läufer 🤖", "a.py", "flat", "with 'quotes\" and \\"])
+def test_run_of_any_name_is_exported_next_to_it(tmp_path, monkeypatch, capsys, name):
+    monkeypatch.chdir(tmp_path)
+    run = tmp_path / "mine" / name
+    random_policy("residual").save(run)
+    assert main(["export", f"mine/{name}", "--c"]) == 0
+    assert f"folder: mine/{name}/export (" in capsys.readouterr().out
+    document = json.loads((run / "export" / "manifest.json").read_text())
+    assert document["name"] == name
+    assert find_policy(f"mine/{name}").source == f"runs/{name}"
+    assert main(["check-export", f"mine/{name}/export"]) == 0
+    assert main(["page", f"mine/{name}", "-o", f"{name}.html"]) == 0
+    _, (controller,) = find_controllers([f"mine/{name}"])
+    assert controller == f"run mine/{name}"
+
+
+@pytest.mark.parametrize(
+    ("part", "value", "message"),
+    [
+        ("learning", {"verdict": "better"}, "card: learning.difference is missing; it is left out"),
+        ("metrics", {"return": 1.5}, "card: metrics.return: expected a table; found 1.5; it is left out"),
+        ("suite", {"suite": {"name": "mq-eval"}}, "card: suite.findings is missing; it is left out"),
+        ("verdict", {"level": "good"}, r"card: verdict: expected a text; found \{'level': 'good'\}; it is left out"),
+    ],
+)
+def test_results_on_a_card_of_another_form_are_left_out_and_named(tmp_path, part, value, message):
+    policy = load_policy("flat")
+    evaluated = save_run(tmp_path / "run", policy.with_card({**policy.card, part: value, "later": {"x": 1}}))
+    with pytest.warns(QuadrupedWarning, match=rf"run/policy\.json: {message}$") as warned:
+        export = export_policy(evaluated, tmp_path / "export")
+    assert len(warned) == 1
+    kept = {**export.manifest["evaluation"], "learning": export.manifest["learning"]}
+    known = ("metrics", "acceptance", "disturbed", "suite", "verdict", "learning")
+    assert {name: kept.get(name) for name in known} == {**{n: policy.card[n] for n in known}, part: None}
+    assert export.manifest["training"]["later"] == {"x": 1}

@@ -4,11 +4,12 @@ import os
 import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, NotRequired, TypedDict
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.evaluation.stored_results import StoredSuiteName
 from quadruped_env.evaluation.suite import (
     command_map,
     gait_measures,
@@ -25,8 +26,7 @@ from quadruped_env.evaluation.suite.measured_controller import (
     share_with_standing,
 )
 from quadruped_env.evaluation.suite.suite_definition import Suite, for_robot, full_suite
-from quadruped_env.utils.documents import read_json
-from quadruped_env.utils.parameters import is_quantity
+from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
 
@@ -66,6 +66,7 @@ RECOVERY: Final = "recovery"
 """Part that is reported and not scored, because the stand-up is a script."""
 ZERO_ACTION: Final = "zero_action"
 """Field of a policy's results that holds those of the zero action in its task, without the recovery."""
+_AGAIN: Final = "evaluate the policy with --suite"
 _TERRAIN_COST: Final = 1.6
 """Time of an episode on tiles relative to that on a plane."""
 _RECOVERY_COST: Final = 10.0
@@ -163,46 +164,71 @@ def _mean(values: Iterable[float]) -> float:
     return float(np.mean(list(values)))
 
 
+class StoredComponents(TypedDict):
+    """Components of the score, those of `COMPONENTS`."""
+
+    commands: float
+    joystick: float
+    gait: float
+    transients: float
+    pushes: float
+    regulation: float
+    terrain: float
+
+
+class StoredScore(TypedDict):
+    """The score and its components."""
+
+    total: float
+    components: StoredComponents
+
+
+class StoredConditions(TypedDict):
+    """Robot and physics."""
+
+    robot: dict[str, Any]
+
+
+class StoredRow(TypedDict):
+    """Results of the suite as far as a table of scores needs them."""
+
+    suite: StoredSuiteName
+    conditions: StoredConditions
+    name: str
+    score: StoredScore
+
+
+class StoredLevel(TypedDict):
+    """Results on a kind of terrain."""
+
+    highest_level: int
+
+
+class StoredResults(StoredRow):
+    """`suite.json`."""
+
+    commands: dict[str, Any]
+    joystick: dict[str, Any]
+    gait: dict[str, Any]
+    transients: dict[str, Any]
+    pushes: dict[str, Any]
+    regulation: dict[str, Any]
+    terrain: dict[str, StoredLevel]
+    recovery: dict[str, Any]
+    zero_action: NotRequired[StoredRow]
+    policy: NotRequired[dict[str, Any]]
+
+
 def read_results(path: Path) -> dict[str, Any]:
-    """Results of the suite from a file; a QuadrupedError if it cannot be read or holds none."""
-    document = read_json(path, "evaluate the policy with --suite to make it")
-    check_results(document, str(path))
-    if ZERO_ACTION in document:
-        check_results(document[ZERO_ACTION], f"{path}: {ZERO_ACTION}")
-    missing = [name for name in (*COMPONENTS, RECOVERY) if not isinstance(document.get(name), dict)]
-    if missing:
-        raise QuadrupedError(f"{path}: lacks the part {missing[0]!r} of the suite; evaluate the policy with --suite")
-    for kind, entry in document["terrain"].items():
-        level = entry.get("highest_level") if isinstance(entry, dict) else None
-        if type(level) is not int:
-            raise QuadrupedError(
-                f"{path}: terrain.{short(kind)[1:-1]}.highest_level: expected a whole number; found {short(level)}; "
-                f"evaluate the policy with --suite"
-            )
-    if not isinstance(document.get("policy", {}), dict):
-        raise QuadrupedError(
-            f"{path}: policy: expected a table; found {short(document['policy'])}; evaluate the policy with --suite"
-        )
-    result: dict[str, Any] = document
-    return result
+    """Results of the suite from a file, with all fields; a QuadrupedError if it cannot be read or lacks one."""
+    document: dict[str, Any] = read_json(path, _AGAIN)
+    fitted(document, StoredResults, str(path), _AGAIN)
+    return document
 
 
 def check_results(document: Any, where: str) -> None:
-    """Raise a QuadrupedError, which names `where`, if a document does not hold results of the suite."""
-    try:
-        identity = document["suite"]
-        known = {name: identity[name] for name in ("name", "version", "quick", "sha256")}
-        numbers = [document["score"]["total"], *(document["score"]["components"][name] for name in COMPONENTS)]
-        complete = all(map(is_quantity, numbers)) and isinstance(document["name"], str)
-        kinds = {"name": str, "version": int, "quick": bool, "sha256": str}
-        complete = complete and all(type(known[name]) is kind for name, kind in kinds.items())
-        conditions_known = isinstance(document["conditions"]["robot"], dict)
-    except (KeyError, TypeError) as error:
-        raise QuadrupedError(
-            f"{where}: lacks the results of the suite ({short(str(error))}); evaluate the policy with --suite"
-        ) from error
-    if not complete or not conditions_known:
-        raise QuadrupedError(f"{where}: its score is not complete ({short(known)}); evaluate the policy with --suite")
+    """Raise a QuadrupedError, which names `where`, if a document does not hold the score of the suite."""
+    fitted(document, StoredRow, where, _AGAIN)
 
 
 def check_comparable(documents: Mapping[str, Mapping[str, Any]]) -> None:

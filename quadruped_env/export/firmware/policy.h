@@ -1,13 +1,14 @@
 /* A policy for a robot: readings in SI units to joint targets in rad, once every POLICY_TIMESTEP.
 
    C99 and math.h, no allocation, no state but what the caller keeps in a policy_memory. Do not compile it with
-   -ffast-math: NaN means "not observed yet" in the history, and marks readings that cannot be used. */
+   -ffast-math, -ffinite-math-only or /fp:fast: NaN means "not observed yet" in the history, and marks readings that
+   cannot be used. */
 
 #ifndef POLICY_H
 #define POLICY_H
 
-#ifdef __FAST_MATH__
-#error "policy.c needs NaN: compile it without -ffast-math and -Ofast"
+#if defined __FAST_MATH__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__ > 0) || defined _M_FP_FAST
+#error "policy.c needs NaN: compile it without -ffast-math, -Ofast, -ffinite-math-only and /fp:fast"
 #endif
 
 #ifdef __cplusplus
