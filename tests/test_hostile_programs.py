@@ -17,7 +17,8 @@ from comparisons import TINY
 from hanging import bounded
 from sweep_files import SUITE_RESULTS, write_sweep
 
-from quadruped_env.cli import common_options, evaluate, train, view
+from quadruped_env import api
+from quadruped_env.cli import common_options, train, view
 from quadruped_env.cli.main import main
 from quadruped_env.control.policy import CARD_FILE, config_hash
 from quadruped_env.control.policy_files import shipped_directory
@@ -29,8 +30,6 @@ from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
 from quadruped_env.export import PolicyInterface, folder
 from quadruped_env.export.golden_trace import golden_trace
 from quadruped_env.export.onnx_graph import policy_graph
-from quadruped_env.page import walking_page
-from quadruped_env.page.document import page_document
 from quadruped_env.reporting.pages import evaluation_report, run_comparison, sweep_report
 from quadruped_env.reporting.pages.page import METRICS_FILE
 from quadruped_env.reporting.pages.suite_section import write_results
@@ -44,6 +43,8 @@ from quadruped_env.sim2sim.transfer import Transfer
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
 from quadruped_env.viewer import show
+from quadruped_env.walking_page import html_file
+from quadruped_env.walking_page.document import page_document
 
 pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
 pytest.importorskip("matplotlib", reason="the report's libraries are not installed: pip install -e '.[report]'")
@@ -143,9 +144,10 @@ def sound(tmp_path_factory):
 def without_computing(patch):
     """Replace what takes long and reads no document."""
     (comparison, gain), (graph, trace, content) = evaluation(), exported()
-    for module in (evaluate, common_options):
-        patch.setattr(module, "compared", lambda policies, _: several(comparison, policies))
-        patch.setattr(module, "gain_of", lambda *_: gain)
+    patch.setattr(common_options, "compared", lambda policies, _: several(comparison, policies))
+    patch.setattr(common_options, "gain_of", lambda *_: gain)
+    patch.setattr(api, "compare", lambda policy, *_, **__: several(comparison, policy))
+    patch.setattr(api, "gain_beside", lambda *_: gain)
     for module in (evaluation_report, run_comparison):
         patch.setattr(module, "_figures", lambda *_: [])
     patch.setattr(evaluation_report.plots, "episode", lambda *_: "<svg/>")
@@ -158,7 +160,7 @@ def without_computing(patch):
     patch.setattr(folder, "compare", lambda *_, **__: comparison)
     patch.setattr(folder, "filmed", lambda _: [])
     patch.setattr(folder, "save_film", lambda path, *_: path.write_bytes(b""))
-    patch.setattr(walking_page, "page_document", lambda *_: content)
+    patch.setattr(html_file, "page_document", lambda *_: content)
     patch.setattr(transfer, "run_transfer", lambda *_, **__: small_transfer())
     patch.setattr(engines, "check_drake", lambda: None)
     patch.setattr(sweep_driver, "run_sweep", finish)
