@@ -29,7 +29,7 @@ class EmergencyStop:
 
     def __init__(self, session: Session, stopped: bool = False) -> None:
         node = session.node
-        topics = {node.names.resolved(topic).name: topic for topic in (ESTOP, replace(ESTOP, is_global=True))}
+        topics = {node.names.resolved(topic).name: topic for topic in (replace(ESTOP, is_global=True), ESTOP)}
         self._session = session
         self._subscriptions = [node.subscribe(topic) for topic in topics.values()]
         self._stops: dict[int, int] = {_START: 0} if stopped else {}

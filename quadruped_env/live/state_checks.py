@@ -29,6 +29,8 @@ _AT_REST: Final = 0.01
 """Motion of joints and targets up to which it may go on: a simulated robot can rest exactly, rad."""
 _SOURCE_TIMEOUT: Final = 0.5
 """Time after its last message for which a publisher remains the source of a joint, s."""
+_STILL: Final = 1.0
+"""Time without any motion after which a joint that has to move is named, s."""
 _WINDOW: Final = 2.0
 """Time over which positions are checked, s."""
 _MAX_ROWS: Final = 400
@@ -54,11 +56,13 @@ class ImuRepetition:
         self._before: NDArray[np.float64] | None = None
 
     def add(self, imu: Imu, joints: NDArray[np.float64]) -> None:
-        """Take a message, and what must not change while the IMU does not: positions and targets, rad (N,)."""
-        if imu.content != self._content or self._before is None or len(joints) != len(self._before):
+        """Take a message, and what must not change while the IMU does not: positions and targets, rad (N,), or NaN."""
+        if imu.content != self._content or self._before is None:
             self._content, self._since, self._count = imu.content, imu.stamp, 0
             self._before, self.frozen = joints.copy(), False
             return
+        if np.isnan(self._before).any():
+            self._before = joints.copy()
         self._count += 1
         long = imu.stamp - self._since >= _REPEATS[0] * NS_PER_SECOND and self._count >= _REPEATS[1]
         self.frozen |= long and float(np.abs(joints - self._before).max(initial=0.0)) > _AT_REST
@@ -114,8 +118,8 @@ class JointChecks:
     def __init__(self, names: tuple[str, ...], say: Callable[[str], None]) -> None:
         self.problems: tuple[str, ...] = ()
         """What is wrong in the last two seconds."""
-        self.positions = np.zeros(len(names))
-        """The last positions, rad (J,)."""
+        self.positions = np.full(len(names), np.nan)
+        """The last positions, rad (J,); NaN before the first."""
         self._target: NDArray[np.float64] | None = None
         self._names, self._say = names, say
         self._rows: deque[tuple[int, NDArray[np.float64], NDArray[np.float64] | None, NDArray[np.float64]]] = deque(
@@ -157,15 +161,18 @@ class JointChecks:
 
     def _still(self) -> list[tuple[tuple[str, ...], str]]:
         """Joints that do not move by a single bit though they have to."""
-        positions, targets = np.array([row[1] for row in self._rows]), np.array([row[3] for row in self._rows])
+        begin = self._rows[-1][0] - round(_STILL * NS_PER_SECOND)
+        if self._rows[0][0] > begin:
+            return []
+        rows = [row for row in self._rows if row[0] >= begin]
+        positions, targets = np.array([row[1] for row in rows]), np.array([row[3] for row in rows])
         told = np.ptp(targets, axis=0) > _TARGET_MOTION
         others = np.count_nonzero(np.ptp(positions, axis=0) > _MOTION) >= len(self._names) / 2
-        span = (self._rows[-1][0] - self._rows[0][0]) / NS_PER_SECOND
-        still = np.flatnonzero((np.ptp(positions, axis=0) == 0.0) & (told | others) & (span >= _WINDOW / 2.0))
+        still = np.flatnonzero((np.ptp(positions, axis=0) == 0.0) & (told | others))
         return [
             (
                 ("still", self._names[joint]),
-                f"{self._names[joint]} stays at exactly {positions[-1, joint]:.4g} rad for {span:.1f} s while "
+                f"{self._names[joint]} stays at exactly {positions[-1, joint]:.4g} rad for {_STILL:g} s while "
                 f"{'its target moves' if told[joint] else 'other joints move'}; check its encoder and its motor",
             )
             for joint in still

@@ -6,7 +6,7 @@
 Amplitude, frequency and phases can be changed at run time, with the sliders of `view` or with a message: amplitude as a
 multiple of the preset's, frequency in Hz, and the phase of each leg in cycles (LF, RF, LH, RH):
 
-    ros2 topic pub --times 5 --rate 5 /gait std_msgs/msg/Float64MultiArray "{data: [1.5, 0.5, 0, 0.5, 0.5, 0]}"
+    ros2 topic pub -t 20 -r 10 /gait std_msgs/msg/Float64MultiArray "{data: [1.5, 0.5, 0, 0.5, 0.5, 0]}"
 
 Positions and velocities follow from the gait's formula at the time since the start, which the timestamps represent. As
 commands, the gait is faded in over 2 s from the measured joint positions, without any supervision of the robot;

@@ -11,7 +11,7 @@ Stands until it is commanded. Without a command for 1 s its motors go limp, like
 accepts commands from one publisher at a time. Timestamps begin at this machine's time. There can be only one robot on a
 domain: if another process already publishes /joint_states, it refuses to start.
 
-    ros2 topic pub --once /push geometry_msgs/msg/Vector3 "{y: 0.5}"
+    ros2 topic pub --once --qos-durability transient_local --keep-alive 5 /push geometry_msgs/msg/Vector3 "{y: 0.5}"
 """
 
 import argparse
