@@ -208,7 +208,7 @@ class LiveController:
                 self._say(f"/cmd_vel: {outside}, and is clipped to it")
             self._clipped_at = now
         self._command_at = now
-        # Zero is what an idle joystick or keyboard sends; somebody has to want the robot to move.
+        # An idle joystick or keyboard sends zero, which is no request to move.
         self._awaits_command &= not requested.any()
 
     @property

@@ -123,7 +123,7 @@ class Measurements:
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """What is wrong with messages that can be read."""
+        """Problems of messages that can be read."""
         return tuple(filter(None, (self._joint_sources.problem, self._imu_sources.problem, *self._checks.problems)))
 
     def _paired(self, joints: Joints, imu: Imu) -> Measurement:

@@ -117,7 +117,7 @@ class JointChecks:
 
     def __init__(self, names: tuple[str, ...], say: Callable[[str], None]) -> None:
         self.problems: tuple[str, ...] = ()
-        """What is wrong in the last two seconds."""
+        """Problems in the last two seconds."""
         self.positions = np.full(len(names), np.nan)
         """The last positions, rad (J,); NaN before the first."""
         self._target: NDArray[np.float64] | None = None
@@ -179,7 +179,7 @@ class JointChecks:
         ]
 
     def _implausible(self) -> list[tuple[tuple[str, ...], str]]:
-        """What recordings are checked for."""
+        """Findings of the checks of recordings."""
         stamps, positions, velocities, _ = zip(*self._rows, strict=True)
         values = {"position": np.array(positions)}
         if all(one is not None and np.isfinite(one).all() for one in velocities):
