@@ -14,7 +14,7 @@ from quadruped_env.control.joint_command import LIMP
 from quadruped_env.live import Node
 from quadruped_env.live.messages.imu_messages import Imu
 from quadruped_env.live.messages.joint_messages import JointReader, Joints, read_target
-from quadruped_env.live.middleware.topics import CMD_VEL, DIAGNOSTICS, IMU, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.middleware.topics import CMD_VEL, DIAGNOSTICS, ESTOP, IMU, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.state_checks import ImuRepetition, JointChecks
 from quadruped_env.robot import MINI_QUADRUPED
@@ -210,3 +210,18 @@ def test_of_two_controllers_that_wait_together_one_ends_before_both_command(star
         assert "there can be one publisher only" in ended.said
         wait_until(lambda: "following the command" in left.said, lambda: left.said)
         assert robot.targets
+
+
+def test_scripted_gait_on_commands_lets_go_at_an_emergency_stop(start, domain_id):
+    with FakeRobot() as robot:
+        stops = robot.node.publish(ESTOP)
+        gait = start("gait", "--commands")
+        wait_until(lambda: robot.targets > 10, lambda: gait.said)
+        stops.send(cdr.message(ESTOP.type_name, data=True))
+        assert gait.status() == 0
+        wait_until(lambda: robot.limp, lambda: gait.said)
+        # The stop is latched: the gait that is started now does not begin.
+        targets = robot.targets
+        again = start("gait", "--commands")
+        wait_until(lambda: "waiting for the release of the emergency stop" in again.said, lambda: again.said)
+        assert robot.targets == targets
