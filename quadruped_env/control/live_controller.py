@@ -4,6 +4,7 @@
     ramping, walking --no state for 0.2 s--> holding --for 1 s--> limp --> waiting
     ramping, walking --this process was blocked for 1 s--> limp
     ramping, walking --fallen--> limp
+    any --emergency stop--> limp --released, and a velocity command--> waiting
     holding --fresh states--> ramping
 
 While walking, the robot follows the velocity command. Without a command, or after 0.5 s without a new one, it stands.
@@ -167,6 +168,8 @@ class LiveController:
         self._obstacle = ""
         self._stopped = False
         """True from an emergency stop to its release."""
+        self._awaits_command = False
+        """True from that release to a velocity command."""
         self._fallen = False
         """True if the robot went limp because it had fallen."""
         self._upright_since: int | None = None
@@ -205,12 +208,16 @@ class LiveController:
                 self._say(f"/cmd_vel: {outside}, and is clipped to it")
             self._clipped_at = now
         self._command_at = now
+        # An idle joystick or keyboard sends zero, which is no request to move.
+        self._awaits_command &= not requested.any()
 
     @property
     def waiting_for(self) -> str:
         """Condition that is missing before the robot is moved; empty while it is moved."""
         if self._stopped:
             return "the release of the emergency stop"
+        if self._awaits_command:
+            return "a velocity command other than zero (/cmd_vel), after the emergency stop"
         return "" if self.mode in (Mode.RAMPING, Mode.WALKING) else self._obstacle or "fresh states"
 
     def restart(self, why: str) -> None:
@@ -222,7 +229,7 @@ class LiveController:
         self._enter(Mode.WAITING, why)
 
     def emergency_stop(self, stopped: bool) -> JointCommand | None:
-        """Let the robot go limp until the stop is released; then wait for fresh states as at the start.
+        """Let the robot go limp until the stop is released and a velocity command comes; then stand up as at the start.
 
         Returns:
             Command to send, or None if nothing changes.
@@ -231,6 +238,7 @@ class LiveController:
             return None
         self._stopped = stopped
         if not stopped:
+            self._awaits_command = True
             self.restart("emergency stop released")
             return None
         self._go_limp("emergency stop")
@@ -262,7 +270,7 @@ class LiveController:
             raise QuadrupedError(refusal)
         self._heard, self._stamp = now, measurement.stamp
         self._take_in(measurement)
-        if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP) and not self._stopped:
+        if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP) and not (self._stopped or self._awaits_command):
             self._qualify(measurement, now)
         if self.mode not in (Mode.RAMPING, Mode.WALKING):
             return None

@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import Target
 from quadruped_env.control.live_controller import LiveController, Measurement
 from quadruped_env.control.steering import Velocity
 from quadruped_env.errors import QuadrupedError
@@ -18,6 +19,7 @@ from quadruped_env.live.messages.velocity_messages import VelocitySubscription
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import IMU, JOINT_STATES, TF_STATIC
 from quadruped_env.live.session import Session
+from quadruped_env.live.state_checks import ImuRepetition, JointChecks, Sources
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos
 from quadruped_env.ros.timestamps import NS_PER_SECOND
@@ -62,6 +64,10 @@ class Measurements:
         self._merger = JointMerger(driver, velocities, session.say, driver.rates)
         self._mount = ImuMount(robot.base_name, mount)
         self._imu: Imu | None = None
+        self._repetition = ImuRepetition()
+        self._joint_sources = Sources(node.graph, self._states.topic, driver.joint_names)
+        self._imu_sources = Sources(node.graph, self._attitudes.topic, ["an orientation"])
+        self._checks = JointChecks(robot.joint_names, session.say)
         self._imu_period = Period()
         self._heard = dict.fromkeys((JOINT_STATES.name, IMU.name), time.monotonic())
         """Time at which the last message that can be read was taken, s, by topic."""
@@ -74,21 +80,31 @@ class Measurements:
         """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
 
         Raises:
-            QuadrupedError: if the times of joint states and IMU differ, or the IMU's mounting is unknown.
+            QuadrupedError: if the times of joint states and IMU differ, the IMU only repeats itself, or its mounting is
+                unknown.
         """
         # Joint states first: an orientation sent before a joint state has then arrived as well.
         states = []
         for received, joints in self._states.messages(functools.partial(self._refuse, JOINT_STATES.name)):
             self._heard[JOINT_STATES.name] = received.taken
             self._unread.pop(JOINT_STATES.name, None)
-            if state := self._merger.add(joints):
+            assert joints.positions is not None
+            found = np.flatnonzero(np.isfinite(joints.positions))
+            if refusal := self._joint_sources.refusal(received, found.tolist()):
+                self._session.refuse(refusal)
+            elif state := self._merger.add(joints):
                 states.append((received, self._driver.to_robot(state)))
+                self._checks.add(states[-1][1], not self._merger.computes_velocities)
         for _, transforms in self._frames.messages(self._session.refuse):
             self._mount.add(transforms)
         for received, imu in self._attitudes.messages(functools.partial(self._refuse, IMU.name)):
             self._heard[IMU.name] = received.taken
             self._unread.pop(IMU.name, None)
+            if refusal := self._imu_sources.refusal(received, [0]):
+                self._session.refuse(refusal)
+                continue
             self._imu_period.add(imu.stamp)
+            self._repetition.add(imu, self._checks.moved)
             self._imu = imu
         if not states or self._imu is None:
             return None
@@ -101,7 +117,21 @@ class Measurements:
         self._refusal = ""
         return measurement, received.taken
 
+    def commanded(self, target: Target) -> None:
+        """Take the joint targets (J,) that the robot was sent, in rad."""
+        self._checks.commanded(target)
+
+    @property
+    def problems(self) -> tuple[str, ...]:
+        """Problems of messages that can be read."""
+        return tuple(filter(None, (self._joint_sources.problem, self._imu_sources.problem, *self._checks.problems)))
+
     def _paired(self, joints: Joints, imu: Imu) -> Measurement:
+        if self._repetition.frozen:
+            raise QuadrupedError(
+                f"{IMU.name}: repeats the same numbers bit for bit while the robot moves, with new timestamps; check "
+                f"the sensor and its driver"
+            )
         age = (joints.stamp - imu.stamp) / NS_PER_SECOND
         tolerance = max(self._merger.period.tolerance, self._imu_period.tolerance)
         if abs(age) > tolerance:

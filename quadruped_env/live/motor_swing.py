@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.command_publisher import CommandPublisher
+from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader
-from quadruped_env.live.middleware.topics import ESTOP, JOINT_STATES
+from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
-from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.ros import Qos
 
 PERIOD: Final = 0.02
@@ -54,7 +54,7 @@ class MotorSwing:
         self._states = session.node.subscribe(JOINT_STATES, _QOS, read=reader)
         self._merger = JointMerger(motors, velocities=False)
         self._publisher = CommandPublisher(session.node, motors, arrays)
-        self._stops = SimulatorCommands(session)
+        self._stops = EmergencyStop(session)
         self._session, self._motors = session, motors
         self._angle, self._swing_time = angle, _PEAK * angle / speed
         self._recent: deque[NDArray[np.float64]] = deque(maxlen=Safety.fresh_states)
@@ -92,7 +92,7 @@ class MotorSwing:
     def _missing(self) -> str:
         """Condition that is missing before a motor is moved; empty if there is none."""
         if self._stops.stopped:
-            return f"the release of the emergency stop ({ESTOP.name})"
+            return f"the release of the emergency stop ({self._stops.name})"
         if time.monotonic() - self._heard > Safety.hold_after or len(self._recent) < Safety.fresh_states:
             return self._merger.missing or f"fresh states on {JOINT_STATES.name}"
         spans = np.ptp(self._recent, axis=0) * self._motors.unit
@@ -148,7 +148,7 @@ class MotorSwing:
     def _danger(self, now: float, since: float, target: NDArray[np.float64]) -> str:
         """Why the robot must not be moved; empty if it may. `since` is the time since the last command, s."""
         if self._stops.stopped:
-            return f"emergency stop ({ESTOP.name})"
+            return f"emergency stop ({self._stops.name})"
         if max(now - self._heard, since) > Safety.limp_after:
             return f"no state for {Safety.limp_after:g} s"
         errors = np.abs(self._recent[-1] - target) * self._motors.unit

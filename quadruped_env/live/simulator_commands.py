@@ -1,9 +1,9 @@
-"""`/reset`, `/pause`, `/step` and `/estop`: commands to simulator and controller."""
+"""`/reset`, `/pause` and `/step`: commands to simulator and controller."""
 
 from typing import Any, Final
 
 from quadruped_env.live.middleware.node import Subscription
-from quadruped_env.live.middleware.topics import ESTOP, PAUSE, RESET, STEP
+from quadruped_env.live.middleware.topics import PAUSE, RESET, STEP
 from quadruped_env.live.session import Session
 
 
@@ -18,11 +18,9 @@ class SimulatorCommands:
     def __init__(self, session: Session, steps: bool = False) -> None:
         self._session = session
         self.subscriptions: Final[dict[str, Subscription[Any]]] = {
-            topic.name: session.node.subscribe(topic) for topic in (RESET, PAUSE, ESTOP, *[STEP] * steps)
+            topic.name: session.node.subscribe(topic) for topic in (RESET, PAUSE, *[STEP] * steps)
         }
         self.paused = False
-        self.stopped = False
-        """True from an emergency stop to its release."""
         self.reset = False
         """True if a reset has come with the last `take`."""
         self.steps = 0
@@ -37,12 +35,8 @@ class SimulatorCommands:
         self.reset, self.steps = bool(messages[RESET.name]), len(messages.get(STEP.name, ()))
         if self.reset:
             self._session.say(f"{RESET.name}: starts again")
-        paused, stopped = self.paused, self.stopped
+        paused = self.paused
         for message in messages[PAUSE.name]:
             self.paused = message.data
-        for message in messages[ESTOP.name]:
-            self.stopped = message.data
         if self.paused != paused:
             self._session.say("paused" if self.paused else "continues after the pause")
-        if self.stopped != stopped:
-            self._session.say(f"emergency stop{'' if self.stopped else ' released'} ({ESTOP.name})")

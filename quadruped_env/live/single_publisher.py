@@ -1,4 +1,4 @@
-"""Guard against two robots on a domain: joint states must have a single publisher."""
+"""Guard against two robots, or two controllers of one robot: states and commands must have a single publisher."""
 
 import time
 from typing import Final
@@ -28,7 +28,8 @@ class SinglePublisherGuard:
         self._session = session
         self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True, read=bytes)
         self._topic = self._others.topic
-        self._contest_until = 0.0
+        self._contest_until = self._problem_until = 0.0
+        self._problem = ""
 
     def check(self) -> None:
         """Listen for `LISTEN` seconds.
@@ -49,22 +50,36 @@ class SinglePublisherGuard:
                 )
         self._contest_until = time.monotonic() + CONTEST
 
-    def watch(self) -> None:
+    def watch(self, publishing: bool = True) -> None:
         """Check for other publishers that have started since. Call this often.
+
+        Args:
+            publishing: False while this process sends no messages: any other publisher then has precedence.
 
         Raises:
             QuadrupedError: if both started together and the other one has precedence.
         """
         graph = self._session.node.graph
+        if not publishing:
+            self._contest_until = time.monotonic() + CONTEST
         for received in self._others.take():
             other = self._sender(received)
             if other is None:
                 continue
-            if time.monotonic() < self._contest_until and other.participant < graph.participant:
-                raise QuadrupedError(f"{self._topic.name}: {graph.owner(other)} started to publish it at the same time")
-            self._session.say_once(
-                f"{graph.owner(other)} publishes {self._topic.name} too; subscribers receive two robots' messages"
-            )
+            contested = time.monotonic() < self._contest_until and other.participant < graph.participant
+            if contested or not publishing:
+                raise QuadrupedError(
+                    f"{self._topic.name}: {graph.owner(other)} publishes it; there can be one publisher only: end "
+                    f"one of the two, or take another namespace (--namespace) or domain (--domain-id)"
+                )
+            self._problem = f"{graph.owner(other)} publishes {self._topic.name} too; end one of the two"
+            self._problem_until = time.monotonic() + LISTEN
+            self._session.say_once(self._problem)
+
+    @property
+    def problem(self) -> str:
+        """The other publisher in the last second; empty if there was none."""
+        return self._problem if time.monotonic() < self._problem_until else ""
 
     def _sender(self, received: Received) -> Endpoint | None:
         endpoints = self._session.node.graph.endpoints(self._topic.name)

@@ -4,9 +4,10 @@ The tables here need nothing. `cdr` needs the libraries of the `ros` extra, whic
 """
 
 from quadruped_env.ros.message_types import MESSAGE_TYPES, Field, MessageType, message_type
-from quadruped_env.ros.qos import JOINT_STATES_QOS, LATCHED_QOS, SENSOR_DATA_QOS, TF_QOS, Qos
+from quadruped_env.ros.qos import ANY_PUBLISHER_QOS, JOINT_STATES_QOS, LATCHED_QOS, SENSOR_DATA_QOS, TF_QOS, Qos
 
 __all__ = [
+    "ANY_PUBLISHER_QOS",
     "JOINT_STATES_QOS",
     "LATCHED_QOS",
     "MESSAGE_TYPES",

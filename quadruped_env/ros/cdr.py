@@ -8,13 +8,16 @@ or empty, and 1 for the w of a quaternion.
 """
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros.message_types import Field, MessageType, message_type, typestore
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+
+_ENCAPSULATION: Final = 4
+"""Bytes in front of a message."""
 
 
 def message(type_name: str, **fields: Any) -> Any:
@@ -59,14 +62,24 @@ def serialize(value: Any) -> bytes:
 
 
 def deserialize(data: bytes, type_name: str) -> Any:
-    """The message that CDR bytes of either byte order hold.
+    """The message that CDR bytes of either byte order hold; bytes behind it are ignored, as ROS does.
+
+    rclpy's `serialize_message` writes up to 8 of them behind empty sequences. `rosbags` accepts 3.
+
+    Args:
+        data: the bytes.
+        type_name: a type of `typestore`.
 
     Raises:
         QuadrupedError: if they do not hold a message of that type.
     """
-    kind = message_type(type_name)
+    store = typestore()
     try:
-        return typestore().deserialize_cdr(data, kind.name)
+        if data[:2] not in (b"\x00\x00", b"\x00\x01") or len(data) < _ENCAPSULATION:
+            raise ValueError("they do not begin with the encapsulation of plain CDR")
+        definition = store.get_msgdef(type_name)
+        read = definition.deserialize_cdr_le if data[1] else definition.deserialize_cdr_be
+        return read(data[_ENCAPSULATION:], 0, definition.cls, store)[0]
     # rosbags does not document which errors it raises for damaged bytes.
     except Exception as error:
         raise QuadrupedError(f"{len(data)} bytes do not hold a {type_name}: {error}") from error

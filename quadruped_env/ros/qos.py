@@ -25,3 +25,6 @@ LATCHED_QOS: Final = Qos(depth=1, transient_local=True)
 SENSOR_DATA_QOS: Final = Qos(depth=5, reliable=False)
 """`rclcpp::SensorDataQoS`, with which robot_state_publisher subscribes to `/joint_states`: it matches reliable and
 best-effort publishers."""
+ANY_PUBLISHER_QOS: Final = (Qos(depth=10, transient_local=True), Qos(depth=10), Qos(depth=10, reliable=False))
+"""Requests of a subscription with three readers: it receives from every publisher, what that publisher has latched from
+before it started, and again what was lost, as far as the publisher offers that."""

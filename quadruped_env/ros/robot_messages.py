@@ -51,11 +51,7 @@ def read_recorded(
     Raises:
         QuadrupedError: if they do not hold such a message.
     """
-    store = _ros1_typestore() if ros1 else typestore()
-    try:
-        message = (store.deserialize_ros1 if ros1 else store.deserialize_cdr)(data, type_name)
-    except Exception as error:  # rosbags does not document which errors it raises for damaged bytes
-        raise QuadrupedError(f"{len(data)} bytes do not hold a {type_name}: {error}") from error
+    message = _ros1_message(data, type_name) if ros1 else cdr.deserialize(data, type_name)
     if type_name == _ARRAY:
         return [RawJointState(time, (), message.data, np.empty(0), np.empty(0))]
     if type_name == JOINT_STATE:
@@ -155,6 +151,13 @@ def _ros1_typestore() -> Any:
     from rosbags.typesys import Stores, get_typestore
 
     return get_typestore(Stores.ROS1_NOETIC)
+
+
+def _ros1_message(data: bytes, type_name: str) -> Any:
+    try:
+        return _ros1_typestore().deserialize_ros1(data, type_name)
+    except Exception as error:  # rosbags does not document which errors it raises for damaged bytes
+        raise QuadrupedError(f"{len(data)} bytes do not hold a {type_name}: {error}") from error
 
 
 def _raw(message: Any, size: int) -> RawJointState:

@@ -1,11 +1,35 @@
-"""Recorded joint states: the trajectory type, and loading and saving it in any format."""
+"""Recorded joint states: the trajectory type, and loading and saving it in any format.
 
-from quadruped_env.trajectory.interpolation import Gap
-from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-from quadruped_env.trajectory.maps import ColumnMap, JointMap, JointRule
-from quadruped_env.trajectory.rows import JointState
+What is here is imported when it is first used: a robot's controller takes the checks of recordings, and no reader.
+"""
+
+import importlib
+from typing import TYPE_CHECKING, Any, Final
+
+if TYPE_CHECKING:
+    from quadruped_env.trajectory.interpolation import Gap
+    from quadruped_env.trajectory.joint_trajectory import JointTrajectory
+    from quadruped_env.trajectory.maps import ColumnMap, JointMap, JointRule
+    from quadruped_env.trajectory.rows import JointState
+
+    load = JointTrajectory.load
+    save = JointTrajectory.save
 
 __all__ = ["ColumnMap", "Gap", "JointMap", "JointRule", "JointState", "JointTrajectory", "load", "save"]
 
-load = JointTrajectory.load
-save = JointTrajectory.save
+_DEFINED_IN: Final = {
+    "ColumnMap": "maps",
+    "Gap": "interpolation",
+    "JointMap": "maps",
+    "JointRule": "maps",
+    "JointState": "rows",
+    "JointTrajectory": "joint_trajectory",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name in ("load", "save"):
+        return getattr(__getattr__("JointTrajectory"), name)
+    if name in _DEFINED_IN:
+        return getattr(importlib.import_module(f"{__name__}.{_DEFINED_IN[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

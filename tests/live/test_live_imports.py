@@ -24,7 +24,7 @@ def test_nodes_on_a_robot_import_no_viewer_evaluation_or_training():
     command = [sys.executable, "-c", PROGRAM, *ON_A_ROBOT]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     by_controller, loaded, with_view = (line.split() for line in done.stdout.splitlines()[-3:])
-    packages = ("task", "envs", "simulation", "policies", "trajectory")
+    packages = ("task", "envs", "simulation", "policies", "trajectory.joint_trajectory", "trajectory.formats")
     assert "quadruped_env.live.nodes.controller" in by_controller
     assert not {"gymnasium", *(f"quadruped_env.{name}" for name in packages)} & set(by_controller)
     assert {f"quadruped_env.live.nodes.{node}" for node in ON_A_ROBOT} <= set(loaded)

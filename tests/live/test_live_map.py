@@ -12,6 +12,7 @@ from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.control.joint_command import LIMP
+from quadruped_env.control.live_controller import Safety
 from quadruped_env.live import Node
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, command_message, read_target
@@ -19,7 +20,7 @@ from quadruped_env.live.middleware.topics import ESTOP, JOINT_COMMANDS, JOINT_ST
 from quadruped_env.live.nodes import calibrate
 from quadruped_env.live.nodes.calibrate import parsed_answer
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.ros import cdr
+from quadruped_env.ros import Qos, cdr
 from quadruped_env.trajectory import JointMap
 
 MOTORS = tuple(f"m{i}" for i in range(8))
@@ -190,7 +191,7 @@ class Hanging:
         self.states = self.node.publish(JOINT_STATES)
         self.stops = self.node.publish(ESTOP)
         self.read = JointReader("/joint_commands", type("Motors", (), {"joint_names": self.names}))
-        self.commands = self.node.subscribe(JOINT_COMMANDS, read=self.read)
+        self.commands = self.node.subscribe(JOINT_COMMANDS, Qos(1000), read=self.read)
         self.motors = np.radians(np.append(motor_angles(0.1 * STANCE), 0.7))
         self.rest = self.motors.copy()
         self.targets = []
@@ -224,7 +225,14 @@ class Person:
     def __init__(self, robot):
         self.robot = robot
         self.answered = 0
-        self.faults = ["stop", "reversed", "silent", "estop"]
+        self.reasons = {
+            "stop": "",
+            "reversed": "rad away from its target",
+            "silent": "no state for 1 s",
+            "estop": "emergency stop (/estop)",
+        }
+        self.faults = list(self.reasons)
+        self.seen_reasons = set()
         self.swings = []
 
     def __enter__(self):
@@ -240,6 +248,7 @@ class Person:
             return self._stopped(lines[-1])
         fresh = [line.removeprefix("[calibrate] ") for line in lines[self.answered :]]
         self.answered = len(lines)
+        self.reason = next((line for line in fresh if line.startswith("m0: stopped, limp: ")), "")
         answers = [answer for line in fresh if (answer := self._answer(line)) is not None]
         return [*answers[0], "\n"] if answers else []
 
@@ -261,7 +270,10 @@ class Person:
         if "which joints turned" in line:
             wait_until(lambda: robot.limp)
             if self.faults:
-                self.faults.pop(0)
+                # Another reason, as where this machine was busy for 1 s, is no answer to the fault: again.
+                expected = self.reasons[self.faults[0]]
+                if bool(expected) == bool(self.reason) and self.reason.endswith(expected):
+                    self.seen_reasons.add(self.faults.pop(0))
                 robot.stops.send(cdr.message(ESTOP.type_name, data=False))
                 robot.targets.clear()
                 return ""
@@ -274,7 +286,9 @@ class Person:
             joints = A @ robot.motors[:8] + B
             joints[leg] = np.radians(angles)
             robot.motors[:8] = np.radians(motor_angles(joints))
-            time.sleep(0.3)
+            # All states that the wizard can average are of this angle: each is two messages.
+            count = robot.states.count
+            wait_until(lambda: robot.states.count > count + 4 * Safety.fresh_states)
             return "" if leg[0] else "20 -30"
         return None
 
@@ -319,12 +333,10 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     np.testing.assert_allclose(measured, expected, atol=2e-3)
     assert found.rules["RH_knee_joint"].source == "m6"
     assert found.rules["RH_hip_joint"].sign == -1.0
-    for reason in ("is 0.1", "no state for 1 s", "emergency stop (/estop)"):
-        assert f"m0: stopped, limp: {'m0 ' if reason.startswith('is') else ''}{reason}" in log.getvalue()
+    assert person.seen_reasons == set(person.reasons)
     assert "no motor moves RH_knee_joint" in log.getvalue()
-    # A peak of 1 rad/s; a late step may cover two periods.
-    assert np.median([speed for speed in person.swings if speed]) < 1.1
-    assert max(speed for speed in person.swings if speed) < 2.2
+    # A peak of 1 rad/s, and a late step covers two periods at most.
+    assert max(speed for speed in person.swings if speed) < 2.0 + 1e-6
 
 
 @pytest.mark.parametrize("answer", ["9+", "LF+", "1", "+1", "1+0", "1+ LF_hip-0.5", "1*2"])

@@ -2,6 +2,7 @@
 
 import os
 import pty
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,13 +16,16 @@ from quadruped_env.live.messages.message_text import plain
 from quadruped_env.live.middleware.topics import (
     CMD_VEL,
     CMD_VEL_STAMPED,
+    ESTOP,
     JOINT_STATES,
     ODOMETRY,
     ROBOT_DESCRIPTION,
     TF_STATIC,
 )
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr, message_type
+from quadruped_env.ros import LATCHED_QOS, SENSOR_DATA_QOS, Qos, cdr, message_type
+from quadruped_env.ros.robot_messages import joint_state as joint_state_bytes
+from quadruped_env.ros.robot_messages import read_joint_state, read_recorded
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -243,3 +247,45 @@ def test_rclpy_attributes_publishers_to_their_node(nodes, ros2, capfd):
     assert found["SUBSCRIPTION"]["hash"] == JOINT_STATES.type.type_hash
     # CycloneDDS logs what it cannot read.
     assert capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize("qos", [SENSOR_DATA_QOS, LATCHED_QOS, Qos(10)], ids=["best effort", "latched", "volatile"])
+def test_rclpy_button_of_any_qos_stops_the_controller_again_and_again(start, nodes, ros2, qos):
+    """As a micro-ROS button, a latched one, and `ros2 topic pub`. Each repeats its state: best effort may be lost."""
+    controller = start("controller", "--namespace", "r1")
+    listener = nodes()
+    with ros2.node() as peer:
+        for topic in (ESTOP, replace(ESTOP, name="/r1/estop")):
+            peer.publish(topic, qos)
+            wait_until(lambda topic=topic: peer.matched(topic), peer.state, peer.process)
+            for text in 3 * ("emergency stop (", "emergency stop released ("):
+                count = controller.said.count(f"] {text}")
+
+                def obeyed(topic=topic, text=text, count=count):
+                    peer.ask(send=topic.name, message={"data": "released" not in text})
+                    return controller.said.count(f"] {text}") > count
+
+                wait_until(obeyed, lambda: controller.said, peer.process, interval=0.2)
+    assert listener.graph.problems(all_processes=True) == []
+
+
+def test_latched_stop_of_rclpy_reaches_a_controller_that_starts_later(start, ros2):
+    with ros2.node() as peer:
+        peer.publish(ESTOP, LATCHED_QOS)
+        peer.ask(send=ESTOP.name, message={"data": True})
+        controller = start("controller")
+        wait_until(lambda: "limp (emergency stop)" in controller.said, lambda: controller.said)
+
+
+def test_padded_bytes_of_rclpy_are_read(ros2):
+    """`serialize_message` pads behind empty sequences, as recorders write it into bags."""
+    program = (
+        "from rclpy.serialization import serialize_message; from sensor_msgs.msg import JointState; "
+        "print(bytes(serialize_message(JointState(name=['a', 'b'], position=[0.5, 1.5]))).hex())"
+    )
+    with ros2.start("-c", program) as process:
+        output, _ = output_of(process)
+    data = bytes.fromhex(output.split()[-1])
+    assert len(data) > len(joint_state_bytes(0, ["a", "b"], [0.5, 1.5]))
+    assert read_joint_state(data).position.tolist() == [0.5, 1.5]
+    assert read_recorded(data, JOINT_STATES.type_name, 0)[0].position.tolist() == [0.5, 1.5]

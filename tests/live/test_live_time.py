@@ -86,7 +86,10 @@ def test_emergency_stop_makes_the_robot_limp_until_it_is_released():
     assert bench.pass_time(5.0) == []
     assert bench.live_controller.waiting_for == "the release of the emergency stop"
     assert bench.live_controller.emergency_stop(False) is None
-    assert bench.pass_time(0.1) == []
+    # Zero is what an idle joystick or keyboard sends.
+    assert bench.pass_time(5.0, command=(0.0, 0.0)) == []
+    assert bench.live_controller.waiting_for.startswith("a velocity command other than zero (/cmd_vel)")
+    assert bench.pass_time(0.1, command=(0.3, 0.0)) == []
     bench.pass_time(3.0)
     assert bench.mode is Mode.WALKING
 
@@ -119,7 +122,9 @@ def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
         ends[topic.name].send(cdr.message(topic.type_name, **fields))
 
     sim, controller = start("sim"), start("controller")
-    wait_until(lambda: all(end.readers == (1 if end.topic == STEP else 2) for end in ends.values()))
+    # Both nodes, of each of which the three readers that match a reliable publisher; a volatile one two of them.
+    counts = {PAUSE: 4, STEP: 2, RESET: 4, ESTOP: 6}
+    wait_until(lambda: all(end.readers == counts[end.topic] for end in ends.values()))
     watcher.until_it_walks()
     assert status_of_controller(diagnostics)[:2] == (0, "following the command")
     send(PAUSE, data=True)
@@ -141,12 +146,13 @@ def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
     watcher.until_it_walks()
     send(ESTOP, data=True)
     watcher.until_it_lies()
-    waiting = r"waiting for the release of the emergency stop \(\d+ s\)"
+    waiting = r"waiting for the release of the emergency stop \(/estop: by user.*\) \(\d+ s\)"
     wait_until(lambda: re.search(waiting, controller.said), lambda: controller.said)
     level, message, values = status_of_controller(diagnostics)
-    assert (level, message) == (2, "limp; waits for the release of the emergency stop")
+    assert level == 2
+    assert message.startswith("limp; waits for the release of the emergency stop (/estop: by user")
     assert values["policy"] == "flat"
-    assert float(values["/joint_states, Hz"]) > 10.0
+    assert float(values["/joint_states, Hz"]) > 0.0
     send(ESTOP, data=False)
     watcher.until_it_walks()
     assert watcher.watch(0.5)[1][-1] == pytest.approx(STANCE_HEIGHT, abs=0.03)

@@ -148,9 +148,13 @@ class TestJointState:
             (read,) = read_recorded(bytes(store.serialize_ros1(message, JOINT_STATE)), JOINT_STATE, 0, ros1=True)
             assert_read(read, state)
 
-    def test_padding_behind_a_message_is_not_damage(self):
+    @pytest.mark.parametrize("rest", [bytes(3), bytes(8), b"astrtps_", 1000 * b"x"])
+    def test_bytes_behind_a_message_are_ignored(self, rest):
+        """As ROS does: rclpy's `serialize_message` adds 8, with any content, where velocities and efforts are empty."""
         state = random_joint_state(np.random.default_rng(3))
-        assert_read(read_joint_state(cdr.serialize(as_message(state)) + bytes(3)), state)
+        data = cdr.serialize(as_message(state)) + rest
+        assert_read(read_joint_state(data), state)
+        assert_read(read_recorded(data, JOINT_STATE, 0)[0], state)
 
     def test_timestamp_out_of_range_is_refused(self):
         with pytest.raises(QuadrupedError, match=r"stamp 2147483648000000000 ns: a ROS message holds"):

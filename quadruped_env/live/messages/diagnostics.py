@@ -28,7 +28,7 @@ class Diagnostics:
         self._hardware = hardware
         self._publisher = node.publish(DIAGNOSTICS)
         self._pace = Pace(_PERIOD)
-        self._rates: dict[str, Rate] = {}
+        self._rates: dict[Publisher | Subscription[Any], Rate] = {}
 
     def send(self, level: int, message: str, values: Mapping[str, object]) -> None:
         """Send a status if it is time; call it often. `level` is one of `OK`, `WARN`, `ERROR`."""
@@ -38,7 +38,7 @@ class Diagnostics:
         ends: list[Publisher | Subscription[Any]] = [*self._node.subscriptions, *self._node.publishers]
         for end in ends:
             if end is not self._publisher:
-                rate = self._rates.setdefault(end.topic.name, Rate(since=self._pace.due - 2 * _PERIOD))
+                rate = self._rates.setdefault(end, Rate(since=self._pace.due - 2 * _PERIOD))
                 shown[f"{end.topic.name}, Hz"] = f"{rate.per_second(end.count):.1f}"
         status = {
             "level": level,

@@ -27,6 +27,8 @@ class Imu(NamedTuple):
     """Angular velocity in the sensor's frame (3,), rad/s."""
     frame: str
     """The sensor's frame; empty if the message names none."""
+    content: bytes = b""
+    """All numbers of the message, to see whether they change."""
 
 
 def read_imu(message: Any) -> Imu:
@@ -52,7 +54,9 @@ def read_imu(message: Any) -> Imu:
     norm = float(np.linalg.norm(orientation))
     if abs(norm - 1.0) > _NORM_ERROR:
         raise QuadrupedError(f"/imu/data: the orientation has length {norm:.3g}; send a unit quaternion")
-    return Imu(stamp, orientation / norm, angular_velocity, message.header.frame_id)
+    force = message.linear_acceleration
+    content = np.concatenate([orientation, angular_velocity, [force.x, force.y, force.z]]).tobytes()
+    return Imu(stamp, orientation / norm, angular_velocity, message.header.frame_id, content)
 
 
 class ImuMount:

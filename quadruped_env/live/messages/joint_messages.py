@@ -155,7 +155,8 @@ class JointMerger:
         self._positions, self._velocities = np.full((2, len(self._names)), np.nan)
         self._fresh = np.zeros(len(self._names), dtype=bool)
         self._others: tuple[str, ...] = ()
-        self._computed = False
+        self.computes_velocities = False
+        """True once a velocity was missing."""
 
     def add(self, joints: Joints) -> Joints | None:
         """Take a message with positions. Returns the state if it is complete, otherwise None."""
@@ -193,8 +194,8 @@ class JointMerger:
 
     def _differentiated(self, joints: Joints) -> NDArray[np.float64]:
         """Velocities (J,) from the joints' last positions and a message, through a first-order low-pass filter."""
-        if not self._computed:
-            self._computed = True
+        if not self.computes_velocities:
+            self.computes_velocities = True
             self._say(
                 f"{JOINT_STATES.name}: no velocities; they are computed from the positions, with a low-pass filter of "
                 f"{1e3 * _VELOCITY_FILTER:g} ms"

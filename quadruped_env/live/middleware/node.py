@@ -11,7 +11,7 @@ while True:
 import statistics
 import time
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Final, Generic, NamedTuple, TypeVar, overload
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
@@ -28,6 +28,8 @@ _TAKEN: Final = 256
 _BLOCKING: Final = 100_000_000
 """Maximum time that a reliable writer blocks on a slow reader, the DDS default, ns."""
 _LATENCIES: Final = 1000
+_SEEN: Final = 256
+"""Number of messages among which those that several readers receive are found."""
 _ALL_NODES: Final = Qos(depth=0, transient_local=True)
 
 T = TypeVar("T")
@@ -63,6 +65,7 @@ class Publisher:
         self._wire = wire_type(topic.type_name)
         self.entity = DataWriter(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type))
         """The writer on DDS."""
+        self.entities = [self.entity]
 
     def send(self, message: Any) -> None:
         """Send a message of `quadruped_env.ros.cdr`. Raises a QuadrupedError if it is of another type."""
@@ -103,9 +106,14 @@ class Publisher:
 
 
 class Subscription(Generic[T]):
-    """Receives messages on a topic. Created by `Node.subscribe`."""
+    """Receives messages on a topic, each once. Created by `Node.subscribe`.
 
-    def __init__(self, participant: Any, topic: Topic, qos: Qos, read: Read[T], ignore_own: bool = False) -> None:
+    With several requests it has a reader for each, so that it matches publishers that no single request matches.
+    """
+
+    def __init__(
+        self, participant: Any, topic: Topic, requests: Sequence[Qos], read: Read[T], ignore_own: bool = False
+    ) -> None:
         from cyclonedds.core import InstanceState, ReadCondition, SampleState, ViewState
         from cyclonedds.sub import DataReader
 
@@ -117,13 +125,35 @@ class Subscription(Generic[T]):
         self.latencies: deque[float] = deque(maxlen=_LATENCIES)
         """Latencies from sending to taking of the last messages, s. Between machines they include the clock offset."""
         self._read = read
-        self.entity = DataReader(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own))
-        self.condition = ReadCondition(self.entity, ViewState.Any | InstanceState.Any | SampleState.NotRead)
+        self.entities = [
+            DataReader(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own))
+            for qos in requests
+        ]
+        """The readers on DDS."""
+        unread = ViewState.Any | InstanceState.Any | SampleState.NotRead
+        self.conditions = [ReadCondition(entity, unread) for entity in self.entities]
+        self._seen: deque[tuple[int, int]] = deque(maxlen=_SEEN)
+        """Publisher and source timestamp of the last messages of several readers."""
 
     def take(self) -> list[Received]:
-        """All messages received since the last call, in order of arrival."""
+        """All messages received since the last call, in order of arrival; with several readers, in order of sending."""
+        taken = [received for entity in self.entities for received in self._take(entity)]
+        if len(self.entities) > 1:
+            taken = [received for received in sorted(taken, key=lambda one: one.sent) if self._is_new(received)]
+        self.count += len(taken)
+        return taken
+
+    def _is_new(self, received: Received) -> bool:
+        """False if another reader has received the message; one without a source timestamp counts as new."""
+        key = received.writer, received.sent
+        if received.sent > 0 and key in self._seen:
+            return False
+        self._seen.append(key)
+        return True
+
+    def _take(self, entity: Any) -> list[Received]:
         taken: list[Received] = []
-        while samples := self.entity.take(_TAKEN):
+        while samples := entity.take(_TAKEN):
             # Read the clock after the call, which may have been delayed, so that no message seems younger than it is.
             now, at = time.time_ns(), time.monotonic()
             for sample in samples:
@@ -134,7 +164,6 @@ class Subscription(Generic[T]):
                     self.latencies.append((now - sent) / NS_PER_SECOND)
             if len(samples) < _TAKEN:
                 break
-        self.count += len(taken)
         return taken
 
     def messages(self, refused: Refused) -> Iterator[tuple[Received, T]]:
@@ -177,9 +206,14 @@ class Subscription(Generic[T]):
         raise QuadrupedError(f"{self.topic.name}: {reason.removeprefix(f'{self.constant_name}: ')}")
 
     @property
+    def matched(self) -> set[int]:
+        """Handles of the matched publishers, see `Received.writer`."""
+        return {handle for entity in self.entities for handle in entity.get_matched_publications()}
+
+    @property
     def writers(self) -> int:
         """Number of matched publishers."""
-        return len(self.entity.get_matched_publications())
+        return len(self.matched)
 
     @property
     def latency(self) -> float | None:
@@ -208,7 +242,7 @@ class Node:
         from cyclonedds.core import WaitSet
 
         info = Subscription(
-            self._participant, DISCOVERY_INFO, _ALL_NODES, message_reader(DISCOVERY_INFO, lambda it: it)
+            self._participant, DISCOVERY_INFO, [_ALL_NODES], message_reader(DISCOVERY_INFO, lambda it: it)
         )
         self.graph = Graph(self._participant, lambda: info.messages(lambda reason: None))
         self._info = Publisher(self._participant, DISCOVERY_INFO, DISCOVERY_INFO.qos)
@@ -239,16 +273,18 @@ class Node:
 
         Args:
             topic: the topic to subscribe to.
-            qos: requested quality of service; by default the topic's.
+            qos: requested quality of service, of one reader; by default the topic's.
             ignore_own: ignore messages that this node itself publishes.
             read: decodes the CDR bytes; by default to messages of `quadruped_env.ros.cdr`; `bytes` keeps them.
         """
         if read is None:
             read = message_reader(topic, lambda message: message)
-        subscription = Subscription(self._participant, self.names.resolved(topic), qos or topic.qos, read, ignore_own)
+        requests = (qos,) if qos else topic.requests or (topic.qos,)
+        subscription = Subscription(self._participant, self.names.resolved(topic), requests, read, ignore_own)
         subscription.constant_name = topic.name
         self.subscriptions.append(subscription)
-        self._waitset.attach(subscription.condition)
+        for condition in subscription.conditions:
+            self._waitset.attach(condition)
         self._announce()
         return subscription
 
@@ -257,9 +293,11 @@ class Node:
         if isinstance(end, Publisher):
             self.publishers.remove(end)
         else:
-            self._waitset.detach(end.condition)
+            for condition in end.conditions:
+                self._waitset.detach(condition)
             self.subscriptions.remove(end)
-        end.entity._delete(end.entity._ref)
+        for entity in end.entities:
+            entity._delete(entity._ref)
         self._announce()
 
     def _announce(self) -> None:
@@ -271,8 +309,8 @@ class Node:
         info = {
             "node_namespace": self.names.namespace,
             "node_name": self.name,
-            "reader_gid_seq": [gid(one.entity) for one in self.subscriptions],
-            "writer_gid_seq": [gid(one.entity) for one in self.publishers],
+            "reader_gid_seq": [gid(entity) for one in self.subscriptions for entity in one.entities],
+            "writer_gid_seq": [gid(entity) for one in self.publishers for entity in one.entities],
         }
         process = gid(self._participant)
         self._info.send(cdr.message(DISCOVERY_INFO.type_name, gid=process, node_entities_info_seq=[info]))

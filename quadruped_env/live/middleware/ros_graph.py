@@ -3,7 +3,7 @@
 import itertools
 import math
 import uuid
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -111,10 +111,11 @@ class Graph:
             for writer, reader in itertools.product(ends, ends):
                 concerned = all_processes or self.is_own(writer) or self.is_own(reader)
                 if concerned and writer.writes and not reader.writes:
-                    found.update(dict.fromkeys(self._apart(writer, reader)))
+                    found.update(dict.fromkeys(self._apart(writer, reader, ends)))
         return list(found)
 
-    def _apart(self, writer: Endpoint, reader: Endpoint) -> Iterator[str]:
+    def _apart(self, writer: Endpoint, reader: Endpoint, ends: Sequence[Endpoint]) -> Iterator[str]:
+        """Reasons why two of a topic's endpoints do not match."""
         where = f"{writer.topic}, from {self._whose(writer)} to {self._whose(reader)}"
         if writer.type_name != reader.type_name:
             yield f"{where}: no message will arrive; the types differ: {writer.type_name} and {reader.type_name}"
@@ -130,8 +131,14 @@ class Graph:
                 f"compare them; set the property fastdds.type_propagation=disabled for the participant of Fast DDS"
             )
         reason = _incompatible(writer, reader)
-        if reason:
+        if reason and not any(self._stands_in(other, writer, reader) for other in ends):
             yield f"{where}: no message will arrive; {reason}"
+
+    def _stands_in(self, other: Endpoint, writer: Endpoint, reader: Endpoint) -> bool:
+        """True if another subscription of the reader's node receives from the writer."""
+        if other.writes or (other.participant, other.type_name) != (reader.participant, writer.type_name):
+            return False
+        return not _incompatible(writer, other) and self.owner(other) == self.owner(reader)
 
     def _whose(self, endpoint: Endpoint) -> str:
         return "this node" if self.is_own(endpoint) else self.owner(endpoint)

@@ -3,7 +3,15 @@
 from dataclasses import dataclass
 from typing import Final
 
-from quadruped_env.ros import JOINT_STATES_QOS, LATCHED_QOS, TF_QOS, MessageType, Qos, message_type
+from quadruped_env.ros import (
+    ANY_PUBLISHER_QOS,
+    JOINT_STATES_QOS,
+    LATCHED_QOS,
+    TF_QOS,
+    MessageType,
+    Qos,
+    message_type,
+)
 
 
 @dataclass(frozen=True)
@@ -13,9 +21,11 @@ class Topic:
     name: str
     type_name: str
     qos: Qos
-    """Quality of service that publishers offer, and that subscriptions request by default."""
+    """Quality of service that publishers offer, and that subscriptions request unless `requests` says otherwise."""
     is_global: bool = False
     """True if a node's namespace does not apply to the name."""
+    requests: tuple[Qos, ...] = ()
+    """Quality of service of a subscription's readers, where it has several; empty: one, with `qos`."""
 
     @property
     def dds_name(self) -> str:
@@ -54,17 +64,17 @@ JOINT_COMMANDS: Final = Topic("/joint_commands", "sensor_msgs/msg/JointState", _
 """Joint targets: names with positions in rad. Names with efforts of zero and no positions let the robot go limp."""
 JOINT_POSITIONS: Final = Topic("/forward_position_controller/commands", "std_msgs/msg/Float64MultiArray", _LATEST)
 """Joint targets for the `forward_position_controller` of ros2_control: rad, in the order of `JOINT_NAMES`."""
-PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT)
+PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT, requests=ANY_PUBLISHER_QOS)
 """To `sim`: velocity in the world frame, m/s, that is added to the base's."""
-RESET: Final = Topic("/reset", "std_msgs/msg/Empty", _DEFAULT)
+RESET: Final = Topic("/reset", "std_msgs/msg/Empty", _DEFAULT, requests=ANY_PUBLISHER_QOS)
 """To `sim` and `controller`: start again."""
-PAUSE: Final = Topic("/pause", "std_msgs/msg/Bool", _DEFAULT)
+PAUSE: Final = Topic("/pause", "std_msgs/msg/Bool", _DEFAULT, requests=ANY_PUBLISHER_QOS)
 """To `sim` and `controller`: true stops simulated time, false lets it run again."""
-STEP: Final = Topic("/step", "std_msgs/msg/Empty", _DEFAULT)
+STEP: Final = Topic("/step", "std_msgs/msg/Empty", _DEFAULT, requests=ANY_PUBLISHER_QOS)
 """To `sim`: one control step of a paused simulation."""
-ESTOP: Final = Topic("/estop", "std_msgs/msg/Bool", _DEFAULT)
-"""Emergency stop, to `sim` and `controller`: limp from true to false."""
-GAIT: Final = Topic("/gait", "std_msgs/msg/Float64MultiArray", _LATEST)
+ESTOP: Final = Topic("/estop", "std_msgs/msg/Bool", LATCHED_QOS, requests=ANY_PUBLISHER_QOS)
+"""Emergency stop, to all nodes that move the robot, see `emergency_stop`. Latched, for those that start later."""
+GAIT: Final = Topic("/gait", "std_msgs/msg/Float64MultiArray", _LATEST, requests=ANY_PUBLISHER_QOS)
 """To `gait`: amplitude as a multiple of the preset's, frequency in Hz, phases of LF, RF, LH and RH in cycles."""
 GAIT_SETTINGS: Final = Topic("/gait/settings", "std_msgs/msg/Float64MultiArray", LATCHED_QOS)
 """From `gait`: the current settings, in the same format."""

@@ -5,6 +5,7 @@
     mini-quadruped live controller tuned        the scripted gait that follows /cmd_vel
     mini-quadruped live controller --arrays     for a robot with ros2_control
     mini-quadruped live controller --map my_robot.toml    for motors with other names, signs, zeros or units
+    mini-quadruped live controller --start-stopped        limp until /estop is released, as a service should start
 
 Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
 a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
@@ -13,16 +14,21 @@ States may come in several messages and with other joints; velocities that they 
 the policy needs them. States with NaN or wrong counts, and with old, repeated or empty timestamps, are refused and
 logged; while the robot is limp, states that are all late are accepted after 0.5 s. Each command has the timestamp of
 the state that it answers.
+
+/estop true lets the robot go limp. After the release it stays so until a velocity command other than zero comes. The
+node ends if another one commands the robot already.
 """
 
 import argparse
 import functools
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.by_name import find_controller
+from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import JointCommand, LiveController, Mode
 from quadruped_env.control.policy_files import DEFAULT, SHIPPED, Terms, load_terms, policy_directory, read_policy
@@ -31,11 +37,13 @@ from quadruped_env.gait import PRESETS
 from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
 from quadruped_env.live.controller_inputs import Measurements, VelocityCommands
+from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
 from quadruped_env.live.messages.driver_joints import DriverJoints, add_map_argument
-from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_POSITIONS, TF_STATIC
+from quadruped_env.live.middleware.topics import CLOCK, ESTOP, IMU, JOINT_COMMANDS, JOINT_POSITIONS, TF_STATIC
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulator_commands import SimulatorCommands
+from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
@@ -85,14 +93,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"the time is that of {CLOCK.name}, or of the states' timestamps where nothing publishes it: for a "
         "simulator that does not run at real time, pauses or starts again (ROS's use_sim_time)",
     )
+    parser.add_argument(
+        "--start-stopped",
+        action="store_true",
+        help=f"start as after an emergency stop: the robot stays limp until {ESTOP.name} is false and then a velocity "
+        "command comes. For a program that is started again after it was killed, as systemd does",
+    )
     add_realtime_argument(parser)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Control the robot until the session ends, then let it go limp."""
     terms = _terms(arguments)
-    load = functools.partial(read_policy, terms=terms)
-    robot = terms.robot
+    robot, load = terms.robot, functools.partial(read_policy, terms=terms)
     live_controller = LiveController(
         find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
     )
@@ -102,24 +115,25 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         session.say(f"--map: drives {', '.join(driver.joint_names)}")
     publisher = CommandPublisher(node, driver, arguments.arrays)
 
-    def send(answer: JointCommand | None) -> None:
-        if answer is not None:
-            publisher.send(answer.stamp, driver.target_to_driver(answer.target))
-
+    send = functools.partial(_send, publisher, driver)
     commands = VelocityCommands(session, live_controller)
     clock: ControlTime = SimTime(node) if arguments.sim_time else SystemTime()
-    simulator = SimulatorCommands(session)
+    simulator, stop = SimulatorCommands(session), EmergencyStop(session, arguments.start_stopped)
+    guard = _checked_guard(session, arguments.arrays)
     inbox = Measurements(session, robot, driver, live_controller.needs_velocities, _mount(arguments))
     diagnostics = Diagnostics(node, robot.name)
     while session.running:
         session.wait(_POLL_PERIOD)
         simulator.take()
+        stop.take()
+        guard.watch(publishing=live_controller.mode not in (Mode.WAITING, Mode.LIMP))
         clock.pause(simulator.paused)
         if simulator.reset:
             live_controller.restart("reset")
+            inbox.commanded(LIMP)
         if clock.set_back(session.refuse):
             live_controller.restart(_SET_BACK)
-        send(live_controller.emergency_stop(simulator.stopped))
+        send(inbox, live_controller.emergency_stop(stop.stopped))
         commands.take(clock)
         answer = None
         try:
@@ -132,20 +146,42 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         except QuadrupedError as error:
             session.refuse(str(error))
         now = clock.now
-        send(answer or live_controller.silent(now))
+        send(inbox, answer or live_controller.silent(now))
         waiting = live_controller.waiting_for
-        if waiting and not simulator.stopped:
-            waiting = inbox.missing() or waiting
+        if waiting:
+            waiting = stop.awaited if stop.stopped else inbox.missing() or waiting
         session.wait_for(waiting)
-        mode, moving = live_controller.mode, live_controller.moving(now)
-        session.report("" if mode is not Mode.WALKING or moving else "standing: no /cmd_vel")
-        diagnostics.send(
-            ERROR if mode is Mode.LIMP else WARN if waiting else OK,
-            f"{mode.value}{f'; waits for {waiting}' if waiting else ''}",
-            {"policy": arguments.policy, "velocity command": moving, "refused messages": session.refuse.count},
+        moving, problems = live_controller.moving(now), [one for one in (guard.problem, *inbox.problems) if one]
+        session.report(
+            "" if live_controller.mode is not Mode.WALKING or moving else "standing: no /cmd_vel", *problems[:1]
         )
+        values = {
+            "policy": arguments.policy,
+            "velocity command": moving,
+            "refused messages": session.refuse.count,
+            "problems": "; ".join(problems),
+        }
+        _send_status(diagnostics, live_controller.mode, waiting, values)
     publisher.let_go()
     return 0
+
+
+def _send(publisher: CommandPublisher, driver: DriverJoints, inbox: Measurements, answer: JointCommand | None) -> None:
+    if answer is not None:
+        publisher.send(answer.stamp, driver.target_to_driver(answer.target))
+        inbox.commanded(answer.target)
+
+
+def _checked_guard(session: Session, arrays: bool) -> SinglePublisherGuard:
+    guard = SinglePublisherGuard(session, JOINT_POSITIONS if arrays else JOINT_COMMANDS)
+    guard.check()
+    return guard
+
+
+def _send_status(diagnostics: Diagnostics, mode: Mode, waiting: str, values: Mapping[str, object]) -> None:
+    """Send mode, what is waited for, and values on `/diagnostics`, if it is time."""
+    level = ERROR if mode is Mode.LIMP else WARN if waiting or values["problems"] else OK
+    diagnostics.send(level, f"{mode.value}{f'; waits for {waiting}' if waiting else ''}", values)
 
 
 def _terms(arguments: argparse.Namespace) -> Terms:

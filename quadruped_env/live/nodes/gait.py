@@ -6,11 +6,11 @@
 Amplitude, frequency and phases can be changed at run time, with the sliders of `view` or with a message: amplitude as a
 multiple of the preset's, frequency in Hz, and the phase of each leg in cycles (LF, RF, LH, RH):
 
-    ros2 topic pub --once /gait std_msgs/msg/Float64MultiArray "{data: [1.5, 0.5, 0, 0.5, 0.5, 0]}"
+    ros2 topic pub -t 20 -r 10 /gait std_msgs/msg/Float64MultiArray "{data: [1.5, 0.5, 0, 0.5, 0.5, 0]}"
 
 Positions and velocities follow from the gait's formula at the time since the start, which the timestamps represent. As
 commands, the gait is faded in over 2 s from the measured joint positions, without any supervision of the robot;
-`controller trot` adds it.
+`controller trot` adds it. /estop ends it, and the robot goes limp.
 """
 
 import argparse
@@ -25,6 +25,7 @@ from quadruped_env.control.joint_command import LIMP, limited
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
+from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, command_message
@@ -154,13 +155,17 @@ def _send_states(session: Session, gait: _RemoteGait, driver: DriverJoints, peri
 
 
 def _send_commands(session: Session, gait: _RemoteGait, driver: DriverJoints, period: float) -> None:
+    guard, stop = SinglePublisherGuard(session, JOINT_COMMANDS), EmergencyStop(session)
+    guard.check()
     commands = session.node.publish(JOINT_COMMANDS)
     reader, merger = JointReader(JOINT_STATES.name, driver, states=True), JointMerger(driver, velocities=False)
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
     first: NDArray[np.float64] | None = None
-    while session.running and first is None:
-        session.wait_for(merger.missing if states.count else JOINT_STATES.name)
+    while session.running and (first is None or stop.stopped):
+        missing = merger.missing if states.count else JOINT_STATES.name
+        session.wait_for(stop.awaited if stop.stopped else missing)
         session.wait()
+        stop.take()
         for _, joints in states.messages(session.refuse):
             if whole := merger.add(joints):
                 first = driver.to_robot(whole).positions
@@ -173,6 +178,10 @@ def _send_commands(session: Session, gait: _RemoteGait, driver: DriverJoints, pe
     while session.running:
         session.wait(pace.remaining)
         states.take()
+        guard.watch()
+        stop.take()
+        if stop.stopped:
+            break
         t = pace.ticks * period
         gait.take(t)
         if pace.tick():

@@ -4,7 +4,8 @@
     mini-quadruped live gamepad --axes 1 0 --enable-button 5  other sticks and another button
 
 Releasing the button, unplugging the gamepad, or the end of this program makes the robot stand. The stop button sends
-/estop, which lets it go limp; the start button ends the stop. `jstest /dev/input/js0` shows the numbers of a gamepad.
+/estop, which lets it go limp; the start button ends the stop, and the next velocity command makes the robot stand up.
+`jstest /dev/input/js0` shows the numbers of a gamepad.
 """
 
 import argparse

@@ -11,7 +11,7 @@ Stands until it is commanded. Without a command for 1 s its motors go limp, like
 accepts commands from one publisher at a time. Timestamps begin at this machine's time. There can be only one robot on a
 domain: if another process already publishes /joint_states, it refuses to start.
 
-    ros2 topic pub --once /push geometry_msgs/msg/Vector3 "{y: 0.5}"
+    ros2 topic pub --once --qos-durability transient_local --keep-alive 5 /push geometry_msgs/msg/Vector3 "{y: 0.5}"
 """
 
 import argparse
@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.joint_messages import JointReader, read_positions, read_target
 from quadruped_env.live.messages.sensor_messages import Sensors
@@ -87,13 +88,14 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     gc.freeze()
     steps, push_log = _Steps(TIMESTEP / factor), Pace(_PUSH_LOG_PERIOD)
     fell, fell_at = False, 0.0
-    simulator = SimulatorCommands(session, steps=True)
+    simulator, stop = SimulatorCommands(session, steps=True), EmergencyStop(session)
     while session.running:
         session.wait(POLL_PERIOD if simulator.paused else steps.pace.remaining)
         simulator.take()
+        stop.take()
         if simulator.reset:
             robot.reset()
-        commands.take(simulator.stopped)
+        commands.take(stop.stopped)
         for _, velocity in pushes.messages(session.refuse):
             _push_robot(session, robot, velocity, push_log)
         for number in steps.due(simulator):

@@ -5,7 +5,7 @@ were recorded. Their timestamps are those of the headers unless the options say 
 """
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path, PurePath
 from typing import Any, Final
@@ -78,9 +78,12 @@ def _irregular(reading: Reading, storage: str) -> bool:
     if not metadata.exists():
         reading.note(f"there is no {METADATA_FILE}: the storage files were read without it")
         return True
-    named = _named_files(metadata)
+    named, qos_is_readable = _named_files(metadata)
     there = [file.name for file in files]
     missing = [name for name in named if name not in there]
+    if not missing and not qos_is_readable:
+        reading.note(f"the offered_qos_profiles in {METADATA_FILE} are not valid: the files were read without it")
+        return True
     if not missing:
         return False
     names = f"{METADATA_FILE} names {', '.join(named)}, and the directory holds {', '.join(there)}"
@@ -106,7 +109,7 @@ def _indexed(reading: Reading, storage: str) -> Iterator[Message]:
                 _check_connection(connection, reading)
             total = sum(connection.msgcount for connection in connections)
             found = 0
-            for connection, time, data in reader.messages(connections):
+            for connection, time, data in reader.messages(_stored(reader, connections)):
                 if not isinstance(time, int) or not isinstance(data, (bytes, memoryview)):
                     raise TypeError("time or bytes of a message have another type")
                 if found % _MESSAGES_PER_UPDATE == 0:
@@ -145,17 +148,30 @@ def _open(path: Path, storage: str, stack: ExitStack) -> Any:
     return reader
 
 
-def _named_files(path: Path) -> list[str]:
-    """Names of the files in the metadata; rosbags looks for all of them in the bag's own directory.
+def _stored(reader: Any, connections: Sequence[Any]) -> list[Any]:
+    """Connections with the QoS of the storage files, by which rosbags finds their messages: metadata may be edited."""
+    files = getattr(reader, "storages", ())
+    return [*connections] + [
+        one._replace(ext=stored.ext)
+        for one in connections
+        for file in files
+        for stored in file.connections
+        if (stored.topic, stored.msgtype) == (one.topic, one.msgtype) and stored.ext != one.ext
+    ]
 
-    None if the metadata are damaged, which rosbags reports.
+
+def _named_files(path: Path) -> tuple[list[str], bool]:
+    """Names of the files in the metadata, and whether their QoS profiles are valid.
+
+    rosbags looks for all files in the bag's own directory. There are none if the metadata are damaged, which rosbags
+    reports.
 
     Raises:
         QuadrupedError: if they would keep rosbags busy for long, or make it read a file twice.
     """
     yaml = yaml_module()
     names: list[str] = []
-    depth, deepest = 0, 0
+    depth, deepest, valid = 0, 0, True
     try:
         text = path.read_text(encoding="utf-8")
         if len(text) <= _MAX_METADATA:
@@ -168,8 +184,9 @@ def _named_files(path: Path) -> list[str]:
             section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
             paths = section.get("relative_file_paths") if isinstance(section, dict) else None
             names = [PurePath(one).name for one in paths if isinstance(one, str)] if isinstance(paths, list) else []
+            valid = not isinstance(section, dict) or _has_valid_qos(section)
     except (OSError, UnicodeDecodeError, yaml.YAMLError):
-        return []
+        return [], True
     repeated = next((name for name, count in Counter(names).items() if count > 1), "")
     for problem, wrong in (
         (f"over {_MAX_METADATA} characters", len(text) > _MAX_METADATA),
@@ -180,7 +197,20 @@ def _named_files(path: Path) -> list[str]:
             raise QuadrupedError(
                 f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or {KEEP}"
             )
-    return names
+    return names, valid
+
+
+def _has_valid_qos(section: Mapping[str, Any]) -> bool:
+    """True if rosbags can read the profiles of all topics, without which it reads no bag."""
+    from rosbags.rosbag2.metadata import parse_qos
+
+    topics = section.get("topics_with_message_count")
+    try:
+        for topic in topics if isinstance(topics, list) else ():
+            parse_qos(topic["topic_metadata"].get("offered_qos_profiles", ""))
+    except Exception:  # of many types, which are not documented
+        return False
+    return True
 
 
 def _check_connection(connection: Any, reading: Reading) -> None:

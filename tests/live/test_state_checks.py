@@ -1,0 +1,227 @@
+"""Content of live states: an IMU that repeats itself, joints that freeze or jump, two publishers or controllers."""
+
+import threading
+import time
+
+import numpy as np
+import pytest
+from built_in import STANCE
+from live_nodes import joint_state
+from waiting import wait_until
+
+from quadruped_env import JOINT_NAMES
+from quadruped_env.control.joint_command import LIMP
+from quadruped_env.live import Node
+from quadruped_env.live.messages.imu_messages import Imu
+from quadruped_env.live.messages.joint_messages import JointReader, Joints, read_target
+from quadruped_env.live.middleware.topics import CMD_VEL, DIAGNOSTICS, ESTOP, IMU, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.pace import Pace
+from quadruped_env.live.state_checks import ImuRepetition, JointChecks
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.ros import cdr
+
+pytest.importorskip("cyclonedds")
+pytest.importorskip("rosbags")
+
+MS = 1_000_000
+REST = np.zeros(16)
+
+
+def repeated(count, period=10, moved=REST, content=b"same"):
+    """An IMU that has sent one message, and `count` equal ones after it."""
+    repetition = ImuRepetition()
+    for i in range(count + 1):
+        repetition.add(Imu(i * period * MS, None, None, "", content), REST if i < count else moved)
+    return repetition
+
+
+@pytest.mark.parametrize("period", [10, 20])
+def test_imu_that_repeats_itself_for_a_fifth_of_a_second_while_the_robot_moves_is_frozen(period):
+    moved = REST.copy()
+    moved[3] = 0.02
+    enough = 200 // period
+    assert not repeated(enough - 1, period, moved).frozen
+    repetition = repeated(enough, period, moved)
+    assert repetition.frozen
+    # It stays so at rest, until other numbers come.
+    repetition.add(Imu(10**9, None, None, "", b"same"), moved)
+    assert repetition.frozen
+    repetition.add(Imu(2 * 10**9, None, None, "", b"other"), moved)
+    assert not repetition.frozen
+
+
+def test_imu_of_a_robot_that_rests_exactly_may_repeat_itself():
+    """As a simulated one, of which the solver comes to rest."""
+    assert not repeated(1000).frozen
+
+
+def test_imu_that_repeats_itself_since_before_the_first_positions_is_frozen_once_they_change():
+    repetition = repeated(100, moved=np.full(16, np.nan))
+    for i, joints in enumerate((REST, REST, REST + 0.02)):
+        repetition.add(Imu((1000 + 10 * i) * MS, None, None, "", b"same"), joints)
+        assert repetition.frozen == (i == 2)
+
+
+def trot(count, period=0.01):
+    """Positions (count, 8) of legs that move by 0.3 rad at 2 Hz, with noise."""
+    t = period * np.arange(count)[:, None]
+    noise = np.random.default_rng(0).normal(0.0, 1e-4, (count, 8))
+    return STANCE + 0.3 * np.sin(4.0 * np.pi * t + np.arange(8)) + noise
+
+
+def problems_of(positions, monkeypatch, targets=None, velocities=None):
+    """Problems, and lines said, of a robot with these positions (n, 8) every 10 ms."""
+    monkeypatch.setattr(Pace, "tick", lambda self: True)
+    said = []
+    checks = JointChecks(JOINT_NAMES, said.append)
+    for i, row in enumerate(positions):
+        checks.commanded(row if targets is None else targets[i])
+        velocity = None if velocities is None else velocities[i]
+        checks.add(Joints(10**18 + i * 10 * MS, row, velocity, None), velocities is not None)
+    return checks.problems, said
+
+
+def test_walking_robot_has_no_problem(monkeypatch):
+    positions = trot(300)
+    assert problems_of(positions, monkeypatch) == ((), [])
+    assert problems_of(positions, monkeypatch, velocities=np.gradient(positions, 0.01, axis=0)) == ((), [])
+
+
+@pytest.mark.parametrize("value", [0.0, -0.4])
+def test_joint_that_stays_at_one_position_while_others_move_is_named(monkeypatch, value):
+    positions = trot(300)
+    positions[100:, 5] = value
+    problems, said = problems_of(positions, monkeypatch, targets=trot(300))
+    assert any(f"LH_knee_joint stays at exactly {value:.4g} rad for" in problem for problem in problems), problems
+    assert sum("stays at exactly" in line for line in said) == 1, "not again before 10 s"
+    problems, _ = problems_of(positions, monkeypatch, targets=np.broadcast_to(STANCE, (300, 8)))
+    assert any("while other joints move" in problem for problem in problems), problems
+
+
+def test_jumps_by_pi_in_one_of_ten_messages_are_named(monkeypatch):
+    positions = trot(300)
+    positions[::10, 2] += np.pi
+    problems, said = problems_of(positions, monkeypatch)
+    assert any("by 3." in problem and "RF_hip_joint" in problem for problem in problems), problems
+    assert not any("despike" in line or "state 1" in line for line in said), said
+
+
+def test_velocities_that_are_not_those_of_the_positions_are_named(monkeypatch):
+    problems, _ = problems_of(trot(300), monkeypatch, velocities=np.zeros((300, 8)))
+    assert any("are 0 while the positions change" in problem for problem in problems), problems
+
+
+class FakeRobot:
+    """A robot whose joints follow their targets at once, at 100 Hz, with noise; faults are switched on by name."""
+
+    def __init__(self):
+        self.node = Node("driver")
+        self.states, self.attitudes = self.node.publish(JOINT_STATES), self.node.publish(IMU)
+        self.velocities = self.node.publish(CMD_VEL)
+        self.commands = self.node.subscribe(JOINT_COMMANDS, read=JointReader("", MINI_QUADRUPED))
+        self.diagnostics = self.node.subscribe(DIAGNOSTICS)
+        self.positions, self.limp, self.targets, self.fault = STANCE.copy(), False, 0, ""
+        self.problems = ""
+        self.running, self.thread = True, threading.Thread(target=self.run)
+
+    def __enter__(self):
+        self.thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self.running = False
+        self.thread.join()
+        self.node.close()
+
+    def run(self):
+        rng, number = np.random.default_rng(0), 0
+        while self.running:
+            number += 1
+            for _, joints in self.commands.messages(pytest.fail):
+                target = read_target(joints)
+                self.limp = target is LIMP
+                if not self.limp:
+                    self.targets += 1
+                    self.positions = np.asarray(target)
+            for _, message in self.diagnostics.messages(pytest.fail):
+                self.problems = {one.key: one.value for one in message.status[0].values}["problems"]
+            now = time.time_ns()
+            turn = dict(zip("xyz", np.zeros(3) if self.fault == "imu" else rng.normal(0.0, 0.01, 3), strict=True))
+            header = cdr.header(now)
+            imu = cdr.message(IMU.type_name, header=header, orientation={"w": 1.0}, angular_velocity=turn)
+            self.attitudes.send(imu)
+            measured = self.positions + rng.normal(0.0, 1e-4, 8)
+            if self.fault == "zero":
+                measured[4] = 0.0
+            if self.fault == "jump" and number % 10 == 0:
+                measured[1] += np.pi
+            self.states.send(joint_state(now, JOINT_NAMES, measured))
+            self.velocities.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.3}))
+            time.sleep(0.01)
+
+
+def test_controller_names_implausible_states_and_lets_go_when_the_imu_stops_measuring(run_node, nodes):
+    with FakeRobot() as robot:
+        log = run_node("controller", "trot")
+        wait_until(lambda: "following the command" in log.getvalue(), log.getvalue)
+        for fault, words in (("zero", "LH_hip_joint stays at exactly 0 rad"), ("jump", "LF_knee_joint")):
+            robot.fault = fault
+            wait_until(lambda words=words: words in log.getvalue() and words in robot.problems, log.getvalue)
+        robot.fault = ""
+        wait_until(lambda: not robot.problems, log.getvalue)
+        other = nodes("other").publish(JOINT_STATES)
+
+        def named():
+            other.send(joint_state(time.time_ns(), JOINT_NAMES[:2], STANCE[:2]))
+            return "sends LF_hip_joint too" in log.getvalue() and "end one of the two" in robot.problems
+
+        wait_until(named, log.getvalue, interval=0.01)
+        assert not robot.limp
+        robot.fault = "imu"
+        wait_until(lambda: robot.limp, log.getvalue)
+        assert "/imu/data: repeats the same numbers bit for bit while the robot moves" in log.getvalue()
+        targets = robot.targets
+        wait_until(lambda: "waiting for /imu/data: repeats the same" in log.getvalue(), log.getvalue)
+        assert robot.targets == targets
+        robot.fault = ""
+        wait_until(lambda: log.getvalue().count("following the command") > 1, log.getvalue)
+
+
+def test_second_controller_of_a_robot_is_refused(start, run_node, domain_id):
+    with FakeRobot() as robot:
+        log = run_node("controller", "trot")
+        wait_until(lambda: robot.targets > 10, log.getvalue)
+        for arguments in (("controller", "trot"), ("gait", "--commands")):
+            second = start(*arguments)
+            assert second.status() == 2
+            assert "/joint_commands: controller" in second.said
+            assert "publishes it already" in second.said
+        assert "limp" not in log.getvalue()
+
+
+def test_of_two_controllers_that_wait_together_one_ends_before_both_command(start, domain_id):
+    first, second = start("controller", "trot"), start("controller", "trot")
+    for node in (first, second):
+        wait_until(lambda node=node: "waiting for a publisher" in node.said, lambda node=node: node.said)
+    with FakeRobot() as robot:
+        wait_until(lambda: first.process.poll() is not None or second.process.poll() is not None)
+        left, ended = (first, second) if first.process.poll() is None else (second, first)
+        assert ended.status() == 2
+        assert "there can be one publisher only" in ended.said
+        wait_until(lambda: "following the command" in left.said, lambda: left.said)
+        assert robot.targets
+
+
+def test_scripted_gait_on_commands_lets_go_at_an_emergency_stop(start, domain_id):
+    with FakeRobot() as robot:
+        stops = robot.node.publish(ESTOP)
+        gait = start("gait", "--commands")
+        wait_until(lambda: robot.targets > 10, lambda: gait.said)
+        stops.send(cdr.message(ESTOP.type_name, data=True))
+        assert gait.status() == 0
+        wait_until(lambda: robot.limp, lambda: gait.said)
+        # The stop is latched: the gait that is started now does not begin.
+        targets = robot.targets
+        again = start("gait", "--commands")
+        wait_until(lambda: "waiting for the release of the emergency stop" in again.said, lambda: again.said)
+        assert robot.targets == targets
