@@ -7,8 +7,9 @@
     mini-quadruped live controller --map my_robot.toml    for motors with other names, signs, zeros or units
 
 Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
-a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
-after 1 s or after a fall; then it waits for fresh states again. Joint targets keep to the joints' range and speed.
+a command newer than 0.5 s it stands. Control steps without a new state use the last one. Holds its position when no
+state arrives for 0.2 s, and lets the robot go limp after 1 s, after a fall, or after 0.2 s of joint targets that are
+not finite; then it waits for fresh states again. Joint targets keep to the joints' range and speed.
 States may come in several messages and with other joints; velocities that they lack are computed from the positions if
 the policy needs them. States with NaN or wrong counts, and with old, repeated or empty timestamps, are refused and
 logged; while the robot is limp, states that are all late are accepted after 0.5 s. Each command has the timestamp of
@@ -17,6 +18,7 @@ the state that it answers.
 
 import argparse
 import functools
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -30,7 +32,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
-from quadruped_env.live.controller_inputs import Measurements, VelocityCommands
+from quadruped_env.live.controller_inputs import Measurements, SlowInputs, VelocityCommands
 from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
 from quadruped_env.live.messages.driver_joints import DriverJoints, add_map_argument
 from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_POSITIONS, TF_STATIC
@@ -96,23 +98,43 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     live_controller = LiveController(
         find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
     )
-    node = session.node
     driver = DriverJoints.load(arguments.map, robot)
     if arguments.map is not None:
         session.say(f"--map: drives {', '.join(driver.joint_names)}")
-    publisher = CommandPublisher(node, driver, arguments.arrays)
+    publisher = CommandPublisher(session.node, driver, arguments.arrays, session.say)
 
     def send(answer: JointCommand | None) -> None:
         if answer is not None:
-            publisher.send(answer.stamp, driver.target_to_driver(answer.target))
+            try:
+                publisher.send(answer.stamp, driver.target_to_driver(answer.target))
+            except QuadrupedError as error:
+                live_controller.fail(str(error))
 
+    try:
+        _control(session, arguments, live_controller, send, driver)
+    finally:
+        # Also where an error ends the node: otherwise the motors keep their torque until the driver's watchdog trips.
+        publisher.let_go()
+    return 0
+
+
+def _control(
+    session: Session,
+    arguments: argparse.Namespace,
+    live_controller: LiveController,
+    send: Callable[[JointCommand | None], None],
+    driver: DriverJoints,
+) -> None:
+    """Answer the robot's states until the session ends."""
+    node, robot = session.node, live_controller.robot
     commands = VelocityCommands(session, live_controller)
     clock: ControlTime = SimTime(node) if arguments.sim_time else SystemTime()
     simulator = SimulatorCommands(session)
     inbox = Measurements(session, robot, driver, live_controller.needs_velocities, _mount(arguments))
+    slow = SlowInputs(1.0 / live_controller.period, session.say)
     diagnostics = Diagnostics(node, robot.name)
     while session.running:
-        session.wait(_POLL_PERIOD)
+        session.wait(max(0.0, min(_POLL_PERIOD, live_controller.remaining(clock.now))))
         simulator.take()
         clock.pause(simulator.paused)
         if simulator.reset:
@@ -137,15 +159,21 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         if waiting and not simulator.stopped:
             waiting = inbox.missing() or waiting
         session.wait_for(waiting)
-        mode, moving = live_controller.mode, live_controller.moving(now)
-        session.report("" if mode is not Mode.WALKING or moving else "standing: no /cmd_vel")
+        rates = inbox.rates
+        slow.update(rates)
+        mode, moving, fault = live_controller.mode, live_controller.moving(now), live_controller.fault
+        session.report("" if mode is not Mode.WALKING or moving else "standing: no /cmd_vel", slow.warning)
         diagnostics.send(
-            ERROR if mode is Mode.LIMP else WARN if waiting else OK,
-            f"{mode.value}{f'; waits for {waiting}' if waiting else ''}",
-            {"policy": arguments.policy, "velocity command": moving, "refused messages": session.refuse.count},
+            ERROR if mode is Mode.LIMP or fault else WARN if waiting or slow.warning else OK,
+            "; ".join(filter(None, [mode.value, f"waits for {waiting}" * bool(waiting), fault, slow.warning])),
+            {
+                "policy": arguments.policy,
+                "velocity command": moving,
+                "refused messages": session.refuse.count,
+                "control rate, Hz": f"{1.0 / live_controller.period:g}",
+                **{f"{name}, Hz by timestamps": f"{rate:.1f}" for name, rate in rates.items()},
+            },
         )
-    publisher.let_go()
-    return 0
 
 
 def _terms(arguments: argparse.Namespace) -> Terms:
