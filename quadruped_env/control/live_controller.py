@@ -13,6 +13,7 @@ one. A tick waits for a state that is due with it. Up to three ticks that were m
 """
 
 import math
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
@@ -182,8 +183,8 @@ class LiveController:
         """Timestamp since which all states have been fresh and the robot upright, ns."""
         self._heard = -math.inf
         self._stamp = 0
-        self._interval = 0
-        """Time between the last two states, ns."""
+        self._intervals: deque[int] = deque(maxlen=3)
+        """Last times between two states, ns."""
         self._due: int | None = None
         """Timestamp of the next control tick, ns."""
         self._silent_due = 0.0
@@ -283,7 +284,7 @@ class LiveController:
         if refusal:
             self._obstacle = f"fresh states: {refusal}"
             raise QuadrupedError(refusal)
-        self._interval = measurement.stamp - self._stamp
+        self._intervals.append(measurement.stamp - self._stamp)
         self._heard, self._stamp = now, measurement.stamp
         self._take_in(measurement)
         if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP) and not self._stopped:
@@ -331,7 +332,8 @@ class LiveController:
     def _patience(self) -> float:
         """Time for which the next tick waits for a state, ns: 0 if the next state is due only after it."""
         assert self._due is not None
-        due_with_state = self._stamp + self._interval <= self._due + _EARLY_TOLERANCE * self._step
+        # The shortest interval, since timestamps jitter and states are lost.
+        due_with_state = self._stamp + min(self._intervals) <= self._due + _EARLY_TOLERANCE * self._step
         return _LATE_TOLERANCE * self._step if due_with_state else 0.0
 
     def _act_until(self, stamp: int, tolerance: float, now: float) -> JointCommand | None:

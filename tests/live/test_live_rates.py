@@ -54,7 +54,8 @@ def fed(bench, seconds, rate, jitter=0.0, clock=True):
             with contextlib.suppress(QuadrupedError):
                 bench.feed(EPOCH + round(taken[arrived] * 1e9))
             arrived += 1
-        bench.live_controller.silent(now)
+        if answer := bench.live_controller.silent(now):
+            bench.answers.append(answer)
         ticks += [now - start] * (len(bench.controller.commands) - before)
     return np.array(ticks)
 
@@ -76,9 +77,17 @@ def test_control_ticks_have_their_own_rate(rate, jitter, clock):
         assert np.ptp(grid) < 0.0175
         assert not jitter or np.ptp(grid) > 0.0
         if not jitter and (rate % 50 == 0 or rate < 30):
-            np.testing.assert_allclose(np.diff(ticks[5:]), 0.02, atol=0.0011)
+            np.testing.assert_allclose(np.diff(ticks[15:]), 0.02, atol=0.0011)
     else:
         assert np.unique(ticks, return_counts=True)[1].max() <= 3
+
+
+def test_ticks_wait_for_states_whose_timestamps_and_arrivals_jitter():
+    """At the control rate, every state is answered once."""
+    bench = Bench().walk()
+    fed(bench, 4.0, 50, 0.004)
+    stamps = [answer.stamp for answer in bench.answers[-190:]]
+    assert len(set(stamps)) == len(stamps)
 
 
 def test_ticks_that_a_suspended_process_missed_are_not_made_up_for():
