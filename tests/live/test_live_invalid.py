@@ -17,6 +17,7 @@ from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.cli.main import main
+from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.joint_command import INVALID_TIMEOUT, LIMP, MAX_TARGET, TargetGate, limited
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode
@@ -252,6 +253,14 @@ def test_policy_that_is_not_finite_within_its_observations_bounds_is_refused_by_
     assert not (tmp_path / "out").exists()
 
 
+def last_layer(policy, x):
+    """Its values, on a processor without fused multiply-add, which would hide NaN between infinities."""
+    for i, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
+        x = (ACTIVATIONS[policy.activation](x) if i else x)[..., None] * weight
+        x = x.sum(axis=-2, dtype=np.float32) + bias
+    return x
+
+
 @pytest.mark.parametrize("activation", ["elu", "relu", "silu", "gelu", "selu", "mish", "softplus", "tanh"])
 def test_policy_that_passes_the_check_is_finite_in_all_corners_of_the_bounds(activation):
     """Weights are scaled to where the check just passes. One corner reaches the bound of the hidden layers."""
@@ -276,6 +285,7 @@ def test_policy_that_passes_the_check_is_finite_in_all_corners_of_the_bounds(act
     with np.errstate(all="ignore"):
         for observations in (corners, aligned, -aligned, np.zeros((1, len(bounds)))):
             assert np.isfinite(policy.predict(observations.astype(np.float32))).all()
+            assert np.isfinite(last_layer(policy, observations.astype(np.float32))).all()
 
 
 def test_policy_with_one_large_weight_passes_and_its_targets_stay_within_range_and_speed():
