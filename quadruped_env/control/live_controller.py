@@ -3,14 +3,18 @@
     waiting --fresh states--> ramping --at the stance--> walking
     ramping, walking --no state for 0.2 s--> holding --for 1 s--> limp --> waiting
     ramping, walking --this process was blocked for 1 s--> limp
-    ramping, walking --fallen--> limp
+    ramping, walking --fallen, or joint targets invalid for 0.2 s--> limp
     any --emergency stop--> limp --released, and a velocity command--> waiting
     holding --fresh states--> ramping
 
 While walking, the robot follows the velocity command. Without a command, or after 0.5 s without a new one, it stands.
+
+Control ticks have the period that the policy was trained with, whatever the rate of the states: each uses the newest
+one. A tick waits for a state that is due with it. Up to three ticks that were missed are made up for.
 """
 
 import math
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
@@ -22,7 +26,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface, Controller
 from quadruped_env.control.controllers import PolicyController
-from quadruped_env.control.joint_command import LIMP, Target, limited
+from quadruped_env.control.joint_command import LIMP, Target, TargetGate, limited
 from quadruped_env.control.observations import OBSERVATIONS
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.timestamp_filter import TimestampFilter
@@ -36,14 +40,18 @@ from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.utils.rotations import rotate_inverse
 
 _ENV_IDS: Final = np.zeros(1, dtype=np.intp)
-_MAX_RAMP_STEPS: Final = 2.5
-"""Maximum progress of the ramp per command, in control steps, where states were lost."""
+_MAX_LATE: Final = 2.5
+"""Delay in control steps beyond which control ticks are left out instead of made up for."""
 _ROUNDING: Final = 1e-6
 """Tolerance of rounding errors, s."""
 _CLIPPED_PERIOD: Final = 1.0
 """Time without a command out of range after which the next one is logged again, s."""
 _EARLY_TOLERANCE: Final = 0.25
 """Fraction of a control step by which a state may precede its tick: timestamps of real robots jitter."""
+_LATE_TOLERANCE: Final = 0.5
+"""Fraction of a control step for which a tick waits for its state."""
+_MAX_MEASURED: Final = 1e3
+"""Largest accepted position, angular velocity or joint velocity, rad or rad/s."""
 
 
 @dataclass(frozen=True)
@@ -151,7 +159,8 @@ class LiveController:
         self.mode = Mode.WAITING
         self._say = say
         self._controller = controller
-        self._robot = robot
+        self.robot = robot
+        """The robot that is driven."""
         self._readings = Readings.of_a_real_robot(robot)
         self._control = ControlInterface(robot, config, fields=OBSERVATIONS if policy is None else policy.fields)
         self.needs_velocities = policy is not None and self._observes_velocities()
@@ -163,6 +172,7 @@ class LiveController:
         """Time between commands, s."""
         self._step = round(self.period * NS_PER_SECOND)
         self._timestamps = TimestampFilter("/joint_states", self._on_lag_changed)
+        self._gate = TargetGate(robot.joint_names, say)
         self._fresh = 0
         self._rest, self._rest_stamp = robot.stance, 0
         self._obstacle = ""
@@ -174,18 +184,17 @@ class LiveController:
         """True if the robot went limp because it had fallen."""
         self._upright_since: int | None = None
         """Timestamp since which all states have been fresh and the robot upright, ns."""
-        self._heard = -math.inf
-        self._stamp = 0
+        self._heard = self._command_at = self._clipped_at = -math.inf
+        self._stamp, self._silent_due = 0, 0.0
+        self._intervals: deque[int] = deque(maxlen=3)
+        """Last times between two states, ns."""
         self._due: int | None = None
-        self._silent_due = 0.0
+        """Timestamp of the next control tick, ns."""
         self._command = np.zeros(2)
-        self._command_at = self._clipped_at = -math.inf
         self._last = robot.stance.copy()
         self._stand_up = StandUp.plan(robot, robot.stance, self.safety.ramp_speed, self.safety.min_ramp_time)
         self._stand_up_time = 0.0
         """Elapsed time on the stand-up trajectory, s."""
-        self._stand_up_state = 0, 0.0
-        """Timestamp in ns and time of receipt in s of the state that the trajectory last advanced with."""
 
     def command(self, forward_velocity: float, yaw_rate: float, now: float) -> None:
         """Set the velocity command, clipped to the controller's ranges.
@@ -220,9 +229,21 @@ class LiveController:
             return "a velocity command other than zero (/cmd_vel), after the emergency stop"
         return "" if self.mode in (Mode.RAMPING, Mode.WALKING) else self._obstacle or "fresh states"
 
+    @property
+    def fault(self) -> str:
+        """Why joint targets could not be sent; empty once the controller gives valid ones again."""
+        return self._gate.fault
+
+    def fail(self, why: str) -> JointCommand:
+        """Let the robot go limp, since its joint targets cannot be sent. Returns the command to send."""
+        self._gate.fault = why
+        self._go_limp(why)
+        return JointCommand(self._stamp, LIMP)
+
     def restart(self, why: str) -> None:
         """Wait for fresh states as at the start, as after the clock was set back; the robot keeps its last targets."""
         self._timestamps = TimestampFilter("/joint_states", self._on_lag_changed)
+        self._gate = TargetGate(self.robot.joint_names, self._say)
         self._heard = self._command_at = self._clipped_at = -math.inf
         self._fallen = False
         self._reset_count()
@@ -264,10 +285,12 @@ class LiveController:
         if self._moving and now - self._heard > self.safety.limp_after:
             # This process was blocked for so long that the robot's own watchdog has disabled the motors.
             return self._time_out()
+        self._check_measured(measurement)
         refusal = self._timestamps.refusal(measurement.stamp, now, self._moving)
         if refusal:
             self._obstacle = f"fresh states: {refusal}"
             raise QuadrupedError(refusal)
+        self._intervals.append(measurement.stamp - self._stamp)
         self._heard, self._stamp = now, measurement.stamp
         self._take_in(measurement)
         if self.mode in (Mode.WAITING, Mode.HOLDING, Mode.LIMP) and not (self._stopped or self._awaits_command):
@@ -278,13 +301,7 @@ class LiveController:
             self._go_limp("the robot has fallen; put it on its feet")
             self._fallen = True
             return JointCommand(measurement.stamp, LIMP)
-        if self._due is None or self._stamp > self._due + self._step:
-            # The first state, or so many were missed that the control ticks restart here.
-            self._due = self._stamp
-        if self._stamp < self._due - _EARLY_TOLERANCE * self._step:
-            return None
-        self._due += self._step
-        return self._act(now)
+        return self._act_until(self._stamp, _EARLY_TOLERANCE * self._step, now)
 
     def silent(self, now: float) -> JointCommand | None:
         """Command to send when no measurement has arrived, or None; call it at every pass of the loop."""
@@ -298,11 +315,11 @@ class LiveController:
                 self._reset_qualification()
                 self._enter(Mode.WAITING, "")
             return None
-        if silence <= self.safety.hold_after:
-            return None
         if silence > self.safety.limp_after:
             return self._time_out()
         if self.mode is not Mode.HOLDING:
+            if silence <= self.safety.hold_after:
+                return self._act_until(self._timestamps.stamp_at(now), -self._patience, now)
             self._enter(Mode.HOLDING, f"no state for {self.safety.hold_after:g} s")
             self._reset_count()
             self._silent_due = now
@@ -310,6 +327,33 @@ class LiveController:
             return None
         self._silent_due += self.period
         return JointCommand(self._stamp, self._last)
+
+    def remaining(self, now: float) -> float:
+        """Time until `silent` performs a control tick unless a measurement comes, s; infinite while there are none."""
+        if self._due is None or self.mode not in (Mode.RAMPING, Mode.WALKING):
+            return math.inf
+        return (self._due + self._patience - self._timestamps.stamp_at(now)) / NS_PER_SECOND
+
+    @property
+    def _patience(self) -> float:
+        """Time for which the next tick waits for a state, ns: 0 if the next state is due only after it."""
+        assert self._due is not None
+        # The shortest interval, since timestamps jitter and states are lost.
+        due_with_state = self._stamp + min(self._intervals) <= self._due + _EARLY_TOLERANCE * self._step
+        return _LATE_TOLERANCE * self._step if due_with_state else 0.0
+
+    def _act_until(self, stamp: int, tolerance: float, now: float) -> JointCommand | None:
+        """Perform the control ticks that are due at a timestamp, up to `tolerance` later (ns); the last one's command.
+
+        Each advances the clock and the observation history by one step.
+        """
+        if self._due is None or stamp > self._due + _MAX_LATE * self._step:
+            self._due = stamp
+        command = None
+        while self._due <= stamp + tolerance and self.mode in (Mode.RAMPING, Mode.WALKING):
+            self._due += self._step
+            command = self._act(now)
+        return command
 
     def _qualify(self, measurement: Measurement, now: float) -> None:
         if self._fresh == 0:
@@ -330,28 +374,35 @@ class LiveController:
         if moved.max() > tolerance:
             joint = int(moved.argmax())
             speed = moved[joint] * NS_PER_SECOND / (measurement.stamp - self._rest_stamp)
-            self._obstacle = f"a robot at rest: {self._robot.joint_names[joint]} moves at {speed:.1f} rad/s"
+            self._obstacle = f"a robot at rest: {self.robot.joint_names[joint]} moves at {speed:.1f} rad/s"
             self._fresh = 0
         if self._fresh < self.safety.fresh_states:
             return
         # Clipped, because the duration of a ramp from far outside the joints' ranges would be unbounded.
-        self._last = np.clip(measurement.positions, self._robot.joint_position_low, self._robot.joint_position_high)
-        self._stand_up = StandUp.plan(self._robot, self._last, self.safety.ramp_speed, self.safety.min_ramp_time)
-        self._stand_up_time, self._stand_up_state = 0.0, (measurement.stamp, now)
-        self._due = None
+        self._last = np.clip(measurement.positions, self.robot.joint_position_low, self.robot.joint_position_high)
+        self._stand_up = StandUp.plan(self.robot, self._last, self.safety.ramp_speed, self.safety.min_ramp_time)
+        self._stand_up_time, self._due = -self.period, None
         self._fallen = False
         self._enter(Mode.RAMPING, f"{self._stand_up.duration:.1f} s")
 
     def _act(self, now: float) -> JointCommand:
         if self.mode is Mode.RAMPING:
-            target = self._ramp(now)
+            target = self._ramp()
         else:
+            before = self._control.memory.get_state(0)
             self._follow(self._command if self.moving(now) else np.zeros(VELOCITY))
             self._control.approach_requested()
             observation = self._control.observe(self._readings)
             self._control.advance()
-            target = self._controller.act(observation, self._control)[0]
-        self._last = limited(self._robot, target, self._last, self.period)
+            try:
+                target = self._controller.act(observation, self._control)[0]
+                if not self._gate.passes(target, now):
+                    # Otherwise NaN would stay in the last action and in the observation history.
+                    self._control.memory.set_state(0, before)
+                    target = self._last
+            except QuadrupedError as error:
+                return self.fail(str(error))
+        self._last = limited(self.robot, target, self._last, self.period)
         return JointCommand(self._stamp, self._last)
 
     def _follow(self, velocity: NDArray[np.float64]) -> None:
@@ -359,6 +410,16 @@ class LiveController:
         if not np.array_equal(velocity, self._control.requested[0]):
             command = np.concatenate([velocity, self._defaults[VELOCITY:]])
             self._control.set_command(_ENV_IDS, command[None])
+
+    def _check_measured(self, measurement: Measurement) -> None:
+        """Refuse values that are not finite, or too large: NaN would reach the observation history."""
+        _, positions, velocities, orientation, angular_velocity = measurement
+        for one in (positions, orientation, angular_velocity, *[velocities] * self.needs_velocities):
+            if not (np.abs(one) <= _MAX_MEASURED).all():
+                raise QuadrupedError(
+                    f"the measurement holds {one.tolist()}; expected finite numbers of at most {_MAX_MEASURED:g} rad "
+                    f"and rad/s: check the driver, and --map"
+                )
 
     def _take_in(self, measurement: Measurement) -> None:
         readings = self._readings
@@ -389,11 +450,8 @@ class LiveController:
                     f"velocities, attitude and angular velocity; train a policy without {name}"
                 )
 
-    def _ramp(self, now: float) -> NDArray[np.float64]:
-        stamp, then = self._stand_up_state
-        # Bounded, so that neither a delay nor a clock that is set forward makes the robot catch up with the trajectory.
-        self._stand_up_time += min((self._stamp - stamp) / NS_PER_SECOND, now - then, _MAX_RAMP_STEPS * self.period)
-        self._stand_up_state = self._stamp, now
+    def _ramp(self) -> NDArray[np.float64]:
+        self._stand_up_time += self.period
         if self._stand_up_time >= self._stand_up.duration + self.safety.settle - _ROUNDING:
             self._control.reset(_ENV_IDS)
             self._follow(np.zeros(VELOCITY))

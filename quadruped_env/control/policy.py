@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 FORMAT_VERSION: Final = 1
 TENSORS_FILE: Final = "policy.safetensors"
 CARD_FILE: Final = "policy.json"
+_LARGEST: Final = 1e38
+"""Bound of the values between layers: a third of float32's largest, for the rounding of sums in any order."""
 
 
 class Agent(Protocol):
@@ -212,16 +214,44 @@ class Policy:
         return np.clip(actions, -1.0, 1.0).astype(np.float32)
 
     def check_is_data(self, use: str) -> None:
-        """Check that a policy has weights, for a use that needs its file.
+        """Check that a policy has weights that give finite actions, for a use that needs its file.
 
         Raises:
-            QuadrupedError: if it is code.
+            QuadrupedError: if it is code, or as `check_finite`.
         """
         if self.agent is not None:
             raise QuadrupedError(
                 f"{use}: {self.source} is a policy of Python code, and this takes policies of files: the directory of "
                 f"a run, or of Policy.from_sb3(model).save(DIR), which holds any MLP of Stable-Baselines3"
             )
+        self.check_finite(use)
+
+    def check_finite(self, where: str) -> None:
+        """Check that the actions are finite for every observation within its bounds, in float32.
+
+        A bound on the absolute values after each layer is computed from that before it, by interval arithmetic. It is
+        sound: what passes cannot overflow, in whatever order a library or a microcontroller sums.
+
+        Args:
+            where: beginning of the error message, such as the file.
+
+        Raises:
+            QuadrupedError: if a weight is not finite, or the bound exceeds what float32 can hold.
+        """
+        activate = ACTIVATIONS[self.activation]
+        bound = np.tile(ObservationLayout(self.robot, self.fields).high, self.control.observation_history)
+        for i, (weight, bias) in enumerate(zip(self.weights, self.biases, strict=True)):
+            finite = np.isfinite(weight).all() and np.isfinite(bias).all()
+            with np.errstate(all="ignore"):
+                bound = bound @ np.abs(weight.astype(np.float64)) + np.abs(bias)
+                if not finite or not (bound <= _LARGEST).all():
+                    problem = "can exceed float32" if finite else "holds NaN or infinity"
+                    raise QuadrupedError(
+                        f"{where}: layer{i} {problem}, so that joint targets become NaN; the training diverged, train "
+                        f"again with a lower --learning-rate, or go on from an earlier checkpoint"
+                    )
+                largest = bound.astype(np.float32)
+                bound = np.maximum(np.abs(activate(largest)), np.abs(activate(-largest))).astype(np.float64)
 
     def check_control(self, control: ControlConfig) -> None:
         """Check that actions have the same meaning in a task as in training.
@@ -300,7 +330,7 @@ class Policy:
         """Write the policy's two files into a directory, which is created if it does not exist.
 
         Raises:
-            QuadrupedError: if a weight is not finite, or the files cannot be written; in both cases no file is written.
+            QuadrupedError: as `check_is_data`, or if the files cannot be written; in both cases no file is written.
         """
         directory, files = Path(directory), self.files()
         try:
@@ -313,16 +343,11 @@ class Policy:
         """Contents of the files that `save` writes, by name; the card is last.
 
         Raises:
-            QuadrupedError: if a weight is not finite, or the policy is code.
+            QuadrupedError: as `check_is_data`.
         """
         self.check_is_data("save")
         tensors = {}
         for i, (weight, bias) in enumerate(zip(self.weights, self.biases, strict=True)):
-            if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
-                raise QuadrupedError(
-                    f"policy: layer{i} holds NaN or infinity, so it is not saved: the training diverged; train again "
-                    f"with a lower --learning-rate, or go on from an earlier checkpoint"
-                )
             tensors[f"layer{i}.weight"], tensors[f"layer{i}.bias"] = np.ascontiguousarray(weight), bias
         content = save(tensors)
         document = {

@@ -283,9 +283,11 @@ def _from_document(document: Any, tensors: dict[str, NDArray[Any]], paths: tuple
         )
     inputs = control.observation_history * layout.width
     weights, biases = _layers(layers, tensors, tensors_path, inputs, robot.num_joints)
-    return Policy(
+    policy = Policy(
         weights, biases, document["activation"], control, terms.observations, task, card, robot, output, str(card_path)
     )
+    policy.check_finite(str(tensors_path))
+    return policy
 
 
 def _layers(
@@ -304,8 +306,6 @@ def _layers(
             raise QuadrupedError(
                 f"{tensors_path}: layer{i} must be float32; found {weight.dtype} and {bias.dtype}; train again"
             )
-        if not (np.isfinite(weight).all() and np.isfinite(bias).all()):
-            raise QuadrupedError(f"{tensors_path}: layer{i} holds NaN or infinity; the training diverged, train again")
         weights.append(weight)
         biases.append(bias)
         width = len(bias)

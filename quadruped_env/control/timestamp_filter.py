@@ -72,6 +72,10 @@ class TimestampFilter:
         self._accept(stamp, min(lag, least), now)
         return ""
 
+    def stamp_at(self, now: float) -> int:
+        """Timestamp in ns that a measurement would have that was taken at a time in s, after the first measurement."""
+        return round((now - self._lag) * NS_PER_SECOND)
+
     def reset(self) -> None:
         """Accept another clock from the next measurement on; a measurement that is late for this clock stays late."""
         self._last = None

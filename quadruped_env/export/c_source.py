@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
 from quadruped_env.control.clock import CommandedFrequency
+from quadruped_env.control.joint_command import INVALID_TIMEOUT
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.export import onnx_interface as graph_io
@@ -152,6 +153,7 @@ def _constants(interface: PolicyInterface, name: str) -> str:
         ("COMMAND_TIMEOUT", _number(safety.command_timeout), "s without a command, then request 0 and 0"),
         ("HOLD_AFTER", _number(safety.hold_after), "s without readings, then hold the targets"),
         ("LIMP_AFTER", _number(safety.limp_after), "s without readings, then switch the motors off"),
+        ("INVALID_AFTER", _number(INVALID_TIMEOUT), "s without valid joint targets, then switch the motors off"),
     ]
     return "\n".join(
         f"#define POLICY_{macro} {value}" + (f" /* {text} */" if text else "") for macro, value, text in macros

@@ -1,34 +1,55 @@
 """Publisher of commands to the driver of a robot."""
 
-from quadruped_env.control.joint_command import LIMP, Target
+import time
+from collections.abc import Callable
+
+from quadruped_env.control.joint_command import LIMP, Target, TargetGate
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.messages.joint_messages import Jointed, command_message, positions_message
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS
 
 
 class CommandPublisher:
-    """Sends commands in one of two formats.
+    """Sends commands in one of two formats. All joint targets of all nodes go through it, and invalid ones no further.
 
     Args:
         node: the publishing node.
         driver: its joints are commanded.
         arrays: True for the format of ros2_control, which has no limp command.
+        say: called with a line of text at the first invalid target.
     """
 
-    def __init__(self, node: Node, driver: Jointed, arrays: bool) -> None:
+    def __init__(self, node: Node, driver: Jointed, arrays: bool, say: Callable[[str], None]) -> None:
         self._arrays = arrays
         self._commands = node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
         self._driver = driver
+        self._gate = TargetGate(driver.joint_names, say)
+        self._last: Target = LIMP
         self._stamp = 0
 
     def send(self, stamp: int, target: Target) -> None:
         """Send joint targets, or `LIMP`, which an array cannot express: it is not sent.
 
+        In place of targets that are not finite, or too large, the last valid ones are sent again.
+
         Args:
             stamp: timestamp of the state that is answered, ns.
             target: for the driver's joints (D,), in its units.
+
+        Raises:
+            QuadrupedError: if targets were invalid for `INVALID_TIMEOUT`; `LIMP` was sent in their place.
         """
-        self._stamp = stamp
+        try:
+            if target is not LIMP and not self._gate.passes(target, time.monotonic()):
+                target = self._last
+        except QuadrupedError:
+            self._send(stamp, LIMP)
+            raise
+        self._send(stamp, target)
+
+    def _send(self, stamp: int, target: Target) -> None:
+        self._stamp, self._last = stamp, target
         if not self._arrays:
             self._commands.send_bytes(command_message(self._driver, stamp, target))
         elif target is not LIMP:

@@ -2,6 +2,7 @@
 
 import functools
 import time
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -18,6 +19,7 @@ from quadruped_env.live.messages.joint_messages import JointMerger, JointReader,
 from quadruped_env.live.messages.velocity_messages import VelocitySubscription
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import IMU, JOINT_STATES, TF_STATIC
+from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 from quadruped_env.live.state_checks import ImuRepetition, JointChecks, Sources
 from quadruped_env.robot.robot import Robot
@@ -32,6 +34,8 @@ _COMMAND_TIMEOUT: Final = 0.5
 """System time after which a velocity command expires, where the controller's own timeout is in simulated time, s."""
 _SILENCE: Final = 0.5
 """Time without a message after which a waiting node says so, s."""
+_SLOW, _FAST = 0.9, 0.95
+"""Fractions of the control rate: inputs below the first are slow, until they are above the second."""
 
 
 class Measurements:
@@ -148,6 +152,12 @@ class Measurements:
         self._unread[name] = f": {reason.partition(': ')[2]}"
         self._session.refuse(reason)
 
+    @property
+    def rates(self) -> dict[str, float]:
+        """Rates of complete joint states and of the IMU by their timestamps, Hz, by topic, as far as known."""
+        found = {JOINT_STATES.name: self._merger.period.rate, IMU.name: self._imu_period.rate}
+        return {name: rate for name, rate in found.items() if rate is not None}
+
     def missing(self) -> str:
         """Why there are no measurements; empty if they come."""
         silent = [one.topic.name for one in (self._states, self._attitudes) if not one.writers]
@@ -158,6 +168,36 @@ class Measurements:
             if now - heard > _SILENCE:
                 return f"{name}: no message that can be read for {now - heard:.1f} s{self._unread.get(name, '')}"
         return self._merger.missing or self._refusal
+
+
+class SlowInputs:
+    """Names inputs that are slower than the control steps: a policy was trained with a new state in each of them.
+
+    Args:
+        control_rate: rate of the control steps, Hz.
+        say: called with a line of text when the rates are known, and when an input becomes slow or fast enough.
+    """
+
+    def __init__(self, control_rate: float, say: Callable[[str], None]) -> None:
+        self.warning = ""
+        """The slow inputs; empty if there are none."""
+        self._control_rate, self._say = control_rate, say
+        self._slow: dict[str, bool] = {}
+        self._pace = Pace(_SILENCE)
+
+    def update(self, rates: dict[str, float]) -> None:
+        """Take the present rates of the inputs in Hz, by topic; call it often."""
+        if not self._pace.tick():
+            return
+        before = self._slow
+        limits = {name: self._control_rate * (_FAST if before.get(name) else _SLOW) for name in rates}
+        self._slow = before | {name: rate < limits[name] for name, rate in rates.items()}
+        shown = ", ".join(f"{name} at {rate:.0f} Hz" for name, rate in rates.items() if self._slow[name])
+        self.warning = f"{shown}, below the control rate of {self._control_rate:g} Hz" if shown else ""
+        if self._slow != before:
+            found = ", ".join(f"{name} at {rate:.0f} Hz" for name, rate in rates.items())
+            effect = ": control steps without a new state use the last one, and the policy may walk worse"
+            self._say(f"{self.warning}{effect}" if shown else f"{found}; control rate {self._control_rate:g} Hz")
 
 
 class VelocityCommands:

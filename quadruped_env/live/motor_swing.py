@@ -53,7 +53,7 @@ class MotorSwing:
         reader = JointReader(JOINT_STATES.name, motors, states=True)
         self._states = session.node.subscribe(JOINT_STATES, _QOS, read=reader)
         self._merger = JointMerger(motors, velocities=False)
-        self._publisher = CommandPublisher(session.node, motors, arrays)
+        self._publisher = CommandPublisher(session.node, motors, arrays, session.say)
         self._stops = EmergencyStop(session)
         self._session, self._motors = session, motors
         self._angle, self._swing_time = angle, _PEAK * angle / speed
@@ -134,6 +134,8 @@ class MotorSwing:
                 target = start.copy()
                 target[motor] += direction * self._offset(elapsed)
                 self._publisher.send(self._stamp, target)
+        except QuadrupedError as error:
+            return str(error)
         finally:
             self._publisher.let_go()
         return "the session ended"

@@ -118,7 +118,7 @@ def test_an_observation_of_another_width_is_refused(shape):
 def test_a_policy_with_weights_that_are_not_finite_is_not_saved(tmp_path, field):
     policy = make_policy()
     getattr(policy, field)[1][-1] = np.nan
-    with pytest.raises(QuadrupedError, match=r"layer1 holds NaN or infinity, so it is not saved.*lower"):
+    with pytest.raises(QuadrupedError, match=r"layer1 holds NaN or infinity, so that .*lower"):
         policy.save(tmp_path / "run")
     assert not (tmp_path / "run").exists()
 

@@ -122,7 +122,7 @@ DAMAGES = {
     "config a list": (lambda d: edit_card(d, config=[1]), r"policy.json: config: expected a mapping"),
     "NaN": (
         lambda d: edit_tensors(d, layer1__weight=np.full((16, 12), np.nan, np.float32)),
-        r"policy.safetensors: layer1 holds NaN or infinity; the training diverged",
+        r"policy.safetensors: layer1 holds NaN or infinity, so that joint targets become NaN; the training diverged",
     ),
     "infinite bias": (
         lambda d: edit_tensors(d, layer2__bias=np.full(8, np.inf, np.float32)),

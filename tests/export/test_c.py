@@ -2,6 +2,7 @@
 
 import csv
 import ctypes
+import dataclasses
 import json
 import math
 import shutil
@@ -228,6 +229,20 @@ def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path):
     assert [line for line in log.splitlines() if line.startswith("limp")] == [
         "limp: no readings", "limp: fallen", "limp: asked to stop",
     ]  # fmt: skip
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")
+def test_sketch_whose_policy_gives_nan_holds_its_targets_and_then_switches_the_servos_off(tmp_path):
+    policy = load_policy("flat")
+    # No program exports it: it stands for memory that is damaged.
+    policy = dataclasses.replace(policy, weights=tuple(weight * np.float32(1e20) for weight in policy.weights))
+    _, run = sketch(policy, tmp_path)
+    rows, log = run([*[(1, LEVEL, STILL, "-")] * 60, *[(1, LEVEL, STILL, "0.3 0.5")] * 60])
+    moved = rows[60:]
+    limp = int(np.flatnonzero(moved[:, 0])[0])
+    assert limp in range(35, 40), "0.5 s in the stance, and 0.2 s of invalid targets"
+    assert (moved[:limp] == moved[0]).all()
+    assert "limp: no valid joint targets" in log
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")

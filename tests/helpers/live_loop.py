@@ -13,9 +13,13 @@ EPOCH = 10**18
 
 
 class Loop:
-    """Robot and live controller in lock step: states at 100 Hz, commands applied from the next physics step on."""
+    """Robot and live controller in lock step, commands applied from the next physics step on.
 
-    def __init__(self, controller="flat", seed=0, terrain="flat", robot=MINI_QUADRUPED):
+    States come at a rate in Hz; the controller's loop runs with each of them, and at least every 10 ms.
+    """
+
+    def __init__(self, controller="flat", seed=0, terrain="flat", robot=MINI_QUADRUPED, rate=100.0):
+        self.rate = rate
         self.robot = SimulatedRobot(seed, find_terrain(terrain).variant(seed), robot)
         self.steps = 0
         self._make = controller if callable(controller) else find_controller(controller, robot=robot).make
@@ -36,10 +40,9 @@ class Loop:
             self.robot.step()
             self.steps += 1
             self.live_controller.command(*velocity, self.time)
-            answers = []
-            if self.steps % 2 == 0:
-                if states:
-                    answers.append(self.live_controller.measured(self.measurement(), self.time))
+            due = int(self.time * self.rate + 1e-9) > int((self.time - TIMESTEP) * self.rate + 1e-9)
+            answers = [self.live_controller.measured(self.measurement(), self.time)] if due and states else []
+            if due or self.steps % 2 == 0:
                 answers.append(self.live_controller.silent(self.time))
             for answer in answers:
                 if answer is not None and commands:

@@ -39,7 +39,7 @@ static policy_readings readings;
 static float gravity[3] = {0.0f, 0.0f, -1.0f}, rate[3], gyro_zero[3];
 static float sent[POLICY_JOINTS], servo[POLICY_JOINTS]; /* joint targets, and where the servos are by now, rad */
 static float requested[POLICY_COMMANDS];
-static float since_command = INFINITY, since_reading, upright, settled; /* s */
+static float since_command = INFINITY, since_reading, since_target, upright, settled; /* s */
 static bool stop_asked;
 
 static void write_register(uint8_t device, uint8_t address, uint8_t value)
@@ -234,9 +234,11 @@ void loop()
         go_limp("limp: fallen");
     else if (since_reading > POLICY_LIMP_AFTER)
         go_limp("limp: no readings");
+    else if (since_target > POLICY_INVALID_AFTER)
+        go_limp("limp: no valid joint targets");
     else if (state == LIMP && upright > UPRIGHT_FOR && since_command < POLICY_COMMAND_TIMEOUT) {
         state = STANDING_UP;
-        settled = 0.0f;
+        settled = since_target = 0.0f;
         for (int j = 0; j < POLICY_JOINTS; j++)
             sent[j] = servo[j];
     }
@@ -252,8 +254,11 @@ void loop()
     } else if (fresh) {
         float target[POLICY_JOINTS];
         float standing[POLICY_COMMANDS] = {0.0f};
-        if (policy_step(&readings, since_command < POLICY_COMMAND_TIMEOUT ? requested : standing, &memory, target))
+        since_target += POLICY_TIMESTEP;
+        if (policy_step(&readings, since_command < POLICY_COMMAND_TIMEOUT ? requested : standing, &memory, target)) {
             policy_approach(target, INFINITY, sent);
+            since_target = 0.0f;
+        }
     }
-    write_servos(); /* without fresh readings: the same targets again */
+    write_servos(); /* without fresh readings or valid targets: the same targets again */
 }

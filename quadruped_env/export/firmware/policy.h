@@ -46,7 +46,8 @@ extern const float policy_command_rate[POLICY_COMMANDS];
 void policy_reset(policy_memory *memory);
 
 /* One control step. The requested velocities (m/s, rad/s) are clipped to the policy's range, and followed at its rate.
-   Returns 1, or 0 if a reading or a requested velocity is NaN: then memory and joint_target stay as they are. */
+   Returns 1, or 0 if a reading, a requested velocity or a joint target is NaN: then memory and joint_target stay as
+   they are. After POLICY_INVALID_AFTER of this, switch the motors off. */
 int policy_step(const policy_readings *readings, const float requested[POLICY_COMMANDS], policy_memory *memory,
                 float joint_target[POLICY_JOINTS]);
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.joint_command import LIMP, Target
+from quadruped_env.control.joint_command import LIMP, MAX_TARGET, Target
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.messages.joint_messages import Joints
 from quadruped_env.robot.robot import Robot
@@ -27,7 +27,8 @@ class DriverJoints:
         commands: True if commands are converted too, so that the robot's joints have to determine the driver's.
 
     Raises:
-        QuadrupedError: if the map's joints are not those of the robot, or do not determine the driver's.
+        QuadrupedError: if the map's joints are not those of the robot, do not determine the driver's, or would send
+            targets beyond `MAX_TARGET`.
     """
 
     def __init__(self, robot: Robot, joint_map: "JointMap | None" = None, commands: bool = True) -> None:
@@ -44,7 +45,7 @@ class DriverJoints:
                 f"each joint of {robot.name}: {', '.join(robot.joint_names)}"
             )
         if commands:
-            joint_map.to_sources({"position": robot.stance})
+            self._check_targets(robot, joint_map)
         self._uses = np.array([[name in rule.gears for name in joint_map.sources] for rule in joint_map.rules.values()])
         self._last = dict.fromkeys(_KINDS, np.full(len(self.joint_names), np.nan))
 
@@ -63,6 +64,19 @@ class DriverJoints:
         loaded = JointMap.load(path)
         given = sorted(loaded.rules, key=lambda name: (*robot.joint_names, name).index(name))
         return cls(robot, JointMap({name: loaded.rules[name] for name in given}, loaded.name), commands)
+
+    def _check_targets(self, robot: Robot, joint_map: "JointMap") -> None:
+        """Refuse a map that does not determine the driver's joints, or with which their targets are absurd."""
+        ends = np.array([robot.joint_position_low, robot.joint_position_high])
+        with np.errstate(over="ignore", invalid="ignore"):
+            targets = joint_map.to_sources({"position": ends})["position"]
+        invalid = ~(np.abs(targets) <= MAX_TARGET)
+        if invalid.any():
+            end, joint = np.argwhere(invalid)[0]
+            raise QuadrupedError(
+                f"{joint_map.name}: within the joints' ranges, targets of {self.joint_names[joint]} reach "
+                f"{targets[end, joint]:.3g}, and at most {MAX_TARGET:g} may be sent; check sources, scale and offset"
+            )
 
     def to_robot(self, joints: Joints) -> Joints:
         """A message of the driver's joints (D,) as one of the robot's (J,).
@@ -84,10 +98,17 @@ class DriverJoints:
         return Joints(joints.stamp, position, velocity, effort, joints.others)
 
     def target_to_robot(self, target: Target) -> Target:
-        """A target for the driver's joints (D,) as one for the robot's (J,), or `LIMP`."""
-        if target is LIMP or self._map is None:
-            return target
-        return self._map.to_joints(self.joint_names, {"position": target})["position"]
+        """A target for the driver's joints (D,) as one for the robot's (J,), or `LIMP`.
+
+        Raises:
+            QuadrupedError: if a target is not finite.
+        """
+        if target is not LIMP and self._map is not None:
+            with np.errstate(over="ignore", invalid="ignore"):
+                target = self._map.to_joints(self.joint_names, {"position": target})["position"]
+        if target is not LIMP and not np.isfinite(target).all():
+            raise QuadrupedError(f"a joint target is not finite: {target.tolist()}; send finite numbers")
+        return target
 
     def target_to_driver(self, target: Target) -> Target:
         """A target for the robot's joints (J,) as one for the driver's (D,), or `LIMP`."""

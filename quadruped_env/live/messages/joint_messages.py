@@ -26,7 +26,9 @@ _SHOWN: Final = 4
 _VELOCITY_FILTER: Final = 0.01
 """Time constant of the filter of computed velocities, half a control step, s."""
 _STAMPS: Final = 10
-"""Number of timestamps from which a period is computed."""
+"""Number of steps between timestamps from which a period is computed, and the least for a rate."""
+_RATE_STAMPS: Final = 50
+"""Number of timestamps from which a rate is computed."""
 _PERIODS: Final = 1.5
 _MIN_TOLERANCE: Final = 0.02
 """A control step: faster streams are paired within it, since their transport may take longer than their period, s."""
@@ -216,19 +218,30 @@ def missing_joints(joints: Sequence[str], others: Sequence[str]) -> str:
 
 
 class Period:
-    """Period of a stream of timestamps, and the tolerance within which its messages are paired with another's."""
+    """Period and rate of a stream of timestamps, and the tolerance of pairing its messages with another's."""
 
     def __init__(self) -> None:
-        self._stamps: deque[int] = deque(maxlen=_STAMPS)
+        self._stamps: deque[int] = deque(maxlen=_RATE_STAMPS)
 
     def add(self, stamp: int) -> None:
         """Take the timestamp of a message, ns."""
         self._stamps.append(stamp)
 
     @property
+    def rate(self) -> float | None:
+        """Mean rate of different timestamps without silences of over 0.2 s, Hz; None while there are too few."""
+        steps = [step for step in self._steps() if step <= MAX_AGE * NS_PER_SECOND]
+        return len(steps) * NS_PER_SECOND / sum(steps) if len(steps) >= _STAMPS else None
+
+    def _steps(self, count: int = 0) -> list[int]:
+        """Steps between increasing timestamps, of the last `count` timestamps or of all, ns."""
+        stamps = list(self._stamps)[-count:]
+        return [later - earlier for earlier, later in itertools.pairwise(stamps) if later > earlier]
+
+    @property
     def tolerance(self) -> float:
         """1.5 periods (median of the last ones), but at least 0.02 s, as before the second message, at most 0.2 s."""
-        steps = [later - earlier for earlier, later in itertools.pairwise(self._stamps) if later > earlier]
+        steps = self._steps(_STAMPS)
         period = statistics.median(steps) / NS_PER_SECOND if steps else 0.0
         return min(max(_PERIODS * period, _MIN_TOLERANCE), MAX_AGE)
 

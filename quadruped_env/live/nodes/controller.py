@@ -8,8 +8,9 @@
     mini-quadruped live controller --start-stopped        limp until /estop is released, as a service should start
 
 Waits for fresh states, moves slowly from the measured joint positions to the stance, then follows /cmd_vel; without
-a command newer than 0.5 s it stands. Holds its position when no state arrives for 0.2 s, and lets the robot go limp
-after 1 s or after a fall; then it waits for fresh states again. Joint targets keep to the joints' range and speed.
+a command newer than 0.5 s it stands. Control steps without a new state use the last one. Holds its position when no
+state arrives for 0.2 s, and lets the robot go limp after 1 s, after a fall, or after 0.2 s of joint targets that are
+not finite; then it waits for fresh states again. Joint targets keep to the joints' range and speed.
 States may come in several messages and with other joints; velocities that they lack are computed from the positions if
 the policy needs them. States with NaN or wrong counts, and with old, repeated or empty timestamps, are refused and
 logged; while the robot is limp, states that are all late are accepted after 0.5 s. Each command has the timestamp of
@@ -36,7 +37,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
-from quadruped_env.live.controller_inputs import Measurements, VelocityCommands
+from quadruped_env.live.controller_inputs import Measurements, SlowInputs, VelocityCommands
 from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
 from quadruped_env.live.messages.driver_joints import DriverJoints, add_map_argument
@@ -109,21 +110,47 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     live_controller = LiveController(
         find_controller(arguments.policy, load, robot).make(), say=session.say, robot=robot
     )
-    node = session.node
     driver = DriverJoints.load(arguments.map, robot)
     if arguments.map is not None:
         session.say(f"--map: drives {', '.join(driver.joint_names)}")
-    publisher = CommandPublisher(node, driver, arguments.arrays)
+    publisher = CommandPublisher(session.node, driver, arguments.arrays, session.say)
+    guard = _checked_guard(session, arguments.arrays)
+    try:
+        _control(session, arguments, live_controller, driver, publisher, guard)
+    finally:
+        # Also where an error ends the node: otherwise the motors keep their torque until the driver's watchdog trips.
+        publisher.let_go()
+    return 0
 
-    send = functools.partial(_send, publisher, driver)
+
+def _control(
+    session: Session,
+    arguments: argparse.Namespace,
+    live_controller: LiveController,
+    driver: DriverJoints,
+    publisher: CommandPublisher,
+    guard: SinglePublisherGuard,
+) -> None:
+    """Answer the robot's states until the session ends."""
+    node, robot = session.node, live_controller.robot
     commands = VelocityCommands(session, live_controller)
     clock: ControlTime = SimTime(node) if arguments.sim_time else SystemTime()
     simulator, stop = SimulatorCommands(session), EmergencyStop(session, arguments.start_stopped)
-    guard = _checked_guard(session, arguments.arrays)
     inbox = Measurements(session, robot, driver, live_controller.needs_velocities, _mount(arguments))
+
+    def send(answer: JointCommand | None) -> None:
+        if answer is not None:
+            try:
+                publisher.send(answer.stamp, driver.target_to_driver(answer.target))
+                inbox.commanded(answer.target)
+            except QuadrupedError as error:
+                live_controller.fail(str(error))
+                inbox.commanded(LIMP)
+
+    slow = SlowInputs(1.0 / live_controller.period, session.say)
     diagnostics = Diagnostics(node, robot.name)
     while session.running:
-        session.wait(_POLL_PERIOD)
+        session.wait(max(0.0, min(_POLL_PERIOD, live_controller.remaining(clock.now))))
         simulator.take()
         stop.take()
         guard.watch(publishing=live_controller.mode not in (Mode.WAITING, Mode.LIMP))
@@ -133,25 +160,26 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             inbox.commanded(LIMP)
         if clock.set_back(session.refuse):
             live_controller.restart(_SET_BACK)
-        send(inbox, live_controller.emergency_stop(stop.stopped))
+        send(live_controller.emergency_stop(stop.stopped))
         commands.take(clock)
         answer = None
         try:
             if received := inbox.newest():
-                measurement, taken = received
-                at, back = clock.state(measurement.stamp, taken)
+                at, back = clock.state(received[0].stamp, received[1])
                 if back:
                     live_controller.restart(_SET_BACK)
-                answer = live_controller.measured(measurement, at)
+                answer = live_controller.measured(received[0], at)
         except QuadrupedError as error:
             session.refuse(str(error))
         now = clock.now
-        send(inbox, answer or live_controller.silent(now))
+        send(answer or live_controller.silent(now))
         waiting = live_controller.waiting_for
         if waiting:
             waiting = stop.awaited if stop.stopped else inbox.missing() or waiting
         session.wait_for(waiting)
-        moving, problems = live_controller.moving(now), [one for one in (guard.problem, *inbox.problems) if one]
+        slow.update(inbox.rates)
+        problems = [one for one in (live_controller.fault, guard.problem, slow.warning, *inbox.problems) if one]
+        moving = live_controller.moving(now)
         session.report(
             "" if live_controller.mode is not Mode.WALKING or moving else "standing: no /cmd_vel", *problems[:1]
         )
@@ -160,16 +188,10 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             "velocity command": moving,
             "refused messages": session.refuse.count,
             "problems": "; ".join(problems),
+            "control rate, Hz": f"{1.0 / live_controller.period:g}",
+            **{f"{name}, Hz by timestamps": f"{rate:.1f}" for name, rate in inbox.rates.items()},
         }
-        _send_status(diagnostics, live_controller.mode, waiting, values)
-    publisher.let_go()
-    return 0
-
-
-def _send(publisher: CommandPublisher, driver: DriverJoints, inbox: Measurements, answer: JointCommand | None) -> None:
-    if answer is not None:
-        publisher.send(answer.stamp, driver.target_to_driver(answer.target))
-        inbox.commanded(answer.target)
+        _send_status(diagnostics, live_controller, waiting, values)
 
 
 def _checked_guard(session: Session, arrays: bool) -> SinglePublisherGuard:
@@ -178,10 +200,14 @@ def _checked_guard(session: Session, arrays: bool) -> SinglePublisherGuard:
     return guard
 
 
-def _send_status(diagnostics: Diagnostics, mode: Mode, waiting: str, values: Mapping[str, object]) -> None:
+def _send_status(
+    diagnostics: Diagnostics, live_controller: LiveController, waiting: str, values: Mapping[str, object]
+) -> None:
     """Send mode, what is waited for, and values on `/diagnostics`, if it is time."""
-    level = ERROR if mode is Mode.LIMP else WARN if waiting or values["problems"] else OK
-    diagnostics.send(level, f"{mode.value}{f'; waits for {waiting}' if waiting else ''}", values)
+    mode, fault = live_controller.mode, live_controller.fault
+    level = ERROR if mode is Mode.LIMP or fault else WARN if waiting or values["problems"] else OK
+    text = "; ".join(filter(None, [mode.value, f"waits for {waiting}" * bool(waiting), str(values["problems"])]))
+    diagnostics.send(level, text, values)
 
 
 def _terms(arguments: argparse.Namespace) -> Terms:

@@ -21,14 +21,15 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.joint_command import LIMP, limited
+from quadruped_env.control.joint_command import TargetGate, limited
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
+from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.gait_messages import read_settings, settings_message
-from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, command_message
+from quadruped_env.live.messages.joint_messages import JointMerger, JointReader
 from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.live.node_options import add_robot_argument, robot_of
@@ -157,7 +158,8 @@ def _send_states(session: Session, gait: _RemoteGait, driver: DriverJoints, peri
 def _send_commands(session: Session, gait: _RemoteGait, driver: DriverJoints, period: float) -> None:
     guard, stop = SinglePublisherGuard(session, JOINT_COMMANDS), EmergencyStop(session)
     guard.check()
-    commands = session.node.publish(JOINT_COMMANDS)
+    publisher = CommandPublisher(session.node, driver, False, session.say)
+    gate = TargetGate(gait.robot.joint_names, session.say)
     reader, merger = JointReader(JOINT_STATES.name, driver, states=True), JointMerger(driver, velocities=False)
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
     first: NDArray[np.float64] | None = None
@@ -175,20 +177,22 @@ def _send_commands(session: Session, gait: _RemoteGait, driver: DriverJoints, pe
         return
     session.wait_for("")
     last, start, pace = first, time.time_ns(), Pace(period)
-    while session.running:
-        session.wait(pace.remaining)
-        states.take()
-        guard.watch()
-        stop.take()
-        if stop.stopped:
-            break
-        t = pace.ticks * period
-        gait.take(t)
-        if pace.tick():
-            share = min(t / FADE, 1.0)
-            last = limited(gait.robot, first + share * (gait.positions(t) - first), last, period)
-            stamp = start + round(t * NS_PER_SECOND)
-            commands.send_bytes(command_message(driver, stamp, driver.target_to_driver(last)))
-        gait.report()
-    commands.send_bytes(command_message(driver, time.time_ns(), LIMP))
-    commands.wait_until_read(0.5)
+    try:
+        while session.running:
+            session.wait(pace.remaining)
+            states.take()
+            guard.watch()
+            stop.take()
+            if stop.stopped:
+                break
+            t = pace.ticks * period
+            gait.take(t)
+            if pace.tick():
+                share = min(t / FADE, 1.0)
+                target = first + share * (gait.positions(t) - first)
+                if gate.passes(target, time.monotonic()):
+                    last = limited(gait.robot, target, last, period)
+                publisher.send(start + round(t * NS_PER_SECOND), driver.target_to_driver(last))
+            gait.report()
+    finally:
+        publisher.let_go()
