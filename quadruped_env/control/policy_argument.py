@@ -1,4 +1,4 @@
-"""Recognition of a file or folder that a user names as a policy and that is none: what it is, and what to do with it.
+"""Recognition of files, folders and names that a user gives as a policy and that are something else, with the fix.
 
 Nothing is unpickled or executed: a file is recognized by its first bytes, its name, and the names in a zip's directory.
 """

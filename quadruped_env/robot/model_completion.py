@@ -38,7 +38,7 @@ _OF_FEET: Final = {
 
 
 def read_model(path: Path) -> tuple[str, dict[str, bytes]]:
-    """An MJCF, and the files that it names: meshes, textures and included MJCF, searched beside it.
+    """An MJCF, and the files that it names: meshes, textures and included MJCF, searched next to it.
 
     Raises:
         QuadrupedError: if a file is missing or cannot be read, or the MJCF is not XML.
@@ -138,6 +138,7 @@ def make_servos(spec: mujoco.MjSpec, joint_names: Sequence[str]) -> None:
         joint = spec.joint(actuator.target)
         hinge = joint.type == mujoco.mjtJoint.mjJNT_HINGE
         actuator.ctrlrange = joint.range * (math.pi / 180.0 if spec.compiler.degree and hinge else 1.0)
+        actuator.name = actuator.name or actuator.target
         actuator.ctrllimited, actuator.inheritrange = 1, 0.0
         actuator.forcelimited, actuator.actlimited, joint.actfrclimited = 0, 0, 0
         actuator.forcerange, actuator.actrange, joint.actfrcrange = np.zeros((3, 2))

@@ -109,7 +109,7 @@ class Robot:
     """Motors of the joints. They are written into the model, whatever actuators it has."""
     mjcf: str
     """MuJoCo model of the robot alone, with a floating base and without ground: the text, or the path of a file, whose
-    meshes are searched beside it."""
+    meshes are searched next to it."""
     urdf: str
     """Description for ROS (`robot_description`)."""
     motor_kinds: tuple[str, ...] | None = None
@@ -599,7 +599,7 @@ def _made(kind: type[Robot], values: dict[str, Any]) -> Robot:
 def _line(error: ValueError) -> str:
     """MuJoCo's message on one line, with the fix for meshes that it does not find."""
     text = " ".join(str(error).split())
-    return f"{text}; meshes are searched beside a file: mjcf=Path(...)" if "opening file" in text else text
+    return f"{text}; meshes are searched next to a file: mjcf=Path(...)" if "opening file" in text else text
 
 
 def check_same_robot(recorded: Any, robot: Robot) -> None:

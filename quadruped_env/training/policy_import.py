@@ -6,8 +6,6 @@ import zipfile
 from pathlib import Path
 from typing import Any, Final
 
-from stable_baselines3.common.vec_env import VecNormalize
-
 from quadruped_env.control.policy_argument import SB3_MEMBERS, not_a_policy
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.errors import QuadrupedError, short
@@ -69,6 +67,8 @@ def import_policy(path: Path, algo: str, config: TaskConfig, vecnormalize: Path 
     env: Any = make_sb3_vec_env(1, config=config)
     _check_spaces(path, model, env, config)
     if vecnormalize is not None:
+        from stable_baselines3.common.vec_env import VecNormalize
+
         check_regular(vecnormalize, "name the file that VecNormalize.save wrote")
         plain = env
         env = _unpickled(vecnormalize, lambda: VecNormalize.load(str(vecnormalize), plain), "name that of the model")

@@ -1,4 +1,4 @@
-"""What a user names in place of a policy: every program says what it is, and what to do with it."""
+"""Files and names that are given as a policy and are something else: every program names them with the fix."""
 
 import zipfile
 

@@ -64,9 +64,10 @@ def rollout(robot, steps=120):
         r'<position name="\1" joint="\2" kp="5" kv="1" timeconst="0.1" inheritrange="0.5"/>',
         r'<general name="\1" joint="\2" dyntype="integrator" gainprm="3" actlimited="true" actrange="-1 1"/>',
         r'<velocity name="\1" jointinparent="\2" kv="3"/>',
+        r'<position joint="\2" kp="40"/>',
         "",
     ],
-    ids=["motor", "motor with limits", "position", "integrator", "velocity", "none"],
+    ids=["motor", "motor with limits", "position", "integrator", "velocity", "no names", "none"],
 )
 def test_motors_are_written_whatever_the_models_actuators(element):
     mjcf = with_actuators(element, BARE).replace('damping="0.05"', 'damping="0.7" actuatorfrcrange="-1 1"')
@@ -184,7 +185,7 @@ def mesh():
 
 
 @pytest.mark.parametrize("included", [False, True])
-def test_meshes_are_searched_beside_the_file(included, tmp_path, monkeypatch):
+def test_meshes_are_searched_next_to_the_file(included, tmp_path, monkeypatch):
     folder = tmp_path / "dog"
     (folder / "meshes" / "legs").mkdir(parents=True)
     text = MINI_QUADRUPED.mjcf.replace('angle="radian"', 'angle="radian" meshdir="meshes"').replace(
@@ -193,7 +194,7 @@ def test_meshes_are_searched_beside_the_file(included, tmp_path, monkeypatch):
     geoms = '<geom class="visual" type="mesh" mesh="m"/><geom class="visual" type="mesh" mesh="n"/><site name="imu"'
     path = folder / "dog.xml"
     path.write_text(text.replace('<site name="imu"', geoms))
-    with pytest.raises(QuadrupedError, match=r"opening file 'meshes/trunk.stl'.*beside a file: mjcf=Path"):
+    with pytest.raises(QuadrupedError, match=r"opening file 'meshes/trunk.stl'.*next to a file: mjcf=Path"):
         _ = changed(mjcf=path.read_text()).model
     with pytest.raises(QuadrupedError, match=r"meshes/trunk.stl: there is no such file"):
         changed(mjcf=path)
