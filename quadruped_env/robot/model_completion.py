@@ -97,6 +97,8 @@ def check_structure(spec: mujoco.MjSpec, joint_names: Sequence[str]) -> None:
     free = [i for i, joint in enumerate(joints) if joint.type == _FREE]
     if free != [0]:
         raise QuadrupedError(f"its model must have one free joint, the first; found free joints at {free}")
+    if not joints[0].parent.name:
+        raise QuadrupedError("the body of its free joint has no name; name it, such as base_link")
     if fixed := _fixed_geoms(spec.worldbody):
         raise QuadrupedError(
             f"its MJCF must hold the robot alone, because the scene adds the ground, and a second one would double "

@@ -322,7 +322,7 @@ class Robot:
         return np.sign(cosines).astype(np.float32)
 
     def spec(self, scene: str = "") -> mujoco.MjSpec:
-        """A new specification of the robot with its motors, to be changed and compiled.
+        """A new specification of the robot with its motors, but for their delay, to be changed and compiled.
 
         Args:
             scene: MJCF that includes the robot's as `ROBOT_FILE`; by default the robot is alone.
@@ -333,7 +333,7 @@ class Robot:
         """
         spec = self._parsed(scene)
         make_servos(spec, self.joint_names)
-        self.motors.write(spec, self.joint_kinds)
+        self.motors.write(spec, self.joint_kinds, max_delay=0.0)  # the delay depends on the time step
         if self.sensors is None:
             hips = [self._link_of(joints[0]) for joints in self.leg_joints]
             add_sensors(spec, self.sensor_names, self.foot_sites, self.foot_radius, hips)

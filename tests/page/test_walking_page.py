@@ -1,5 +1,6 @@
 """The page that walks, in a real browser opened from the disk: against Python, and used as a reader would."""
 
+import dataclasses
 import hashlib
 import json
 from types import SimpleNamespace
@@ -23,7 +24,7 @@ from quadruped_env.page.document import graph_document, page_document
 from quadruped_env.policies import load_policy
 from quadruped_env.robot.motors import MOTOR_PRESETS
 from quadruped_env.simulation import SingleSimulation, flat
-from quadruped_env.task import Task
+from quadruped_env.task import BUILT_IN, Task
 
 SOURCES, ASSETS = ROOT / "tools" / "page", ROOT / "quadruped_env" / "page" / "assets"
 ENV = np.zeros(1, dtype=np.intp)
@@ -45,6 +46,13 @@ STEPS = """([content, name, command, steps]) => {
         return ['joint_position', 'joint_torque'].map(name => [...walker.simulation.reading(name)]);
     });
 }"""
+
+
+def test_model_with_meshes_is_refused():
+    robot = dataclasses.replace(second_robot.ROBOT, assets={"trunk.stl": b""})
+    policy = random_policy("residual", definition=BUILT_IN.with_robot(robot))
+    with pytest.raises(QuadrupedError, match=r"the page holds no files of a robot's model.*'tall' has 'trunk.stl'"):
+        page_document(policy, "mine")
 
 
 def test_assets_are_built_from_these_sources():

@@ -7,6 +7,7 @@ import re
 import struct
 
 import gymnasium
+import mujoco
 import numpy as np
 import pytest
 
@@ -90,9 +91,17 @@ def test_robot_with_torque_motors_moves_as_its_motors_say():
     assert np.abs(rollout(changed(motors=weak), 20) - given[:20]).max() > 0.01
 
 
+def test_delay_of_a_robot_does_not_stay_with_motors_of_a_task():
+    robot = changed(motors=MotorConfig(delay=0.02))
+    assert build_model(robot=robot).actuator_delay[0] == 0.02
+    assert not build_model(robot=robot, motors=MotorConfig()).actuator_delay.any()
+    assert not robot.model.actuator_delay.any()
+
+
 @pytest.mark.parametrize(
     ("mjcf", "message"),
     [
+        (BARE.replace('name="base_link" ', ""), "the body of its free joint has no name"),
         (BARE.replace('joint="RF_knee_joint" class', 'joint="RF_hip_joint" class'), "the motors of its"),
         (
             with_actuators("", BARE).replace(
@@ -174,6 +183,23 @@ def test_sensors_that_the_model_gets_read_as_the_built_in_ones():
     robot = changed(mjcf=MINI_QUADRUPED.mjcf, sensors=None)  # next to sensors of its own
     np.testing.assert_array_equal(rollout(robot), own)
     assert Robot.from_dict(robot.to_dict()).model.nsensor == robot.model.nsensor
+
+
+@pytest.mark.parametrize("orientation", [(0.7, 0.0, 0.7, 0.0), (0.8, 0.6, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0)])
+def test_trunk_that_lies_on_the_ground_is_felt_by_the_sensors_that_the_model_gets(orientation):
+    found = []
+    for robot in (MINI_QUADRUPED, dataclasses.replace(MINI_QUADRUPED, mjcf=BARE, sensors=None)):
+        model = build_model(robot=robot)
+        data = mujoco.MjData(model)
+        data.qpos[2:7], data.qpos[7:] = [0.15, *orientation], [1.5, -2.0] * 4
+        forces = []
+        for _ in range(200):
+            mujoco.mj_step(model, data)
+            readings = Readings.from_sensordata(model, data.sensordata, robot)
+            forces.append(np.concatenate([readings.trunk_force, readings.foot_force]))
+        found.append(np.array(forces))
+    np.testing.assert_allclose(found[1], found[0], rtol=0, atol=1e-9)
+    assert found[0][:, :5].max() > 5.0  # N
 
 
 def mesh():
