@@ -10,6 +10,7 @@ import gymnasium
 import mujoco
 import numpy as np
 import pytest
+from paths import ROOT
 
 from quadruped_env import QuadrupedError, build_model
 from quadruped_env.identification.fit import joint_spec
@@ -55,6 +56,26 @@ def rollout(robot, steps=120):
         if terminated:
             return np.array(found)
     return np.array(found)
+
+
+def test_robot_of_the_docs_needs_only_what_its_model_does_not_say(tmp_path):
+    example = re.search(r"```python\n((?:(?!```).)*dog\.xml.*?)```", (ROOT / "docs" / "robots.md").read_text(), re.S)
+    text = with_actuators(r'<position joint="\2" kp="40"/>', BARE)
+    for old, new in {"LF": "FL", "RF": "FR", "LH": "HL", "RH": "HR"}.items():
+        text = text.replace(f"{old}_", f"{new}_")
+    (tmp_path / "dog.xml").write_text(text.replace("_hip_joint", "_HFE").replace("_knee_joint", "_KFE"))
+    (tmp_path / "dog.urdf").write_text("<robot name='dog'/>")
+    (tmp_path / "my_robot.py").write_text(example[1])
+    env = gymnasium.make("MiniQuadruped-v0", task_file=tmp_path / "my_robot.py")
+    env.reset(seed=0)
+    *_, terminated, _, info = env.step(np.zeros(8, np.float32))
+    assert not terminated
+    assert info["foot_contact"].all()
+    robot = env.unwrapped.task.control.robot
+    assert robot.joint_names[1] == "FL_KFE"
+    assert robot.effort_limit.tolist() == [2.7] * 8
+    assert 5.0 in env.unwrapped.model.actuator_gainprm[0]  # kp, in place of the file's 40
+    assert 40.0 not in env.unwrapped.model.actuator_gainprm[0]
 
 
 @pytest.mark.parametrize(
