@@ -12,13 +12,15 @@ from quadruped_env.control.hub_policies import SCHEME
 from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.errors import short
 from quadruped_env.gait import PRESETS
-from quadruped_env.robot.description import HEAD, description_problem
+from quadruped_env.robot.description import description_problem
 from quadruped_env.utils.interpreter import program_command
 
 BAG_FILE: Final = "metadata.yaml"
 """File that marks a directory as a ROS 2 bag."""
 SB3_MEMBERS: Final = frozenset({"data", "policy.pth"})
 """Files in every zip of Stable-Baselines3."""
+_HEAD: Final = 1 << 16
+"""Bytes from which a file is recognized."""
 _ZIP: Final = b"PK\x03\x04"
 _PICKLE: Final = b"\x80"
 _RECORDINGS: Final = (".csv", ".mcap", ".db3", ".bag", ".tsv", ".yaml", ".yml")
@@ -78,7 +80,7 @@ def _kind_of_file(path: Path) -> str:
     suffix = path.suffix.lower()
     try:
         with path.open("rb") as file:
-            head = file.read(HEAD)
+            head = file.read(_HEAD)
     except OSError:
         return ""
     if problem := description_problem(head):
