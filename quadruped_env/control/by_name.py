@@ -1,5 +1,6 @@
 """Controllers by name: trained policies, scripted gaits, recordings of joint states."""
 
+import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,8 +11,9 @@ from quadruped_env.control.controllers import LoopController, PolicyController, 
 from quadruped_env.control.editable_gait import EditableGaitController
 from quadruped_env.control.hub_policies import is_on_hub
 from quadruped_env.control.policy import CARD_FILE, Policy
+from quadruped_env.control.policy_argument import BAG_FILE, not_a_policy
 from quadruped_env.control.policy_files import SHIPPED, is_code, read_policy, training_advice
-from quadruped_env.errors import QuadrupedError, did_you_mean
+from quadruped_env.errors import QuadrupedError, did_you_mean, short
 from quadruped_env.gait import PRESETS
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
@@ -20,8 +22,6 @@ from quadruped_env.utils.files import shown_path
 RUNS: Final = Path("runs")
 MAX_RUNS: Final = 12
 """Maximum number of runs that are offered, the latest first."""
-BAG_FILE: Final = "metadata.yaml"
-"""File that marks a directory as a ROS 2 bag."""
 STANDING: Final = "stand still"
 
 Load = Callable[[str | Path], Policy]
@@ -70,14 +70,17 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     path = Path(text)
     if is_code(text) or is_on_hub(text):
         return _policy(f"policy {path.name}", text, load)
-    if not path.suffix and not path.is_dir():
-        raise QuadrupedError(
-            f"{text!r} is neither a shipped policy ({', '.join(SHIPPED)}), nor a scripted gait ({', '.join(PRESETS)}), "
-            f"nor the directory of a run, nor a recording; name one of these, or {training_advice()}"
-            f"{did_you_mean(text, [*SHIPPED, *PRESETS])}"
-        )
-    recorded = (path / BAG_FILE).is_file() if path.is_dir() else bool(path.suffix)
-    return _recording(path, robot) if recorded else _policy(f"run {shown_path(path)}", text, load)
+    if problem := not_a_policy(text, recordings=False):
+        raise QuadrupedError(problem)
+    if os.path.isdir(path) and not os.path.isfile(path / BAG_FILE):
+        return _policy(f"run {shown_path(path)}", text, load)
+    if path.suffix or os.path.isdir(path):
+        return _recording(path, robot)
+    raise QuadrupedError(
+        f"{short(text)} is neither a shipped policy ({', '.join(SHIPPED)}), nor a scripted gait "
+        f"({', '.join(PRESETS)}), nor the directory of a run, nor a recording; name one of these, "
+        f"or {training_advice()}{did_you_mean(text, [*SHIPPED, *PRESETS])}"
+    )
 
 
 def find_controllers(

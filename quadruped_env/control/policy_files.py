@@ -18,6 +18,7 @@ from quadruped_env.control.hub_policies import hub_directory, is_on_hub
 from quadruped_env.control.kept_task_file import code_changes
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
 from quadruped_env.control.policy import CARD_FILE, FORMAT_VERSION, TENSORS_FILE, Policy, config_hash, gait_document
+from quadruped_env.control.policy_argument import not_a_policy
 from quadruped_env.control.task_file import (
     TASK_FILE,
     TaskFileError,
@@ -30,7 +31,6 @@ from quadruped_env.control.task_file import (
     robot_in,
 )
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, did_you_mean, short
-from quadruped_env.robot.description import check_no_description
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.utils.documents import check_regular, read_json
@@ -166,8 +166,10 @@ def policy_directory(source: str | Path) -> Path:
         return hub_directory(str(source))
     directory = shipped_directory(str(source)) if str(source) in SHIPPED else finished_directory(Path(source))
     # Not Path.is_dir, which raises for names that are too long and for directories without rights.
+    found = str(directory) if os.path.isdir(directory) else str(source)
+    if problem := not_a_policy(found):
+        raise QuadrupedError(problem)
     if not os.path.isdir(directory):
-        check_no_description(directory)
         raise QuadrupedError(
             f"{short(str(source))} is neither a directory nor a shipped policy ({', '.join(SHIPPED)}); "
             f"{training_advice()}{did_you_mean(Path(source).name, SHIPPED)}"

@@ -381,7 +381,7 @@ def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
     spec = scene(robot)
     spec.option.timestep = timestep
     wanted = {
-        sensor for field in ("joint_position", "joint_velocity", "joint_torque") for sensor in robot.sensors[field]
+        sensor for field in ("joint_position", "joint_velocity", "joint_torque") for sensor in robot.sensor_names[field]
     }
     for sensor in list(spec.sensors):
         if sensor.name not in wanted:
@@ -394,7 +394,7 @@ def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
     if base == "fixed":
         for key in list(spec.keys):
             spec.delete(key)
-        spec.delete(spec.joint("floating_base"))
+        spec.delete(spec.joints[0])  # the free one
         # In the air there are no contacts, and with contacts disabled the motion is a smooth function of the motors.
         spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
     return spec

@@ -64,6 +64,8 @@ PROTOCOL: Final = (
     "(docs/training.md#your-own-algorithm)"
 )
 
+NORMALIZED_ENV: Final = "env=VecNormalize.load(FILE, make_sb3_vec_env(1)), where FILE is that of VecNormalize.save"
+
 
 def refused(reason: str) -> QuadrupedError:
     """The error for a model that a policy's file cannot hold."""
@@ -77,17 +79,23 @@ def from_sb3(model: Any, card: dict[str, Any] | None = None) -> Policy:
     """See `Policy.from_sb3`."""
     if not hasattr(model, "get_env"):
         raise QuadrupedError(f"Policy.from_sb3: expected a model of Stable-Baselines3; found {type(model).__name__}")
-    venv = model.get_env()
+    kind, venv = type(model).__name__, model.get_env()
+    if was_normalized(model) and model.get_vec_normalize_env() is None:
+        raise QuadrupedError(
+            f"Policy.from_sb3: this {kind} was trained in a VecNormalize, whose statistics are not in its zip, and its "
+            f"env has none, so its actions would be others; load it with {NORMALIZED_ENV}"
+        )
     if venv is None:
         raise QuadrupedError(
-            f"Policy.from_sb3: this {type(model).__name__} has no env; load it with env=make_sb3_vec_env(1)"
+            f"Policy.from_sb3: this {kind} has no env; if it was trained in a VecNormalize, load it with "
+            f"{NORMALIZED_ENV}; if it was not, with env=make_sb3_vec_env(1). Both take the action_mode of the training"
         )
     config = _task_of(venv)
     layers, activation, output = actor_layers(model.policy)
     inputs = config.control.observation_history * ObservationLayout(config.robot, config.definition.observations).width
     if len(layers[0][0]) != inputs:
         raise refused(f"its actor sees {len(layers[0][0])} columns, and the env's observation has {inputs}")
-    facts = {"algo": type(model).__name__.lower(), "seed": model.seed, "timesteps": int(model.num_timesteps)}
+    facts = {"algo": kind.lower(), "seed": model.seed, "timesteps": int(model.num_timesteps)}
     normalization = _normalization(model, inputs)
     if normalization is not None:
         layers = [normalization.folded_into(layers[0]), *layers[1:]]
@@ -97,6 +105,15 @@ def from_sb3(model: Any, card: dict[str, Any] | None = None) -> Policy:
     if normalization is not None and np.isfinite(normalization.clip):
         _check_clip(normalization, venv.observation_space)
     return policy
+
+
+def was_normalized(model: Any) -> bool:
+    """True if a model is known to have been trained in a `VecNormalize`, which its zip does not hold.
+
+    The on-policy algorithms of Stable-Baselines3 keep an observation before its normalization, and in other envs none.
+    Those with a replay buffer keep one in any env.
+    """
+    return not hasattr(model, "replay_buffer_class") and getattr(model, "_last_original_obs", None) is not None
 
 
 def _task_of(venv: Any) -> TaskConfig:
@@ -155,11 +172,13 @@ def actor_layers(policy: Any) -> tuple[list[Layer], str, str]:
         if extractor not in ("NoneType", "FlattenExtractor", "ObservationColumns"):
             raise refused(f"{kind} has the features extractor {extractor}")
     modules: Any = None
+    clip_mean: float | None = None
     output = "tanh" if getattr(policy, "squash_output", False) else "clip"
     if actor is None and hasattr(policy, "action_net"):
         modules = [*getattr(getattr(policy, "mlp_extractor", None), "policy_net", ()), *_parts(policy.action_net)]
     elif hasattr(actor, "latent_pi"):
         modules, output = [*actor.latent_pi, *_parts(actor.mu)], "tanh"
+        clip_mean = modules.pop().max_val if type(modules[-1]).__name__ == "Hardtanh" else None  # of gSDE
     elif hasattr(actor, "mu"):
         modules, output = _parts(actor.mu), "clip"
     if not modules:
@@ -167,6 +186,8 @@ def actor_layers(policy: Any) -> tuple[list[Layer], str, str]:
     if type(modules[-1]).__name__ == "Tanh":
         modules, output = modules[:-1], "tanh"
     layers, activation = linear_layers(modules)
+    if clip_mean is not None:
+        layers = _clipped(layers, activation, clip_mean)
     mirror = getattr(policy, "mirror", None)
     return layers if actor is None or mirror is None else symmetrized(layers, mirror), activation, output
 
@@ -211,6 +232,19 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
     if not layers or activated:
         raise refused("its actor does not end with a linear layer")
     return layers, activation or "tanh"
+
+
+def _clipped(layers: list[Layer], activation: str, limit: float) -> list[Layer]:
+    """Layers whose values are those of `layers`, clipped to +-limit: relu(x + limit) - relu(x - limit) - limit."""
+    if activation != "relu":
+        raise refused(f"its actor explores with gSDE and clips its mean (clip_mean={limit:g}), and is no ReLU network")
+    *inner, (weight, bias) = layers
+    both = np.eye(len(bias), dtype=np.float32)
+    return [
+        *inner,
+        (np.tile(weight, 2), np.concatenate([bias + np.float32(limit), bias - np.float32(limit)])),
+        (np.concatenate([both, -both]), np.full_like(bias, -limit)),
+    ]
 
 
 def _array(tensor: Any) -> NDArray[np.float32]:

@@ -168,7 +168,7 @@ class MotorConfig(PlainFields):
         """
         for actuator, motor in zip(spec.actuators, self.of_joints(kinds), strict=True):
             joint = spec.joint(actuator.target)
-            joint.damping[0] = motor.damping
+            joint.damping[:] = [motor.damping, 0.0, 0.0]
             joint.frictionloss = motor.friction_loss
             joint.armature = motor.armature
             actuator.set_to_dcmotor(

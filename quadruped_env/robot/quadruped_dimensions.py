@@ -16,6 +16,11 @@ from quadruped_env.utils.plain import PlainFields
 LEGS: Final = ("LF", "RF", "LH", "RH")
 """Names of the legs: left (L) or right (R), front (F) or hind (H)."""
 
+_OF_THE_LINKS: Final[Any] = None
+"""Default of the angles that follow from the links."""
+_STANCE_HIP: Final = 0.6
+"""Angle of the hip in a stance that follows from the links, rad."""
+
 _LENGTHS: Final = ("hip_radius", "leg_radius", "leg_length", "hip_to_knee", "base_mass", "hip_mass", "leg_mass")
 
 
@@ -46,8 +51,8 @@ class QuadrupedDimensions(PlainFields):
     leg_mass: float = 0.20
     hip_range: tuple[float, float] = (-1.5, 1.5)
     knee_range: tuple[float, float] = (-2.0, 0.0)
-    stance_angles: tuple[float, float] = (0.6, -0.72)
-    """Hip and knee in the stance, with the foot under the hip and the knee near the middle of its range, rad."""
+    stance_angles: tuple[float, float] = _OF_THE_LINKS
+    """Hip and knee in the stance, rad. None: the hip at 0.6, and the knee so that the foot is under it, to 0.01."""
     friction: float = 0.8
     """Coefficient of sliding friction of all surfaces."""
     motors: MotorConfig = field(default_factory=MotorConfig)
@@ -75,17 +80,29 @@ class QuadrupedDimensions(PlainFields):
             )
         if not isinstance(self.motors, MotorConfig):
             raise _error("motors", self.motors, "a MotorConfig")
+        derived = self.stance_angles is None
+        if derived:
+            object.__setattr__(self, "stance_angles", self._stance_under_hip())
         if not _are_numbers(self.stance_angles, 2):
             raise _error("stance_angles", self.stance_angles, "two numbers (rad)")
-        self._check_ranges()
+        self._check_ranges("; these follow from the links, so give others" if derived else "")
 
-    def _check_ranges(self) -> None:
+    def _stance_under_hip(self) -> tuple[float, float]:
+        """Hip and knee with the foot under the hip, rad."""
+        offset = self.hip_to_knee * math.sin(_STANCE_HIP) / -self.foot_height
+        if offset > 1.0:
+            raise _error(
+                "stance_angles", None, f"given: with the hip at {_STANCE_HIP} rad the foot does not reach under it"
+            )
+        return _STANCE_HIP, round(-_STANCE_HIP - math.asin(offset), 2)
+
+    def _check_ranges(self, origin: str) -> None:
         for kind, angle in zip(JOINT_KINDS, self.stance_angles, strict=True):
             limits = getattr(self, f"{kind}_range")
             if not (_are_numbers(limits, 2) and limits[0] < limits[1]):
                 raise _error(f"{kind}_range", limits, "a pair (low, high) with low < high (rad)")
             if not limits[0] < angle < limits[1]:
-                raise _error("stance_angles", self.stance_angles, f"within {kind}_range {limits}")
+                raise _error("stance_angles", self.stance_angles, f"within {kind}_range {limits}{origin}")
 
     @property
     def joint_names(self) -> tuple[str, ...]:

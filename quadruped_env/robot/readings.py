@@ -24,17 +24,17 @@ def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
             or has them in another order, or they have more or fewer values than the field.
     """
     shapes = _shapes(robot)
-    if missing := [field for field in shapes if not robot.sensors.get(field)]:
+    if missing := [field for field in shapes if not robot.sensor_names.get(field)]:
         raise QuadrupedError(
             f"robot {robot.name!r}: sensors: missing {', '.join(missing)}; name the sensors of the model for each"
         )
-    if unknown := [field for field in robot.sensors if field not in shapes]:
+    if unknown := [field for field in robot.sensor_names if field not in shapes]:
         raise QuadrupedError(
             f"robot {robot.name!r}: sensors: unknown field {short(unknown[0])}; valid fields are {', '.join(shapes)}"
         )
     columns = {}
     address, width = model.sensor_adr.tolist(), model.sensor_dim.tolist()
-    for field, sensors in robot.sensors.items():
+    for field, sensors in robot.sensor_names.items():
         ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, sensor) for sensor in sensors]
         start = stop = address[max(ids[0], 0)]
         for sensor, i in zip(sensors, ids, strict=True):

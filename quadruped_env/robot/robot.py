@@ -1,11 +1,14 @@
 """Description of a robot, which other packages receive as an argument."""
 
+import base64
 import dataclasses
 import functools
 import hashlib
 import json
-from collections.abc import Mapping
+import os
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
+from pathlib import Path
 from typing import Any, Self
 from xml.etree import ElementTree
 
@@ -16,30 +19,57 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import link_transforms, resting_pose
 from quadruped_env.robot.link_transforms import Transform
+from quadruped_env.robot.model_completion import (
+    add_sensors,
+    check_structure,
+    make_servos,
+    own_sensors,
+    parsed,
+    read_model,
+)
 from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.skeleton import Pose, Skeleton
+from quadruped_env.utils.arrays import frozen
+from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
 
 Floats = NDArray[np.float64]
 
 _PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
-_OPTIONAL = ("motor_kinds", "mirror_signs", "leg_corners", "gaits")
+_RESTATED = (
+    "link_names",
+    "joint_position_low",
+    "joint_position_high",
+    "velocity_limit",
+    "effort_limit",
+    "foot_radius",
+    "stance_height",
+)
+"""Fields that restate the model or the motors; in an order in which each follows from those before it."""
+_OPTIONAL = ("motor_kinds", "mirror_signs", "leg_corners", "gaits", "assets")
 """Fields that may be None; then they are not part of the content, so that robots without them keep their identity."""
 _MIRROR_TOLERANCE = 1e-3
 """Difference between an axis and its mirror image, as 1 - |cosine|, about 2.5 degrees."""
 _FOOTPRINT = 4.0 / 3.0
 """Footprint as a multiple of the distance of the farthest foot in the stance; at a start the legs deviate from it."""
-_LIMIT_TOLERANCE = 1e-9
-"""Difference between a limit in the model and in the robot, rad."""
+_SIX_DIGITS = 5e-6
+"""Difference between a value of the robot and that of its model, relative from 1 up: MuJoCo writes six digits."""
+ROBOT_FILE = "mini_quadruped.xml"
+"""File that a scene includes: a robot's MJCF takes its place."""
+_OF_THE_MODEL: Any = None
+"""Default of the fields that follow from the model and the motors."""
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Robot:
-    """A legged robot as a value: names, limits, stance, symmetry, motors, and its model as text.
+    """A legged robot as a value: names, stance, symmetry, motors, and its model as text.
 
     Arrays are read-only and in the order of `joint_names` or `leg_names`, which is the order of the model. Masses and
     kinematics are computed from the model, which is compiled when it is first needed. Two robots are equal if their
     content is; comments and layout of the model files do not count.
+
+    Fields with "None:" follow from the model or the motors where they are not given. A value that is given is compared
+    with that of the model, to six digits.
 
     Raises:
         QuadrupedError: if the fields contradict each other, or (at the first use of the model) the model.
@@ -49,34 +79,37 @@ class Robot:
     leg_names: tuple[str, ...]
     joint_names: tuple[str, ...]
     """Names of the joints, and of their motors in the model's order."""
-    link_names: tuple[str, ...]
-    """Names of the links, the base first."""
-    joint_position_low: Floats
-    """Lower limits of the joint positions (J,), rad."""
-    joint_position_high: Floats
-    """Upper limits of the joint positions (J,), rad."""
-    velocity_limit: Floats
-    """Maximum joint speeds without load (J,), rad/s."""
-    effort_limit: Floats
-    """Maximum joint torques at rest (J,), N m."""
+    link_names: tuple[str, ...] = _OF_THE_MODEL
+    """Names of the links, the base first. None: all bodies that are named, in the model's order."""
+    joint_position_low: Floats = _OF_THE_MODEL
+    """Lower limits of the joint positions (J,), rad. None: those of the model."""
+    joint_position_high: Floats = _OF_THE_MODEL
+    """Upper limits of the joint positions (J,), rad. None: those of the model."""
+    velocity_limit: Floats = _OF_THE_MODEL
+    """Maximum joint speeds without load (J,), rad/s. None: those of `motors`."""
+    effort_limit: Floats = _OF_THE_MODEL
+    """Maximum joint torques at rest (J,), N m. None: those of `motors`."""
     stance: Floats
     """Joint positions with each foot under its hip (J,), rad."""
-    stance_height: float
-    """Height of the base's centre in the stance, with the feet on the ground, m."""
-    foot_radius: float
-    """Radius of the feet, which are balls, m."""
+    stance_height: float = _OF_THE_MODEL
+    """Height of the base's centre in the stance, with the feet on the ground, m. None: by the feet."""
+    foot_radius: float = _OF_THE_MODEL
+    """Radius of the feet, which are balls, m. None: from `foot_sites` to the lowest point of their links' shapes in the
+    stance."""
     foot_sites: tuple[str, ...]
     """Sites of the model at the centres of the feet, one per leg."""
     joint_mirror: tuple[int, ...]
     """Index of each joint's counterpart on the other side; `joint_signs` says which of them turn the other way."""
     foot_mirror: tuple[int, ...]
     """Index of each foot's counterpart on the other side."""
-    sensors: Mapping[str, tuple[str, ...]]
-    """Sensors of the model for each field of `quadruped_env.robot.readings.Readings`, in order."""
+    sensors: Mapping[str, tuple[str, ...]] = _OF_THE_MODEL
+    """Sensors of the model for each field of `quadruped_env.robot.readings.Readings`, in order. None: the model gets
+    them, those of the base at its origin."""
     motors: MotorConfig
-    """Motors of the model."""
+    """Motors of the joints. They are written into the model, whatever actuators it has."""
     mjcf: str
-    """MuJoCo model of the robot alone, with a floating base and without ground."""
+    """MuJoCo model of the robot alone, with a floating base and without ground: the text, or the path of a file, whose
+    meshes are searched next to it."""
     urdf: str
     """Description for ROS (`robot_description`)."""
     motor_kinds: tuple[str, ...] | None = None
@@ -90,23 +123,14 @@ class Robot:
     gaits: Mapping[str, Mapping[str, Any]] | None = None
     """Scripted gaits tuned on this robot, by name of the preset whose place they take, as `tools/tune_gait.py` writes
     them. None: the presets, mapped to the robot."""
+    assets: Mapping[str, bytes] | None = None
+    """Files that the MJCF names, such as meshes, by name; with the path of a file as `mjcf` they are read from it."""
 
     def __post_init__(self) -> None:
-        for name in _PER_JOINT:
-            values = np.array(getattr(self, name), dtype=np.float64)
-            if values.shape != (self.num_joints,) or not np.isfinite(values).all():
-                raise self._error(
-                    f"{name} must be {self.num_joints} finite numbers, one per joint; found {short(values)}"
-                )
-            values.flags.writeable = False
-            object.__setattr__(self, name, values)
-        try:
-            sensors = {key: tuple(names) for key, names in self.sensors.items()}
-        except (AttributeError, TypeError) as error:
-            raise self._error(
-                f"sensors must be a dict of field -> names of the model's sensors; found {short(self.sensors)}"
-            ) from error
-        object.__setattr__(self, "sensors", sensors)
+        if isinstance(self.mjcf, os.PathLike):
+            text, assets = read_model(Path(self.mjcf))
+            self._set(mjcf=text, assets={**assets, **(self.assets or {})} or None)
+        self._check_numbers()
         for name, length, what in (
             ("foot_sites", self.num_legs, "leg"),
             ("foot_mirror", self.num_legs, "leg"),
@@ -115,17 +139,48 @@ class Robot:
             if len(getattr(self, name)) != length:
                 raise self._error(f"{name} must have {length} entries, one per {what}; found {getattr(self, name)!r}")
         self._check_given()
-        for names in (self.leg_names, self.joint_names, self.link_names):
+        for names in (self.leg_names, self.joint_names, self.link_names or ()):
             if len(set(names)) < len(names):
                 raise self._error(f"names must differ; found {names!r}")
+        if any(getattr(self, name) is None for name in _RESTATED):
+            self._check_restated()
         outside = (self.stance < self.joint_position_low) | (self.stance > self.joint_position_high)
         if outside.any():
             raise self._error(
                 f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
             )
 
+    def _check_numbers(self) -> None:
+        """Check the numbers that are given, and make the arrays read-only."""
+        for name in _PER_JOINT:
+            if getattr(self, name) is None and name in _RESTATED:
+                continue
+            values = np.array(getattr(self, name), dtype=np.float64)
+            if values.shape != (self.num_joints,) or not np.isfinite(values).all():
+                raise self._error(
+                    f"{name} must be {self.num_joints} finite numbers, one per joint; found {short(values)}"
+                )
+            self._set(**{name: frozen(values)})
+        for name in ("stance_height", "foot_radius"):
+            value = getattr(self, name)
+            if value is not None and not (is_quantity(value) and value > 0):
+                raise self._error(
+                    f"{name} must be a positive number (m), or None for the model's; found {short(value)}"
+                )
+
+    def _set(self, **values: Any) -> None:
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+
     def _check_given(self) -> None:
         """Check the optional fields, and make them plain."""
+        if self.sensors is not None:
+            try:
+                self._set(sensors={key: tuple(names) for key, names in self.sensors.items()})
+            except (AttributeError, TypeError) as error:
+                raise self._error(
+                    f"sensors must be a dict of field -> names of the model's sensors; found {short(self.sensors)}"
+                ) from error
         for name, length, allowed in (
             ("motor_kinds", self.num_joints, JOINT_KINDS),
             ("mirror_signs", self.num_joints, (1, -1)),
@@ -179,9 +234,8 @@ class Robot:
     @functools.cached_property
     def model(self) -> mujoco.MjModel:
         """The robot alone, compiled once; it must not be changed."""
-        model = self.spec().compile()
-        self.check_model(model)
-        return model
+        self._check_restated()
+        return self._compiled(self.spec())
 
     @functools.cached_property
     def stance_feet(self) -> Floats:
@@ -221,7 +275,7 @@ class Robot:
     @property
     def leg_joints(self) -> tuple[tuple[int, ...], ...]:
         """Indices of the joints of each leg, from the base to the foot."""
-        return self.skeleton.leg_joints
+        return self._skeleton.leg_joints
 
     @functools.cached_property
     def joint_kinds(self) -> tuple[str, ...]:
@@ -267,62 +321,123 @@ class Robot:
             )
         return np.sign(cosines).astype(np.float32)
 
-    def spec(self) -> mujoco.MjSpec:
-        """A new specification of the robot alone, to be changed and compiled.
+    def spec(self, scene: str = "") -> mujoco.MjSpec:
+        """A new specification of the robot with its motors, but for their delay, to be changed and compiled.
+
+        Args:
+            scene: MJCF that includes the robot's as `ROBOT_FILE`; by default the robot is alone.
 
         Raises:
-            QuadrupedError: if MuJoCo cannot read the MJCF, or it has a ground or another geom of the world.
+            QuadrupedError: if MuJoCo cannot read the MJCF, it has a ground or another geom of the world, or its joints
+                or actuators are not those of `joint_names`.
         """
-        try:
-            spec = mujoco.MjSpec.from_string(self.mjcf)
-        except ValueError as error:
-            raise self._error(f"MuJoCo cannot read its MJCF ({error})") from error
-        if fixed := _fixed_geoms(spec.worldbody, self.base_name):
-            raise self._error(
-                f"its MJCF must hold the robot alone, because the scene adds the ground, and a second one would double "
-                f"every contact; found a {fixed[0].type.name[7:].lower()} {fixed[0].name!r} fixed to the world: "
-                f"remove it, and choose the ground with terrain=... or --terrain"
-            )
+        spec = self._parsed(scene)
+        make_servos(spec, self.joint_names)
+        self.motors.write(spec, self.joint_kinds, max_delay=0.0)  # the delay depends on the time step
+        if self.sensors is None:
+            hips = [self._link_of(joints[0]) for joints in self.leg_joints]
+            add_sensors(spec, self.sensor_names, self.foot_sites, self.foot_radius, hips)
         return spec
+
+    @property
+    def sensor_names(self) -> Mapping[str, tuple[str, ...]]:
+        """`sensors`, or the names of those that the model gets."""
+        return own_sensors(self.joint_names, self.leg_names) if self.sensors is None else self.sensors
+
+    @property
+    def simulated_mjcf(self) -> str:
+        """The MJCF with the robot's motors: `mjcf` where it has them already, else as MuJoCo writes it."""
+        given, simulated = self._compiled(self._parsed()), self.model
+        same = given.nu == simulated.nu and all(
+            np.allclose(getattr(given, name), getattr(simulated, name), rtol=_SIX_DIGITS, atol=0.0)
+            for name in dir(given)
+            if name.startswith(("actuator_", "dof_")) and name != "actuator_plugin"
+        )
+        if same and self.sensors is not None:
+            return self.mjcf
+        spec = self.spec()
+        spec.compile()  # without which MuJoCo writes no XML
+        return spec.to_xml()
+
+    def _parsed(self, scene: str = "") -> mujoco.MjSpec:
+        """The MJCF as it was given, or a scene that includes it."""
+        try:
+            spec = parsed(scene or self.mjcf, self.assets, {ROBOT_FILE: self.mjcf} if scene else None)
+            if not scene:  # which has a ground
+                check_structure(spec, self.joint_names)
+        except QuadrupedError as error:
+            raise self._error(str(error)) from error
+        except ValueError as error:
+            raise self._error(f"MuJoCo cannot read its MJCF ({_line(error)})") from error
+        return spec
+
+    def _compiled(self, spec: mujoco.MjSpec) -> mujoco.MjModel:
+        try:
+            return spec.compile()
+        except ValueError as error:
+            raise self._error(f"MuJoCo cannot compile its MJCF ({_line(error)})") from error
 
     @functools.cached_property
     def skeleton(self) -> Skeleton:
         """Kinematics of the robot; computed once."""
-        return Skeleton(self.spec(), self.model, self.joint_names, self.link_names, self.foot_sites)
+        self._check_restated()
+        return self._skeleton
 
-    def check_model(self, model: mujoco.MjModel) -> None:
-        """Check that a compiled model holds this robot.
-
-        Raises:
-            QuadrupedError: if joints, motors, links, sites or sensors are missing or in another order, or a limit
-                differs.
-        """
-        free = [i for i in range(model.njnt) if model.jnt_type[i] == mujoco.mjtJoint.mjJNT_FREE]
-        if free != [0]:
-            raise self._error(f"its model must have one free joint, the first; found free joints at {free}")
-        joints = tuple(model.joint(i).name for i in range(1, model.njnt))
-        motors = tuple(model.joint(int(model.actuator_trnid[i, 0])).name for i in range(model.nu))
-        for what, found in (("joints", joints), ("motors", motors)):
-            if found != self.joint_names:
-                raise self._error(
-                    f"the {what} of its model are in the order {', '.join(found)}; joint_names has "
-                    f"{', '.join(self.joint_names)}: give all fields in the model's order"
-                )
-        for kind, names in (
-            ("body", self.link_names),
-            ("site", self.foot_sites),
-            ("sensor", [name for group in self.sensors.values() for name in group]),
-        ):
+    @functools.cached_property
+    def _skeleton(self) -> Skeleton:
+        """Kinematics, before the fields that restate the model are compared with it."""
+        spec = self._parsed()
+        base, model = spec.joints[0].parent, self._compiled(spec)
+        if self.link_names is None:
+            bodies = (base, *base.find_all("body"))
+            self._set(link_names=tuple(body.name for body in bodies if body.name))
+        sensors = [name for names in (self.sensors or {}).values() for name in names]
+        for kind, names in (("body", self.link_names), ("site", self.foot_sites), ("sensor", sensors)):
             for name in names:
                 if mujoco.mj_name2id(model, getattr(mujoco.mjtObj, f"mjOBJ_{kind.upper()}"), name) < 0:
                     raise self._error(f"its model has no {kind} {name!r}")
-        limits = np.stack([self.joint_position_low, self.joint_position_high], axis=1)
-        wrong = np.abs(model.jnt_range[1:] - limits).max(axis=1) > _LIMIT_TOLERANCE
-        if wrong.any():
-            raise self._error(
-                f"joint_position_low and joint_position_high differ from the model's range at "
-                f"{self.joint_names[wrong.argmax()]}"
-            )
+        return Skeleton(spec, model, self.joint_names, self.link_names, self.foot_sites)
+
+    def _link_of(self, joint: int) -> str:
+        """Link that a joint moves."""
+        model = self._skeleton.model
+        return str(model.body(int(model.jnt_bodyid[1 + joint])).name)
+
+    def _check_restated(self) -> None:
+        """Fill the fields that restate the model and are not given, and compare the others with it; once.
+
+        Raises:
+            QuadrupedError: if a value differs from the model's, or none is given and the model has none.
+        """
+        if "_restated" in vars(self):
+            return
+        found = self._found_in_model()
+        for name in _RESTATED[1:]:
+            given, value = getattr(self, name), next(found)
+            if given is None:
+                self._set(**{name: frozen(value) if isinstance(value, np.ndarray) else float(value)})
+            elif (wrong := ~np.isclose(given, value, rtol=_SIX_DIGITS, atol=_SIX_DIGITS, equal_nan=True)).any():
+                of = f" of {self.joint_names[int(wrong.argmax())]}" if wrong.shape else ""
+                given, value = (float(np.asarray(x)[wrong][0]) for x in (given, value))
+                owner = "its motors" if name in ("velocity_limit", "effort_limit") else "its model"
+                raise self._error(
+                    f"{name}{of} is {given:.6g}, and that of {owner} is {value:.6g}; correct it, "
+                    f"or give {name}=None for the latter"
+                )
+        self._set(_restated=True)
+
+    def _found_in_model(self) -> Iterator[Any]:
+        """Values of the fields of `_RESTATED` but for the names, in order."""
+        model = self._skeleton.model
+        yield from model.jnt_range[1:].T.copy()
+        motors = self.motors.of_joints(self.joint_kinds)
+        yield np.array([motor.no_load_speed for motor in motors])
+        yield np.array([motor.stall_torque for motor in motors])
+        radii = self._skeleton.foot_radii(self.stance)
+        if self.foot_radius is None and (np.isnan(radii).any() or np.ptp(radii) > _SIX_DIGITS):
+            raise self._error(f"foot_radius does not follow from the shapes at the feet ({short(radii)} m); give it")
+        yield self.foot_radius if np.isnan(radii).any() else float(radii[0])
+        yield self.foot_radius - float(self._skeleton.foot_centres(self.stance)[:, 2].min())
 
     def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
         """Pose of every link, computed with MuJoCo's kinematics.
@@ -403,11 +518,14 @@ class Robot:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""
-        return {
-            entry.name: value.to_dict() if isinstance(value, MotorConfig) else plain(value)
+        values = {
+            entry.name: value.to_dict() if isinstance(value, MotorConfig) else value
             for entry, value in self._content()
             if value is not None or entry.name not in _OPTIONAL
         }
+        if self.assets is not None:
+            values["assets"] = {name: base64.b64encode(content).decode() for name, content in self.assets.items()}
+        return {name: plain(value) for name, value in values.items()}
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> Self:
@@ -417,13 +535,16 @@ class Robot:
             QuadrupedError: if a field is missing or unknown, or as for `Robot`.
         """
         names = {entry.name for entry in fields(cls)}
-        if not isinstance(values, Mapping) or not names - set(_OPTIONAL) <= set(values) <= names:
+        required = {entry.name for entry in fields(cls) if entry.default is dataclasses.MISSING}
+        if not isinstance(values, Mapping) or not required <= set(values) <= names:
             raise QuadrupedError(f"robot: expected the fields {', '.join(sorted(names))}; found {short(values)}")
         made: dict[str, Any] = {
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
             for name, value in values.items()
         }
         motors = values["motors"]
+        if made.get("assets") is not None:
+            made["assets"] = {name: base64.b64decode(text) for name, text in made["assets"].items()}
         made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
         return cls(**made)
 
@@ -461,7 +582,7 @@ class Robot:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Without the compiled models, which are many times larger and quickly compiled again.
-        return type(self), tuple(value for _, value in self._content())
+        return _made, (type(self), {entry.name: value for entry, value in self._content()})
 
     def _content(self) -> list[tuple[dataclasses.Field[Any], Any]]:
         return [(entry, getattr(self, entry.name)) for entry in fields(self)]
@@ -470,13 +591,15 @@ class Robot:
         return QuadrupedError(f"robot {self.name!r}: {message}")
 
 
-def _fixed_geoms(body: mujoco.MjsBody, base: str) -> list[mujoco.MjsGeom]:
-    """Geoms of a body and of all that is fixed to it, except the robot's base."""
-    fixed = list(body.geoms)
-    for child in body.bodies:
-        if child.name != base and not child.joints:
-            fixed += _fixed_geoms(child, base)
-    return fixed
+def _made(kind: type[Robot], values: dict[str, Any]) -> Robot:
+    """A robot from its fields, for pickling."""
+    return kind(**values)
+
+
+def _line(error: ValueError) -> str:
+    """MuJoCo's message on one line, with the fix for meshes that it does not find."""
+    text = " ".join(str(error).split())
+    return f"{text}; meshes are searched next to a file: mjcf=Path(...)" if "opening file" in text else text
 
 
 def check_same_robot(recorded: Any, robot: Robot) -> None:

@@ -138,6 +138,16 @@ class Skeleton:
             mujoco.mj_jac(self.model, data, jacobian, None, centre, self.model.body(link).id)
         return found[:, :, 6:]
 
+    def foot_radii(self, positions: ArrayLike) -> Floats:
+        """Distance of each foot's centre from the lowest point of its link (L,), m; NaN for a link without a shape."""
+        (points, radii), poses = self._collision, self.forward_kinematics(positions)
+        heights = self._points(points, poses)[..., 2] - radii if points else np.zeros(0)
+        found = []
+        for link, centre in self.feet:
+            own = [height for (of, _), height in zip(points, heights, strict=True) if of == link]
+            found.append(self._points([(link, centre)], poses)[0, 2] - min(own, default=np.nan))
+        return np.array(found)
+
     def joint_axes(self, positions: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
         """Axes of the joints (J, 3) in the base frame, and which of them are hinges (J,), for positions (J,) in rad."""
         data = self._data(positions)

@@ -58,9 +58,9 @@ class DrakeSimulation:
         self.sensor_columns = sensor_columns(model, robot)
         self.readings = Readings.from_sensordata(model, self.sensordata, robot)
         self._record(1)
-        self._imu = Site.of_sensor(model, robot.sensors["base_position"][0])
+        self._imu = Site.of_sensor(model, robot.sensor_names["base_position"][0])
         self._feet, self._foot_zones, self._trunk_zones = (
-            [Site.of_sensor(model, name) for name in robot.sensors[field]]
+            [Site.of_sensor(model, name) for name in robot.sensor_names[field]]
             for field in ("foot_position", "foot_force", "trunk_force")
         )
 

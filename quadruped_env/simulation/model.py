@@ -17,8 +17,6 @@ from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS
 from quadruped_env.simulation.terrain import Terrain
 
 _SCENE: Final = "scene.xml"
-_ROBOT: Final = "mini_quadruped.xml"
-"""File that the scene includes: the robot's MJCF takes its place."""
 _DROP: Final = 0.01
 """Height of a height field's lowest point over the plane around it, m.
 
@@ -70,9 +68,8 @@ def build_model(
 def _compiled(
     timestep: float | None, motors: MotorConfig | None, terrain: Terrain, robot: Robot, max_delay: float, _modified: int
 ) -> mujoco.MjModel:
-    model = build_spec(timestep, motors, terrain, robot, max_delay).compile()
-    robot.check_model(model)
-    return model
+    _ = robot.model  # whose errors name the robot
+    return build_spec(timestep, motors, terrain, robot, max_delay).compile()
 
 
 def build_spec(
@@ -94,10 +91,7 @@ def build_spec(
 
 def scene(robot: Robot) -> mujoco.MjSpec:
     """A robot on a plane, with light and camera."""
-    robot.spec()  # whose errors name the robot
-    return mujoco.MjSpec.from_string(
-        asset_path(_SCENE).read_text(encoding="utf-8"), include={_ROBOT: robot.mjcf.encode()}
-    )
+    return robot.spec(asset_path(_SCENE).read_text(encoding="utf-8"))
 
 
 def lay_ground(spec: mujoco.MjSpec, heights: NDArray[np.float64], extent: tuple[float, float]) -> None:

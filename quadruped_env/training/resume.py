@@ -12,6 +12,7 @@ from typing import Any, Final
 
 from quadruped_env.control.kept_task_file import code_changes
 from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
+from quadruped_env.control.policy_argument import not_a_policy
 from quadruped_env.control.policy_files import finished_directory
 from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_file, recorded_terms
 from quadruped_env.envs.arguments import changed
@@ -98,7 +99,8 @@ class Parent:
             QuadrupedWarning: if it is a checkpoint, though the run was named.
         """
         if not os.path.isdir(directory):  # Path.is_dir raises for a name that is too long
-            raise QuadrupedError(f"--resume: {directory} is not a directory; name a run such as runs/latest")
+            problem = not_a_policy(str(directory)) or f"{directory} is not a directory"
+            raise QuadrupedError(f"--resume: {problem}; name a run such as runs/latest")
         directory = finished_directory(directory)
         resume_file = RSL_FILE if (directory / RSL_FILE).is_file() else RESUME_FILE
         for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, resume_file, PROGRESS_FILE):

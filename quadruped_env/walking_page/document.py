@@ -65,6 +65,11 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
         QuadrupedError: as `check_exportable`.
     """
     check_exportable(policy)
+    if policy.robot.assets:
+        raise QuadrupedError(
+            f"the page holds no files of a robot's model, and that of {policy.robot.name!r} has "
+            f"{min(policy.robot.assets)!r}; give the robot without meshes, with boxes, cylinders and balls"
+        )
     config, robot = policy.config, policy.robot
     reference, terrains = _reference(policy, config), _terrains(config)
     ranges = {entry.name: entry.range for entry in config.commands[:2]}

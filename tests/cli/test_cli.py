@@ -44,6 +44,7 @@ BAD = {
     "baseline": ("--output", "out.txt"),
     "export": ("nowhere",),
     "check-export": ("nowhere",),
+    "import-policy": ("nowhere.zip",),
     "sim2sim": ("nowhere",),
     "sweep": ("--resume", "nowhere"),
 }
@@ -177,7 +178,14 @@ def test_script_is_its_command(monkeypatch, capsys):
 def test_every_script_of_train_and_evaluate_is_a_command_or_a_tool():
     scripts = {str(path.relative_to(ROOT)) for folder in ("train", "evaluate") for path in (ROOT / folder).glob("*.py")}
     assert scripts - {f"evaluate/{tool}.py" for tool in ("throughput", "learning_speed", "live")} == set(SCRIPTS)
-    assert set(SCRIPTS.values()) == set(SUMMARIES) - {"live", "completion", "check-export", "demo", "page"}
+    assert set(SCRIPTS.values()) == set(SUMMARIES) - {
+        "live",
+        "completion",
+        "check-export",
+        "demo",
+        "page",
+        "import-policy",
+    }
 
 
 def test_output_has_one_name_in_every_command():

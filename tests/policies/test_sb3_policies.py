@@ -58,6 +58,9 @@ def test_every_activation_has_its_module():
         ("PPO", "MlpPolicy", {"use_sde": True, "policy_kwargs": {"squash_output": True}}),
         ("A2C", "MlpPolicy", {}),
         ("SAC", "MlpPolicy", {**OFF_POLICY, "policy_kwargs": {"activation_fn": NN.GELU}}),
+        ("SAC", "MlpPolicy", {**OFF_POLICY, "use_sde": True}),
+        ("SAC", "MlpPolicy", {**OFF_POLICY, "use_sde": True, "policy_kwargs": {"clip_mean": 0.25}}),
+        ("TQC", "MlpPolicy", {**OFF_POLICY, "use_sde": True}),
         ("TD3", "MlpPolicy", OFF_POLICY),
         ("DDPG", "MlpPolicy", OFF_POLICY),
         ("TRPO", "MlpPolicy", {}),
@@ -147,7 +150,10 @@ class Turned(gymnasium.ObservationWrapper):
         (lambda: model_of(PPO, VecFrameStack(make_sb3_vec_env(2), 2)), r"wrapper VecFrameStack, which changes"),
         (lambda: model_of(PPO, Turned(gymnasium.make("MiniQuadruped-v0"))), r"an ObservationWrapper, which changes"),
         (lambda: model_of(PPO, policy=Doubled), r"Doubled computes its action in a way of its own"),
-        (lambda: model_of(SAC, use_sde=True, **OFF_POLICY), r"module Hardtanh"),
+        (
+            lambda: model_of(SAC, use_sde=True, policy_kwargs={"activation_fn": NN.Tanh}, **OFF_POLICY),
+            r"explores with gSDE and clips its mean \(clip_mean=2\), and is no ReLU network",
+        ),
     ],
 )
 def test_model_that_a_policys_file_cannot_hold_names_the_protocol(make, message):
@@ -182,8 +188,21 @@ def test_model_without_an_env_of_this_package_is_refused(tmp_path):
     with pytest.raises(QuadrupedError, match=r"DummyVecEnv is not an env of this package; train in make_sb3_vec_env"):
         Policy.from_sb3(TD3("MlpPolicy", DummyVecEnv([lambda: gymnasium.make("Pendulum-v1")]), device="cpu"))
     model_of(PPO).save(tmp_path / "model")
-    with pytest.raises(QuadrupedError, match=r"this PPO has no env; load it with env=make_sb3_vec_env\(1\)"):
+    advice = (
+        r"this PPO has no env; if it was trained in a VecNormalize, .*if it was not, with env=make_sb3_vec_env\(1\)"
+    )
+    with pytest.raises(QuadrupedError, match=advice):
         Policy.from_sb3(PPO.load(tmp_path / "model", device="cpu"))
+
+
+def test_model_of_a_vecnormalize_is_refused_in_an_env_without_one(tmp_path):
+    """The statistics are not in the zip, and without them its actions are others."""
+    model = model_of(PPO, VecNormalize(make_sb3_vec_env(2, seed=0)), n_steps=8, batch_size=16)
+    model.learn(16)
+    model.save(tmp_path / "model")
+    for env in (None, make_sb3_vec_env(1)):
+        with pytest.raises(QuadrupedError, match=r"trained in a VecNormalize, whose statistics are not in its zip"):
+            Policy.from_sb3(PPO.load(tmp_path / "model", env=env, device="cpu"))
 
 
 def test_batch_renormalization_is_folded_into_the_layer_behind_it():

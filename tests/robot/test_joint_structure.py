@@ -23,24 +23,15 @@ IDENTITY = "c2dfd2cc28fc92faed8fd3f8ea9208b98e9a7720e37a57f5d5639061565feba5"
 
 def robot_of(spec, legs, stance, **fields):
     """Robot of a specification with a site `<leg>_foot` in each leg."""
-    model = spec.compile()
+    spec.compile()
     joints = tuple(joint.name for joint in spec.joints[1:])
-    limits = model.jnt_range[1:]
     counterpart = {"L": "R", "R": "L"}
     mirror = lambda names: tuple(names.index(name[0] + counterpart[name[1]] + name[2:]) for name in names)  # noqa: E731
-    arrays = {
-        "joint_position_low": limits[:, 0],
-        "joint_position_high": limits[:, 1],
-        "velocity_limit": np.full(len(joints), 10.0),
-        "effort_limit": np.full(len(joints), 3.0),
-        "stance": np.array(stance * len(legs)),
-    }
     return Robot(
         name="odd",
         leg_names=legs,
         joint_names=joints,
-        link_names=tuple(body.name for body in spec.bodies[1:]),
-        stance_height=0.25,
+        stance=np.array(stance),
         foot_radius=0.02,
         foot_sites=tuple(f"{leg}_foot" for leg in legs),
         joint_mirror=mirror(joints),
@@ -49,7 +40,6 @@ def robot_of(spec, legs, stance, **fields):
         motors=MOTORS,
         mjcf=spec.to_xml(),
         urdf="<robot/>",
-        **arrays,
         **fields,
     )
 
@@ -71,7 +61,7 @@ def solo8():
         spec.body(f"{leg}_FOOT").add_site(name=f"{leg}_foot")
     for joint in spec.joints[1:]:
         spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-    return robot_of(spec, legs, [0.7, -1.4])
+    return robot_of(spec, legs, [0.7, -1.4] * 4)
 
 
 def three_joints(**fields):
@@ -96,8 +86,7 @@ def three_joints(**fields):
         for part in "123":
             spec.add_actuator(name=f"{leg}{part}", target=f"{leg}_{part}", trntype=mujoco.mjtTrn.mjTRN_JOINT)
     side = np.repeat([-1.0, 1.0, -1.0, 1.0], 3)
-    robot = robot_of(spec, legs, [0.0, 0.0, 0.0], **fields)
-    return dataclasses.replace(robot, stance=side * np.tile([0.0, 0.5, -1.0], 4))
+    return robot_of(spec, legs, side * np.tile([0.0, 0.5, -1.0], 4), **fields)
 
 
 def check_mirror(robot):

@@ -122,7 +122,10 @@ class TestModel:
             ({"foot_sites": ("LF_foot", "RF_foot", "LH_foot", "toe")}, "no site 'toe'"),
             ({"link_names": (*MINI_QUADRUPED.link_names[:-1], "tail")}, "no body 'tail'"),
             ({"sensors": {"orientation": ("compass",)}}, "no sensor 'compass'"),
-            ({"joint_position_high": MINI_QUADRUPED.joint_position_high + 0.1}, "range at LF_hip_joint"),
+            (
+                {"joint_position_high": MINI_QUADRUPED.joint_position_high + 0.1},
+                "joint_position_high of LF_hip_joint is 1.6, and that of its model is 1.5; correct it, or give joint",
+            ),
             ({"mjcf": "<mujoco><worldbody/></mujoco>"}, "one free joint"),
             ({"mjcf": "no XML"}, "cannot read its MJCF"),
         ],
@@ -227,7 +230,7 @@ class TestSensors:
         with pytest.raises(QuadrupedError, match=message):
             sensor_columns(robot.model, robot)
 
-    @pytest.mark.parametrize("sensors", [None, [], {"foot_force": 3}])
+    @pytest.mark.parametrize("sensors", [3, [], {"foot_force": 3}])
     def test_sensors_that_are_no_names_by_field_are_refused(self, sensors):
         with pytest.raises(QuadrupedError, match="sensors must be a dict of field -> names"):
             dataclasses.replace(MINI_QUADRUPED, sensors=sensors)

@@ -1,5 +1,6 @@
 """The page that walks, in a real browser opened from the disk: against Python, and used as a reader would."""
 
+import dataclasses
 import hashlib
 import json
 from types import SimpleNamespace
@@ -22,7 +23,7 @@ from quadruped_env.export.onnx_graph import Graph, policy_graph
 from quadruped_env.policies import load_policy
 from quadruped_env.robot.motors import MOTOR_PRESETS
 from quadruped_env.simulation import SingleSimulation, flat
-from quadruped_env.task import Task
+from quadruped_env.task import BUILT_IN, Task
 from quadruped_env.walking_page import write_page
 from quadruped_env.walking_page.document import graph_document, page_document
 
@@ -59,6 +60,13 @@ CROSSINGS = """([content, speed, steps]) => {
         return { name, moved: Math.hypot(...simulation.position().slice(0, 2)), travelled, falls, stuck };
     });
 }"""
+
+
+def test_model_with_meshes_is_refused():
+    robot = dataclasses.replace(second_robot.ROBOT, assets={"trunk.stl": b""})
+    policy = random_policy("residual", definition=BUILT_IN.with_robot(robot))
+    with pytest.raises(QuadrupedError, match=r"the page holds no files of a robot's model.*'tall' has 'trunk.stl'"):
+        page_document(policy, "mine")
 
 
 def test_assets_are_built_from_these_sources():
