@@ -20,7 +20,7 @@ from quadruped_env.live.nodes import calibrate
 from quadruped_env.live.nodes.calibrate import parsed_answer
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import cdr
-from quadruped_env.trajectory import JointMap
+from quadruped_env.trajectory import JointMap, JointRule
 
 MOTORS = tuple(f"m{i}" for i in range(8))
 A = np.zeros((8, 8))
@@ -140,6 +140,33 @@ def test_joint_is_known_once_all_of_its_motors_are(map_file):
     assert known == [[], [4, 5], [], [5]]
     other = driver.to_robot(read(cdr.serialize(joint_state(2, ["tail"], [1.0]))))
     assert (other.others, np.isnan(other.positions).all()) == (("tail",), True)
+
+
+UNITS = (
+    ({"unit": "turn", "velocity_unit": "rpm"}, 9.0 / (2 * np.pi), 270.0 / np.pi),
+    ({"unit": "ticks", "ticks_per_turn": 65536, "velocity_unit": "rpm"}, 9.0 * 65536 / (2 * np.pi), 270.0 / np.pi),
+    ({"unit": "ticks", "ticks_per_turn": 65536}, *[9.0 * 65536 / (2 * np.pi)] * 2),
+)
+
+
+@pytest.mark.parametrize(("units", "position", "velocity"), UNITS)
+@pytest.mark.parametrize("states", [True, False])
+def test_limits_of_messages_hold_after_the_map(units, position, velocity, states):
+    """Motors before a gear of 9, in units of which a rad and a rad/s of the joint are `position` and `velocity`."""
+    rules = {name: JointRule(f"m{i}", gear=9.0, **units) for i, name in enumerate(JOINT_NAMES)}
+    driver = DriverJoints(MINI_QUADRUPED, JointMap(rules))
+    read = JointReader("/joint_states", driver, states=states)
+
+    def joints(angle, speed):
+        message = joint_state(1, MOTORS, np.full(8, angle * position), np.full(8, speed * velocity))
+        return driver.to_robot(read(cdr.serialize(message)))
+
+    for angle, speed in ((0.7, 0.0), (1.5, 31.0), (-999.0, 999.0)):
+        found = joints(angle, speed)
+        np.testing.assert_allclose([found.positions, found.velocities], np.outer([angle, speed], np.ones(8)))
+    for angle, speed, field in ((1001.0, 0.0, "position"), (0.0, -1001.0, "velocity")):
+        with pytest.raises(QuadrupedError, match=rf"{field} of m0 is .*; send finite numbers of at most \d"):
+            joints(angle, speed)
 
 
 def test_map_that_does_not_fit_the_robot_is_refused(tmp_path, map_file):
