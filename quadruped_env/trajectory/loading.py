@@ -48,6 +48,8 @@ class Stream:
         """State of the file; its remarks are complete once the last piece was read."""
         self._first: int | None = None
         """Number of the first row in the file"""
+        self.without_efforts = False
+        """True if efforts were recorded and all of them are NaN; known once the last piece was read"""
 
     @property
     def source(self) -> Source:
@@ -72,10 +74,15 @@ class Stream:
             if reading.options.despike or reading.options.unwrap:
                 pieces = _repaired(pieces, reading)
             check = Plausibility(periods)
+            self.without_efforts = True
             for rows in check.watch(pieces):
                 if self._first is None:
                     self._first = int(rows.numbers[0])
+                efforts = rows.values.get("effort")
+                self.without_efforts &= efforts is not None and bool(np.isnan(efforts).all())
                 yield rows
+            if self.without_efforts:
+                reading.note(f"efforts are NaN in every {reading.row_name}: they were not recorded")
             for finding in check.findings(reading.row_name):
                 reading.note(finding.text)
         if self._first is None:
@@ -85,6 +92,8 @@ class Stream:
     def collect(self) -> Rows:
         """All rows, read-only: trajectories share such arrays instead of copying them."""
         rows = joined(self)
+        if self.without_efforts:
+            rows = rows.without(["effort"])
         for array in (rows.stamps, *rows.values.values()):
             read_only(array)
         return rows
