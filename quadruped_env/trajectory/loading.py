@@ -74,12 +74,12 @@ class Stream:
             if reading.options.despike or reading.options.unwrap:
                 pieces = _repaired(pieces, reading)
             check = Plausibility(periods)
-            self.without_efforts = True
             for rows in check.watch(pieces):
-                if self._first is None:
-                    self._first = int(rows.numbers[0])
                 efforts = rows.values.get("effort")
-                self.without_efforts &= efforts is not None and bool(np.isnan(efforts).all())
+                unknown = efforts is not None and bool(np.isnan(efforts).all())
+                if self._first is None:
+                    self._first, self.without_efforts = int(rows.numbers[0]), unknown
+                self.without_efforts &= unknown
                 yield rows
             if self.without_efforts:
                 reading.note(f"efforts are NaN in every {reading.row_name}: they were not recorded")

@@ -10,6 +10,7 @@
     efforts = { flarm = "i3" }              # optional
     velocity_files = { "a.csv" = "v.csv" }  # file -> the file next to it with its velocities, in the same columns
     separator = ","                         # default: ","
+    decimal = ","                           # decimal sign, usual next to separator = ";"; default: "."
     header = ["t", "q0", "q1"]              # names of all columns, for a file without a header line
     missing = [2.146e9, "-"]                # values that mean "no value": numbers, or texts such as ""
 
@@ -107,6 +108,8 @@ class ColumnMap:
     """Name of a file -> name of the file next to it that has its velocities, in the columns of `velocities`, by default
     in those of `positions`"""
     separator: str = ","
+    decimal: str = "."
+    """Decimal sign, a point or a comma"""
     header: list[str] | bool | None = None
     """Names of all columns, for a file without a header line; or whether there is a header line, which there is by
     default unless all columns are given by number"""
@@ -131,6 +134,7 @@ class ColumnMap:
                 "one character",
                 isinstance(separator, str) and len(separator) == 1 and separator not in '"\n\r',
             ),
+            "decimal": ('"." or ","', isinstance(self.decimal, str) and self.decimal in {".", ","}),
             "velocity_files": (
                 "a table of files in the same directory",
                 isinstance(files, dict)
