@@ -208,7 +208,7 @@ def _converted(rows: Rows, reading: Reading) -> Rows:
             raise QuadrupedError(
                 f"{source.row(row)}, position.{rows.names[column]}: "
                 f"{value:g} rad is more than two turns: these may be degrees. Say so (--degrees, or unit = "
-                f'"deg" in a map) to have them converted, or that they are rad (--radians); counts of an encoder need '
-                f"a scale in a map{mark}"
+                f'"deg" in a map) to have them converted, or that they are rad (--radians); turns and counts of an '
+                f'encoder have the unit "turn" or "ticks" in a map{mark}'
             )
     return rows
