@@ -85,7 +85,11 @@ def whole(
     Raises:
         QuadrupedError: if another joint is missing.
     """
-    missing = [i for i, name in enumerate(robot.joint_names) if name in without and name not in trajectory.names]
+    try:
+        trajectory.select([name for name in robot.joint_names if name not in without] or trajectory.names)
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{error}; joints that were not recorded can be left out (--without)") from error
+    missing = [i for i, name in enumerate(robot.joint_names) if name not in trajectory.names]
     shape = len(trajectory), len(missing)
     filled = {
         "positions": rest[missing],
@@ -98,10 +102,7 @@ def whole(
         if (array := getattr(trajectory, name)) is not None
     }
     names = (*trajectory.names, *(robot.joint_names[i] for i in missing))
-    try:
-        return JointTrajectory(trajectory.stamps, names, **arrays, source=trajectory.source).in_joint_order(robot)
-    except QuadrupedError as error:
-        raise QuadrupedError(f"{error}; joints that were not recorded can be left out (--without)") from error
+    return JointTrajectory(trajectory.stamps, names, **arrays, source=trajectory.source).in_joint_order(robot)
 
 
 def columns(signal: str, num_joints: int) -> slice:

@@ -152,18 +152,22 @@ UNITS = (
 @pytest.mark.parametrize(("units", "position", "velocity"), UNITS)
 @pytest.mark.parametrize("states", [True, False])
 def test_limits_of_messages_hold_after_the_map(units, position, velocity, states):
-    """Motors before a gear of 9, in units of which a rad and a rad/s of the joint are `position` and `velocity`."""
-    rules = {name: JointRule(f"m{i}", gear=9.0, **units) for i, name in enumerate(JOINT_NAMES)}
+    """Motors before a gear of 9, in units of which a rad and a rad/s of the joint are `position` and `velocity`.
+
+    They count 5000 rad where the joint is at 0, as encoders of many turns may.
+    """
+    offset = -5000.0 * position / 9.0
+    rules = {name: JointRule(f"m{i}", gear=9.0, offset=offset, **units) for i, name in enumerate(JOINT_NAMES)}
     driver = DriverJoints(MINI_QUADRUPED, JointMap(rules))
     read = JointReader("/joint_states", driver, states=states)
 
     def joints(angle, speed):
-        message = joint_state(1, MOTORS, np.full(8, angle * position), np.full(8, speed * velocity))
+        message = joint_state(1, MOTORS, np.full(8, (angle + 5000.0) * position), np.full(8, speed * velocity))
         return driver.to_robot(read(cdr.serialize(message)))
 
     for angle, speed in ((0.7, 0.0), (1.5, 31.0), (-999.0, 999.0)):
         found = joints(angle, speed)
-        np.testing.assert_allclose([found.positions, found.velocities], np.outer([angle, speed], np.ones(8)))
+        np.testing.assert_allclose([found.positions, found.velocities], np.outer([angle, speed], np.ones(8)), atol=1e-9)
     for angle, speed, field in ((1001.0, 0.0, "position"), (0.0, -1001.0, "velocity")):
         with pytest.raises(QuadrupedError, match=rf"{field} of m0 is .*; send finite numbers of at most \d"):
             joints(angle, speed)

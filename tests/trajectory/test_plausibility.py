@@ -139,9 +139,17 @@ def test_load_of_efforts_that_are_all_nan_has_none_and_says_so(tmp_path, capsys)
     assert (loaded.efforts, loaded.source.notes) == (None, ("efforts are NaN in every line: they were not recorded",))
     assert main(["convert", str(tmp_path / "a.csv"), str(tmp_path / "b.csv")]) == 0
     assert re.search(r"Hz: positions, velocities\n(.*\n)*efforts are NaN in every line", capsys.readouterr().out)
-    rows.values["effort"][3, 2] = 0.5
+    # One that is known in a later piece of the file is enough.
+    rows = planted("e[:] = np.nan; e[-1, 2] = 0.5", rate=1000.0, seconds=4.2)
     JointTrajectory(rows.stamps, rows.names, *rows.values.values()).save(tmp_path / "c.csv")
-    assert JointTrajectory.load(tmp_path / "c.csv").efforts[3, 2] == 0.5
+    assert JointTrajectory.load(tmp_path / "c.csv").efforts[-1, 2] == 0.5
+
+
+def test_wraps_of_a_geared_encoder_in_many_rows_are_wraps():
+    rows = planted("v[:, 0] = 12.0; q[:, 0] = 12.0 * s / 1e9 % (np.pi / 2)")
+    found = findings(rows, "line", (2 * np.pi, np.pi / 2))
+    assert [finding.kind for finding in found] == ["wrap"]
+    assert re.search(r"wrap by 1\.571 rad .* in LF_hip_joint, .* 76 times", found[0].text)
 
 
 def test_findings_of_pieces_are_those_of_the_whole(tmp_path):
