@@ -212,15 +212,20 @@ def test_nodes_speak_the_drivers_joints(run_node, nodes, map_file):
         np.testing.assert_allclose(joints, np.radians(state.position), atol=0.2)
 
 
+TICKS = 65536 / (2.0 * np.pi)
+"""Ticks of the motors' encoders per rad."""
+
+
 class Hanging:
-    """A driver of motors that follow their targets, and a person who looks at the joints and types."""
+    """A driver of motors that follow their targets, in ticks; their angles here are in rad."""
 
     def __init__(self):
         self.node = Node("driver")
         self.names = (*MOTORS, "gripper")
         self.states = self.node.publish(JOINT_STATES)
         self.stops = self.node.publish(ESTOP)
-        self.read = JointReader("/joint_commands", type("Motors", (), {"joint_names": self.names}))
+        motors = type("Motors", (), {"joint_names": self.names, "limits": {"position": np.inf}})
+        self.read = JointReader("/joint_commands", motors)
         self.commands = self.node.subscribe(JOINT_COMMANDS, read=self.read)
         self.motors = np.radians(np.append(motor_angles(0.1 * STANCE), 0.7))
         self.rest = self.motors.copy()
@@ -235,14 +240,14 @@ class Hanging:
             for _, joints in self.commands.messages(pytest.fail):
                 self.limp = read_target(joints) is LIMP
                 if not self.limp:
-                    self.targets.append(joints.positions)
+                    self.targets.append(joints.positions / TICKS)
             if self.targets and not self.limp:
                 way = self.targets[-1] - self.rest
                 self.motors = self.rest + (-way if self.fault == "reversed" else way)
             if self.fault != "silent" or self.limp:
                 half = len(self.names) // 2
                 for part in (slice(half), slice(half, None)):
-                    self.states.send(joint_state(time.time_ns(), self.names[part], self.motors[part]))
+                    self.states.send(joint_state(time.time_ns(), self.names[part], TICKS * self.motors[part]))
             time.sleep(0.005)
 
 
@@ -334,7 +339,8 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     person = Person(robot)
     monkeypatch.setattr(calibrate, "Keyboard", lambda: person)
     path = tmp_path / "found.toml"
-    person.log = log = run_node("calibrate", str(path), "--angle", "0.1", "--speed", "1")
+    unit = ["--unit", "ticks", "--ticks-per-turn", "65536"]
+    person.log = log = run_node("calibrate", str(path), "--angle", "0.1", "--speed", "1", *unit)
     robot.thread.start()
     try:
         wait_until(lambda: "wrote" in log.getvalue() or "ended after" in log.getvalue(), log.getvalue)
@@ -346,7 +352,7 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     assert tuple(found.rules) == JOINT_NAMES
     positions = np.random.default_rng(0).uniform(-1.0, 1.0, (20, 8))
     expected = positions @ A.T + B
-    measured = found.to_joints(MOTORS, {"position": positions})["position"]
+    measured = found.to_joints(MOTORS, {"position": TICKS * positions})["position"]
     np.testing.assert_allclose(measured, expected, atol=2e-3)
     assert found.rules["RH_knee_joint"].source == "m6"
     assert found.rules["RH_hip_joint"].sign == -1.0

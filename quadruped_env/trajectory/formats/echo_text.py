@@ -8,7 +8,7 @@ lost messages between them, whose last line ends in `---`, are reported. CSV has
 and an empty array is one empty field. Both shorten arrays of over 128 numbers to `...`, unless called with
 `--full-length`; shortened arrays are an error.
 
-JSON lines: in each line a message, or an object whose `msg` is one, as in
+JSON lines: each line is a message, or an object whose `msg` is one, as in
 `{"op": "publish", "topic": "/joint_states", "msg": {"header": ...}}`. Other operations are left out.
 """
 
