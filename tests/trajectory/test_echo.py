@@ -362,6 +362,7 @@ class TestJsonLines:
         assert loaded.velocities is None
         np.testing.assert_array_equal(loaded.efforts, [[np.nan, 2.5 + i] for i in range(3)])
         assert loaded.source.row(0).endswith("line 2")
+        assert loaded.source.notes == ("lines with another operation than publish were left out",)
 
     def test_topics_are_chosen_as_in_a_bag(self, tmp_path):
         image = json.dumps({"topic": "/image", "msg": {"data": "xx", "layout": []}}) + "\n"
@@ -385,7 +386,7 @@ class TestJsonLines:
             ('{"op": "publish", "msg": {"header"\n', r"line 2: not JSON \(.*\); expected one JSON object per line"),
             ("[" * 100_000 + "\n", r"line 2: not JSON .*recursion"),
             ('{"topic": "/joint_states", "msg": 5}\n', r"line 2: the message must have header, name, .* each once"),
-            ('{"topic": "/joint_states"}\n{', r"line 3: not JSON"),
+            ('{"topic": "/joint_states"}\n', r"line 2: there is no msg in it; expected one JSON object per line"),
             ('{"name": ["a"], "name": ["b"]}\n', r"line 2: the message must have"),
             (line.__func__(1, name=["a", "\ud800"]), r"line 2: .*surrogates not allowed"),
             (line.__func__(1, position=[True, 1]), r"line 2: position must hold single values"),

@@ -38,6 +38,7 @@ LOST: Final = "A message was lost!!!"
 _LOST_NOTE: Final = "the recording itself says that messages were lost"
 _MAX_DOCUMENT: Final = 1_000_000
 """Maximum characters of a message; no joint state is longer."""
+_NO_TOPIC: Final = "(no topic)"
 _SHORTENED: Final = "an array is shortened to '...'; record it again with ros2 topic echo --full-length"
 _FORM: Final = "expected what ros2 topic echo prints of a sensor_msgs/msg/JointState"
 _JSON_FORM: Final = 'expected one JSON object per line, such as {"topic": "/joint_states", "msg": {...}} of rosbridge'
@@ -111,7 +112,7 @@ def _json_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
     with suppress(QuadrupedError):
         for _, topic, node in _json_nodes(replace(reading, progress=None)):
             types.setdefault(topic, _type_of(node))
-    wanted = choose_topics(types, reading) if types else ("",)
+    wanted = choose_topics(types, reading) if types else (_NO_TOPIC,)
     for number, topic, node in _json_nodes(reading):
         if topic in wanted:
             try:
@@ -121,7 +122,7 @@ def _json_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
 
 
 def _json_nodes(reading: Reading) -> Iterator[tuple[int, str, Node]]:
-    """Number of the line, topic ("" if it is not said), and message."""
+    """Number of the line, topic, and message."""
     with opened(reading) as file:
         for number, line in enumerate(lines(file, reading, 1), 1):
             if not line.strip():
@@ -132,10 +133,14 @@ def _json_nodes(reading: Reading) -> Iterator[tuple[int, str, Node]]:
             except (ValueError, RecursionError) as error:
                 raise reading.error(number, f"not JSON ({error}); {_JSON_FORM}; fix it or delete it") from error
             fields = dict(node) if isinstance(node, tuple) else {}
-            if "msg" in fields and fields.get("op", "publish") == "publish":
-                yield number, str(fields.get("topic", "")), fields["msg"]
-            elif "op" not in fields:
-                yield number, "", node
+            if fields.get("op", "publish") != "publish":
+                reading.note("lines with another operation than publish were left out")
+            elif "msg" in fields:
+                yield number, str(fields.get("topic", _NO_TOPIC)), fields["msg"]
+            elif "op" in fields or "topic" in fields:
+                raise reading.error(number, f"there is no msg in it; {_JSON_FORM}; fix it or delete it")
+            else:
+                yield number, _NO_TOPIC, node
 
 
 def _type_of(node: Node) -> str:
