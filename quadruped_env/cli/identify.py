@@ -1,13 +1,15 @@
 """Fit the simulator's motors to a recording of a robot, and test on held-out time whether that helps.
 
 FILE holds the measured joints: positions, and velocities and efforts if they were recorded. The joint targets come from
-another file (--commands), or from another topic of the same bag (--commands-topic). Without either, they are read from
-NAME-commands.csv next to FILE, the name that `baseline` uses. Targets are joint positions; each holds until
-the next. Both recordings must use the same clock.
+another file (--commands), from another topic of the same bag (--commands-topic), or from other columns of the same file
+(--commands-columns). Without any of them, they are read from NAME-commands.csv next to FILE, the name that `baseline`
+uses. Targets are joint positions; each holds until the next. Both recordings must use the same clock.
 
     mini-quadruped identify measured.csv --commands targets.csv
     mini-quadruped identify walk_bag --commands-topic /joint_commands
     mini-quadruped identify measured.csv --commands control.csv --columns MAP.toml --map MAP.toml
+    mini-quadruped identify log.csv --columns measured.toml --map measured.toml --commands-columns targets.toml
+    mini-quadruped identify bench.csv --without RF_hip_joint RF_knee_joint    # which need not be in the file
 
 Estimated for hips and for knees: stall_torque, kp, kd, damping, friction_loss and armature; and one delay for all
 joints. A parameter that the recording does not determine keeps its value and is reported. A recording is good if the
@@ -52,6 +54,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--commands", type=Path, metavar="FILE", help="the joint targets")
     parser.add_argument("--commands-topic", metavar="TOPIC", help="topic of the joint targets in the bag")
     parser.add_argument(
+        "--commands-columns",
+        type=Path,
+        metavar="MAP.toml",
+        help="map of the columns of the joint targets, in the file of --commands or in FILE (default: --columns). For "
+        'the same --map they bear the names of the measured joints: positions = { q_0 = "q_des_0" }',
+    )
+    parser.add_argument(
+        "--commands-map", type=Path, metavar="MAP.toml", help="map of the joints of the targets (default: --map)"
+    )
+    parser.add_argument(
         "--base",
         choices=BASES,
         default=BASES[0],
@@ -67,7 +79,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "the others are assumed to be right",
     )
     parser.add_argument(
-        "--without", nargs="+", action="extend", default=[], metavar="JOINT", help="joints to leave out"
+        "--without",
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="JOINT",
+        help="joints to leave out, which need not be in the files: they are then at rest in the stance",
     )
     parser.add_argument("--start", type=Path, metavar="MOTORS.json", help="motors to start from (default: the robot's)")
     parser.add_argument(
@@ -81,7 +98,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_overwrite(parser)
     add_reading_options(parser)
     shorten_help(
-        parser, "--commands", "--commands-topic", "--base", "--fit", "--columns", "--map", "--task", "--output"
+        parser,
+        "--commands",
+        "--commands-topic",
+        "--commands-columns",
+        "--base",
+        "--fit",
+        "--columns",
+        "--map",
+        "--task",
+        "--output",
     )
 
 
@@ -104,11 +130,14 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     robot = load_robot(arguments.task)
     start = None if arguments.start is None else read_motors(arguments.start, robot)
     measured = load_with(arguments.file, arguments, ProgressLine("reading"))
-    if arguments.commands_topic is not None:
-        options = {**reading_options(arguments), "topic": arguments.commands_topic}
-        commands = JointTrajectory.load(arguments.commands or arguments.file, **options)
-    else:
-        commands = load_with(arguments.commands or find_commands(arguments.file), arguments)
+    others = {
+        "topic": arguments.commands_topic,
+        "columns": arguments.commands_columns,
+        "joint_map": arguments.commands_map,
+    }
+    given = {name: value for name, value in others.items() if value is not None}
+    file = arguments.commands or (arguments.file if given else find_commands(arguments.file))
+    commands = JointTrajectory.load(file, **reading_options(arguments) | given)
     found = identify(
         measured,
         commands,

@@ -65,10 +65,44 @@ def find_commands(measured: Path) -> Path:
     path = measured.with_name(f"{measured.stem}-commands.csv")
     if not path.is_file():
         raise QuadrupedError(
-            f"{measured}: no joint targets: there is no {path.name} next to it; name the file (--commands), or the "
-            f"topic in the bag (--commands-topic)"
+            f"{measured}: no joint targets: there is no {path.name} next to it; name the file (--commands), the topic "
+            f"in the bag (--commands-topic), or the columns of the targets in {measured.name} (--commands-columns)"
         )
     return path
+
+
+def whole(
+    trajectory: JointTrajectory, robot: Robot, without: Sequence[str], rest: NDArray[np.float64]
+) -> JointTrajectory:
+    """A trajectory in the order of a robot's joints; those that are left out may be missing, and are at rest.
+
+    Args:
+        trajectory: measurements or joint targets.
+        robot: robot that was recorded.
+        without: joints that are left out.
+        rest: position of each joint of the robot where it is missing, rad (J,).
+
+    Raises:
+        QuadrupedError: if another joint is missing.
+    """
+    try:
+        trajectory.select([name for name in robot.joint_names if name not in without] or trajectory.names)
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{error}; joints that were not recorded can be left out (--without)") from error
+    missing = [i for i, name in enumerate(robot.joint_names) if name not in trajectory.names]
+    shape = len(trajectory), len(missing)
+    filled = {
+        "positions": rest[missing],
+        "velocities": np.zeros(len(missing)),
+        "efforts": np.full(len(missing), np.nan),
+    }
+    arrays = {
+        name: np.concatenate([array, np.broadcast_to(filled[name], shape)], axis=1)
+        for name in filled
+        if (array := getattr(trajectory, name)) is not None
+    }
+    names = (*trajectory.names, *(robot.joint_names[i] for i in missing))
+    return JointTrajectory(trajectory.stamps, names, **arrays, source=trajectory.source).in_joint_order(robot)
 
 
 def columns(signal: str, num_joints: int) -> slice:

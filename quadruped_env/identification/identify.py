@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks
+from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks, whole
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES, names_of, quantity, value_of
 from quadruped_env.identification.recording_checks import check
@@ -240,8 +240,8 @@ def identify(
     """Estimate the motors from commands and measurements of one recording.
 
     Args:
-        measured: positions, and velocities and efforts if they were recorded, of all joints. An effort is the
-            motor's torque in the physics step before its timestamp, as this package records it.
+        measured: positions, and velocities and efforts if they were recorded, of all joints but those that are left
+            out. An effort is the motor's torque in the physics step before its timestamp, as this package records it.
         commands: joint targets on the same clock; each holds until the next.
         base: `fixed` for a robot that hangs on a stand with its feet in the air; `free` for one that stands or walks
             on flat ground and begins at rest.
@@ -250,7 +250,7 @@ def identify(
         train_share: fraction of the time, from the beginning, used for the fit.
         timestep: physics time step, s; None takes the task's. Fitted motors are valid for this time step only, because
             a coarse step adds numerical damping.
-        without: joints whose measurements are excluded.
+        without: joints whose measurements are excluded. Where they are missing they are at rest, in the stance.
         progress: called with the approximate fraction done.
         robot: robot that was recorded.
 
@@ -269,13 +269,17 @@ def identify(
     if not 1e-4 <= timestep <= 0.01:
         raise QuadrupedError(f"identify: the time step must be from 0.0001 to 0.01 s; found {timestep:g}")
     before = start or robot.motors
-    measured, commands = measured.in_joint_order(robot), commands.in_joint_order(robot)
+    absent = [name for name in robot.joint_names if name not in measured.names]
+    measured = whole(measured, robot, without, robot.stance)
+    commands = whole(commands, robot, without, measured.positions[0])
     recorded = align(robot, measured, commands, train_share, timestep, without)
     fit = MotorFit(recorded, base, before, fitted, progress)
     check(recorded, measured, commands, without)
     mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
     after = fit.run()
     notes = remarks(recorded, measured, commands)
+    if absent:
+        notes += (f"{', '.join(absent)}: not recorded, and simulated at rest in the stance.",)
     if any(errors.any() for errors in before.servo_errors(robot.joint_kinds)):
         notes += (f"The fit leaves out the motors' {', '.join(SERVO_ERRORS)}, which stay as they are.",)
     found = Identification(

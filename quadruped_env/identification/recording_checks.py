@@ -48,7 +48,7 @@ def check(recorded: Recorded, measured: JointTrajectory, commands: JointTrajecto
         commands: joint targets, in the same order.
         without: joints that are left out.
     """
-    problems = [
+    problems = _read_twice(measured, commands) or [
         *_echoes(measured, commands, without),
         *_implausible(measured, commands, without, commands_too=False),
         *_implausible(commands, measured, without, commands_too=True),
@@ -57,6 +57,18 @@ def check(recorded: Recorded, measured: JointTrajectory, commands: JointTrajecto
     if problems:
         more = f" (and {len(problems) - 1} more such problems)" if len(problems) > 1 else ""
         raise QuadrupedError(f"{measured.source.name}: would spoil the fit{more}: {problems[0]}")
+
+
+def _read_twice(measured: JointTrajectory, commands: JointTrajectory) -> list[str]:
+    """The problem with targets that are the measurements: the same columns of the same file, as a rule."""
+    pairs = (measured.stamps, commands.stamps), (measured.positions, commands.positions)
+    if not all(np.array_equal(*pair) for pair in pairs):
+        return []
+    return [
+        f"all positions are the joint targets of {commands.source.name}, number for number at the same times: the same "
+        f"columns were read twice; name those of the targets (--commands-columns; in a bag, --commands-topic). If the "
+        f"log itself holds both, it repeats its targets as positions ({_NO_FEEDBACK})"
+    ]
 
 
 def _echoes(measured: JointTrajectory, commands: JointTrajectory, without: Sequence[str]) -> list[str]:

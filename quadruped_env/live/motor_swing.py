@@ -13,7 +13,7 @@ from quadruped_env.control.live_controller import Safety
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.emergency_stop import EmergencyStop
-from quadruped_env.live.messages.joint_messages import JointMerger, JointReader
+from quadruped_env.live.messages.joint_messages import MAX_VALUE, JointMerger, JointReader
 from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
@@ -36,6 +36,11 @@ class Motors(NamedTuple):
     joint_names: tuple[str, ...]
     unit: float
     """Unit of their positions, rad."""
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """Largest accepted positions, in the motors' unit; their velocities are not used."""
+        return {"position": MAX_VALUE / self.unit, "velocity": math.inf}
 
 
 class MotorSwing:

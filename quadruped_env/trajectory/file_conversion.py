@@ -104,6 +104,8 @@ def convert(
     saving.save(observed(), target, writing)
     times: NDArray[np.int64] = np.frombuffer(stamps, np.int64)
     rate = NS_PER_SECOND / float(np.median(np.diff(times))) if len(times) > 1 else float("nan")
+    if stream.without_efforts:
+        kinds = tuple(kind for kind in kinds if kind != ARRAYS["effort"])
     seconds = float(times[-1] - times[0]) / NS_PER_SECOND
     found = stream.reading
     return Account(len(times), names, kinds, seconds, rate, find_gaps(times), found.remarks(), found.unchecked_rows)

@@ -126,16 +126,17 @@ class JointTrajectory:
     ) -> Self:
         """Read a trajectory from a file or bag, whose format is recognised by its content.
 
-        Formats: this project's CSV (`quadruped_env.trajectory.formats.project_csv`), any CSV with a column map, the
-        output of `ros2 topic echo` (YAML and `--csv`), rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags,
-        CSVs whose columns bear the joints' names, motion clips (JSON with `FrameDuration`). Messages are `JointState`,
-        `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
+        Formats: this project's CSV (`quadruped_env.trajectory.formats.project_csv`), any CSV with a column map, CSVs
+        whose columns bear the joints' names, the output of `ros2 topic echo` (YAML and `--csv`), JSON lines of
+        rosbridge, rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags, motion clips (JSON with
+        `FrameDuration`). Messages are `JointState`, `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
 
         What is not plausible is noted (`quadruped_env.trajectory.plausibility`) in `source.notes`, and not changed.
 
         Args:
             path: of the file, or of a bag's directory.
-            topic: topic of the joint states, for a bag that has several; with `merge`, several with commas between.
+            topic: topic of the joint states, for a bag or JSON lines that have several; with `merge`, several with
+                commas between.
             columns: map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`).
             joint_map: map of another robot's joints to this one's, or the path of its TOML file (in the same module).
             names: names of the joints in their order, for messages and motion clips without names; of a CSV without a

@@ -48,6 +48,8 @@ class Stream:
         """State of the file; its remarks are complete once the last piece was read."""
         self._first: int | None = None
         """Number of the first row in the file"""
+        self.without_efforts = False
+        """True if efforts were recorded and all of them are NaN; known once the last piece was read"""
 
     @property
     def source(self) -> Source:
@@ -73,9 +75,14 @@ class Stream:
                 pieces = _repaired(pieces, reading)
             check = Plausibility(periods)
             for rows in check.watch(pieces):
+                efforts = rows.values.get("effort")
+                unknown = efforts is not None and bool(np.isnan(efforts).all())
                 if self._first is None:
-                    self._first = int(rows.numbers[0])
+                    self._first, self.without_efforts = int(rows.numbers[0]), unknown
+                self.without_efforts &= unknown
                 yield rows
+            if self.without_efforts:
+                reading.note(f"efforts are NaN in every {reading.row_name}: they were not recorded")
             for finding in check.findings(reading.row_name):
                 reading.note(finding.text)
         if self._first is None:
@@ -85,6 +92,8 @@ class Stream:
     def collect(self) -> Rows:
         """All rows, read-only: trajectories share such arrays instead of copying them."""
         rows = joined(self)
+        if self.without_efforts:
+            rows = rows.without(["effort"])
         for array in (rows.stamps, *rows.values.values()):
             read_only(array)
         return rows
@@ -199,7 +208,7 @@ def _converted(rows: Rows, reading: Reading) -> Rows:
             raise QuadrupedError(
                 f"{source.row(row)}, position.{rows.names[column]}: "
                 f"{value:g} rad is more than two turns: these may be degrees. Say so (--degrees, or unit = "
-                f'"deg" in a map) to have them converted, or that they are rad (--radians); counts of an encoder need '
-                f"a scale in a map{mark}"
+                f'"deg" in a map) to have them converted, or that they are rad (--radians); turns and counts of an '
+                f'encoder have the unit "turn" or "ticks" in a map{mark}'
             )
     return rows

@@ -10,6 +10,7 @@
     efforts = { flarm = "i3" }              # optional
     velocity_files = { "a.csv" = "v.csv" }  # file -> the file next to it with its velocities, in the same columns
     separator = ","                         # default: ","
+    decimal = ","                           # decimal sign, usual next to separator = ";"; default: "."
     header = ["t", "q0", "q1"]              # names of all columns, for a file without a header line
     missing = [2.146e9, "-"]                # values that mean "no value": numbers, or texts such as ""
 
@@ -35,20 +36,25 @@ dates and times of ISO 8601 to the ns (UTC unless they name a zone), and are rea
     source = "flarm"          # the other robot's joint; without it the joint stays at its offset
     sign = -1                 # 1 or -1; default: 1
     scale = 1.0               # above 0; default: 1
+    gear = 9.0                # turns of the source per turn of the joint, if it is measured before a gear; default: 1
     offset = 35.0             # in `unit`; default: 0
-    unit = "deg"              # of the source and the offset: "rad" or "deg"; default: "rad"
-    velocity_unit = "rpm"     # of the source's velocity: "rad/s", "deg/s" or "rpm"; default: `unit` per second
+    unit = "deg"              # of the source and the offset: "rad", "deg", "turn" or "ticks"; default: "rad"
+    ticks_per_turn = 4096     # of an encoder, where a unit is in ticks
+    velocity_unit = "rpm"     # of the source: "rad/s", "deg/s", "turn/s", "ticks/s", "rpm"; default: `unit` per second
     effort_scale = 0.65       # N m per unit of the source's effort, as for currents; default: 1
 
-    position = sign * scale * source + offset
+    position = sign * scale / gear * source + offset
+
+Scale and gear hold for position and velocity, so a unit is no scale: with `scale = 6.2832` for turns, a velocity in rpm
+would be 2 pi times too large.
 
 A joint that several motors move, as in five-bar legs, has their factors in place of `source`:
 
     [joints.LF_hip_joint]
-    sources = { m0 = 0.5, m1 = -0.5 }     # position = sign * scale * (0.5 * m0 - 0.5 * m1) + offset
+    sources = { m0 = 0.5, m1 = -0.5 }     # position = sign * scale / gear * (0.5 * m0 - 0.5 * m1) + offset
 
 Velocities are combined in the same way, and efforts so that the power stays the same: that of a joint with one source
-is the source's divided by `sign * scale`. The map is for files (`retarget`) and for single messages
+is the source's divided by `sign * scale / gear`. The map is for files (`retarget`) and for single messages
 (`JointMap.to_joints`), as of live nodes, and back: `JointMap.to_sources` gives the sources that bring joints to their
 targets.
 """
@@ -72,10 +78,11 @@ from quadruped_env.utils.parameters import is_quantity
 
 STAMP_UNITS: Final = {"s": 9, "ms": 6, "us": 3, "ns": 0}
 """Unit of time -> its length in ns, as a power of ten."""
-UNITS: Final = {"rad": 1.0, "deg": math.pi / 180.0}
-"""Unit of an angle -> rad"""
-VELOCITY_UNITS: Final = {"rad/s": 1.0, "deg/s": math.pi / 180.0, "rpm": math.pi / 30.0}
-"""Unit of an angular velocity -> rad/s"""
+_TURN: Final = 2.0 * math.pi
+UNITS: Final = {"rad": 1.0, "deg": math.pi / 180.0, "turn": _TURN, "ticks": _TURN}
+"""Unit of an angle -> rad; of ticks, all of a turn"""
+VELOCITY_UNITS: Final = {**{f"{unit}/s": angle for unit, angle in UNITS.items()}, "rpm": math.pi / 30.0}
+"""Unit of an angular velocity -> rad/s; of ticks per second, all of a turn"""
 
 _COLUMN_FORM: Final = "name or number from 1 on"
 
@@ -101,6 +108,8 @@ class ColumnMap:
     """Name of a file -> name of the file next to it that has its velocities, in the columns of `velocities`, by default
     in those of `positions`"""
     separator: str = ","
+    decimal: str = "."
+    """Decimal sign, a point or a comma"""
     header: list[str] | bool | None = None
     """Names of all columns, for a file without a header line; or whether there is a header line, which there is by
     default unless all columns are given by number"""
@@ -125,6 +134,7 @@ class ColumnMap:
                 "one character",
                 isinstance(separator, str) and len(separator) == 1 and separator not in '"\n\r',
             ),
+            "decimal": ('"." or ","', isinstance(self.decimal, str) and self.decimal in {".", ","}),
             "velocity_files": (
                 "a table of files in the same directory",
                 isinstance(files, dict)
@@ -227,7 +237,7 @@ class ColumnMap:
 
 @dataclass(frozen=True)
 class JointRule:
-    """Conversion of joints of another robot to one of this robot: `sign * scale * source + offset`."""
+    """Conversion of joints of another robot to one of this robot: `sign * scale / gear * source + offset`."""
 
     source: str | None = None
     """Name of the other robot's joint; None keeps the joint at its offset"""
@@ -243,6 +253,10 @@ class JointRule:
     """N m per unit of the source's effort"""
     sources: Mapping[str, float] | None = None
     """The other robot's joints -> their factors, in place of `source`"""
+    gear: float = 1.0
+    """Turns of the source per turn of the joint"""
+    ticks_per_turn: float | None = None
+    """Ticks of the source's encoder, for units in ticks"""
 
     @property
     def units(self) -> tuple[str, str]:
@@ -250,10 +264,20 @@ class JointRule:
         return self.unit, self.velocity_unit or f"{self.unit}/s"
 
     @property
+    def factors(self) -> tuple[float, float]:
+        """Units of the source's position and velocity, in rad and rad/s."""
+        position, velocity = self.units
+        ticks = self.ticks_per_turn or 1.0
+        return (
+            UNITS[position] / (ticks if position == "ticks" else 1.0),
+            VELOCITY_UNITS[velocity] / (ticks if velocity == "ticks/s" else 1.0),
+        )
+
+    @property
     def gears(self) -> dict[str, float]:
         """Source -> angle of the joint per angle of the source."""
         weights = self.sources or ({} if self.source is None else {self.source: 1.0})
-        return {name: self.sign * self.scale * weight for name, weight in weights.items()}
+        return {name: self.sign * self.scale * weight / self.gear for name, weight in weights.items()}
 
 
 @dataclass(frozen=True)
@@ -269,17 +293,18 @@ class JointMap:
         if not self.rules:
             raise QuadrupedError(f"{self.name}: no joint is mapped; add one table [joints.<joint>] per joint")
         for joint, rule in self.rules.items():
-            _check_rule(f"{self.name}: [joints.{joint}]", rule)
+            check_rule(f"{self.name}: [joints.{joint}]", rule)
         if not self.sources:
             raise QuadrupedError(f"{self.name}: no joint has a source; name the other robot's joints")
-        units: dict[str, tuple[str, tuple[str, str]]] = {}
+        first: dict[str, str] = {}
         for joint, rule in self.rules.items():
             for name in rule.gears:
-                before, found = units.setdefault(name, (joint, rule.units))
-                if rule.units != found:
+                before = self.rules[first.setdefault(name, joint)]
+                if rule.factors != before.factors:
                     raise QuadrupedError(
-                        f"{self.name}: {name} is in {' and '.join(found)} for [joints.{before}], and in "
-                        f"{' and '.join(rule.units)} for [joints.{joint}]; give both the same unit and velocity_unit"
+                        f"{self.name}: {name} is in {' and '.join(before.units)} for [joints.{first[name]}], and in "
+                        f"{' and '.join(rule.units)} for [joints.{joint}]; give both the same unit, velocity_unit and "
+                        f"ticks_per_turn"
                     )
 
     @classmethod
@@ -310,8 +335,18 @@ class JointMap:
     @property
     def rates(self) -> NDArray[np.float64]:
         """Velocity of each source, in its unit, where its position changes by one unit per second (sources,)."""
-        units = {name: rule.units for rule in self.rules.values() for name in rule.gears}
-        return np.array([UNITS[units[name][0]] / VELOCITY_UNITS[units[name][1]] for name in self.sources])
+        factors = {name: rule.factors for rule in self.rules.values() for name in rule.gears}
+        return np.array([factors[name][0] / factors[name][1] for name in self.sources])
+
+    def limits(self, largest: float) -> dict[str, NDArray[np.float64]]:
+        """Kind -> magnitude of each source, in its unit, beyond which a joint is certainly beyond `largest` (sources,).
+
+        Args:
+            largest: magnitude of the joints' positions and velocities, rad and rad/s.
+        """
+        bounds = {"position": largest + np.abs(self._offsets), "velocity": np.full(len(self.rules), largest)}
+        with np.errstate(divide="ignore"):
+            return {kind: (bound[:, None] / np.abs(self._matrices[kind])).min(axis=0) for kind, bound in bounds.items()}
 
     @property
     def periods(self) -> tuple[float, ...]:
@@ -328,8 +363,8 @@ class JointMap:
             return np.array([[of(rule)] for rule in self.rules.values()])
 
         return {
-            "position": gears * factors(lambda rule: UNITS[rule.unit]),
-            "velocity": gears * factors(lambda rule: VELOCITY_UNITS[rule.units[1]]),
+            "position": gears * factors(lambda rule: rule.factors[0]),
+            "velocity": gears * factors(lambda rule: rule.factors[1]),
             "effort": _inverse(gears).T * factors(lambda rule: rule.effort_scale),
         }
 
@@ -348,7 +383,7 @@ class JointMap:
     @property
     def _offsets(self) -> NDArray[np.float64]:
         """Offsets of the joints, rad (joints,)."""
-        return np.array([rule.offset * UNITS[rule.unit] for rule in self.rules.values()])
+        return np.array([rule.offset * rule.factors[0] for rule in self.rules.values()])
 
     def to_joints(
         self, names: Sequence[str], values: Mapping[str, NDArray[np.float64]], recording: str = "the message"
@@ -461,7 +496,8 @@ def _check_keys(table: Any, known: Iterable[str], where: str) -> None:
             raise QuadrupedError(f"{where}: unknown key {short(key)}; known are {', '.join(names)}")
 
 
-def _check_rule(where: str, rule: JointRule) -> None:
+def check_rule(where: str, rule: JointRule) -> None:
+    """Raise a QuadrupedError unless all values of a rule are valid; the message names the key."""
     source, unit, velocity_unit, sources = rule.source, rule.unit, rule.velocity_unit, rule.sources
     expected = {
         "source": ("the name of a joint", source is None or (isinstance(source, str) and source)),
@@ -477,7 +513,8 @@ def _check_rule(where: str, rule: JointRule) -> None:
         ),
         "effort_scale": ("a number other than 0", _is_finite(rule.effort_scale) and rule.effort_scale != 0.0),
         "sign": ("1 or -1", _is_finite(rule.sign) and rule.sign in {1, -1}),
-        "scale": ("a number above 0", _is_finite(rule.scale) and rule.scale > 0.0),
+        "scale": ("a number above 0", _is_positive(rule.scale)),
+        "gear": ("a number above 0", _is_positive(rule.gear)),
         "offset": ("a number", _is_finite(rule.offset)),
         "velocity_unit": (
             " or ".join(map(repr, VELOCITY_UNITS)),
@@ -486,6 +523,23 @@ def _check_rule(where: str, rule: JointRule) -> None:
         "unit": (" or ".join(map(repr, UNITS)), isinstance(unit, str) and unit in UNITS),
     }
     _check(where, rule, expected)
+    if any("ticks" in one for one in rule.units) != (rule.ticks_per_turn is not None):
+        raise QuadrupedError(
+            f"{where} ticks_per_turn: expected the ticks of an encoder in a turn where a unit is in ticks, and only "
+            f"there; found {short(rule.ticks_per_turn)} with {' and '.join(rule.units)}"
+        )
+    _check(
+        where,
+        rule,
+        {"ticks_per_turn": ("a number above 0", rule.ticks_per_turn is None or _is_positive(rule.ticks_per_turn))},
+    )
+    # A scale holds for the velocity, too, and a unit does not.
+    hidden = [name for name, size in UNITS.items() if name != "rad" and math.isclose(rule.scale, size, rel_tol=1e-3)]
+    if velocity_unit is not None and unit == "rad" and hidden:
+        raise QuadrupedError(
+            f"{where} scale: {rule.scale:g} is the unit {hidden[0]} in rad, and would multiply the velocity in "
+            f'{velocity_unit}, too; give unit = "{hidden[0]}" in its place'
+        )
 
 
 def _check(where: str, checked: object, expected: Mapping[str, tuple[str, object]]) -> None:
@@ -508,6 +562,10 @@ def _are_columns(given: Any) -> bool:
 
 def _joints(given: Any) -> list[str]:
     return list(given) if isinstance(given, (list, dict)) else []
+
+
+def _is_positive(value: object) -> bool:
+    return is_quantity(value, sys.float_info.min, sys.float_info.max)
 
 
 def _is_finite(value: object) -> bool:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.rows import Rows, joined
-from quadruped_env.trajectory.steps import MAX_AWAY, Steps, clock_jumps, frozen, within_reach
+from quadruped_env.trajectory.steps import MAX_AWAY, MAX_SPEED, Steps, clock_jumps, frozen, within_reach
 
 TURN: Final = 2.0 * np.pi
 
@@ -51,7 +51,8 @@ class Finding:
     """Something in a recording that cannot be."""
 
     kind: str
-    """`timestamps`, `wrap`, `spike`, `jump`, `frozen`, `speed`, `velocity`, `effort`, `copy` or `repeats`"""
+    """`timestamps`, `wrap`, `spike`, `jump`, `impossible`, `frozen`, `speed`, `velocity`, `effort`, `copy` or
+    `repeats`"""
     text: str
     """Description with place, magnitude and repair"""
     joints: tuple[str, ...]
@@ -168,6 +169,7 @@ class Plausibility:
         add("wrap", steps.wrapped != 0.0, np.abs(steps.wrapped))
         add("spike", steps.away, size)
         add("jump", steps.jumps, size)
+        add("impossible", steps.impossible, size)
         add("frozen", *frozen(rows, steps), after=0)
         if "velocity" in rows.values:
             add("speed", steps.false_speeds, np.abs(rows.values["velocity"])[:-1], after=0)
@@ -280,6 +282,10 @@ class Plausibility:
             "jump": "positions jump faster than a joint can turn, or than its velocity (joint targets may): by "
             f"{{size:.3g}} rad in {{step:.3g}} s, {{speed:.0f}} rad/s, in {{joints}}, {{at}}; {wrap}{_CUT}, or mark "
             "the value as missing in a map (missing, with --drop)",
+            "impossible": "positions jump in {share:.0f} % of the steps of {joints}, as no joint can (joint targets "
+            f"may): faster than {MAX_SPEED:g} rad/s, by up to {{size:.3g}} rad in {{step:.3g}} s, {{speed:.0f}} rad/s, "
+            "{at}; two publishers on one topic, swapped columns or an overflow do this: record one robot alone, or map "
+            "its own columns; if the unit is another one, name it (--degrees; unit, stamp_unit in a map)",
             "frozen": f"positions freeze while the joint moves (joint targets may): for up to {{size:.3g}} s in "
             f"{{joints}}, {{at}}; {_CUT}",
             "speed": "velocities that the positions do not have: up to {size:.3g} rad/s in {joints}, {at}; "
@@ -290,7 +296,10 @@ class Plausibility:
             if events.counts:
                 size, step = events.largest
                 joints = self._some(sorted(events.counts, key=lambda column: column != events.first[2]))
-                filled = text.format(joints=joints, at=self._at(events), size=size, step=step, speed=size / step)
+                share = 100.0 * events.counts.total() / (len(events.counts) * self._count)
+                filled = text.format(
+                    joints=joints, at=self._at(events), size=size, step=step, speed=size / step, share=share
+                )
                 yield self._finding(kind, filled, events.counts)
 
     def _of_velocities(self) -> Iterator[Finding]:
@@ -305,7 +314,9 @@ class Plausibility:
         groups: dict[str, list[int]] = {}
         factors: dict[str, list[float]] = {}
         swapped = ""
-        for i in np.flatnonzero((sums["windows"] >= 8) & (motion >= _MIN_MOTION)):
+        known = (sums["windows"] >= 8) & (motion >= _MIN_MOTION)
+        known[list(self._places["impossible"].counts)] = False
+        for i in np.flatnonzero(known):
             factor = speed[i] / motion[i]
             sampled = sums["smooth"][i] > 0.5 * sums["steps"][i]
             delay = int(np.nan_to_num(late[:, i]).argmax())

@@ -20,7 +20,7 @@ FLAGS: Final[Mapping[str, Mapping[str, Any]]] = {
     "--topic": {
         "dest": "topic",
         "metavar": "A[,B,...]",
-        "help": "topic of the joint states, for a bag that has several; several with --merge",
+        "help": "topic of the joint states, for a bag or JSON lines that have several; several with --merge",
     },
     "--columns": {
         "dest": "columns",

@@ -1,4 +1,8 @@
-"""Steps between the rows of a recording: those that wrap, jump, go away and come back, freeze, or are gaps."""
+"""Steps between the rows of a recording: those that wrap, jump, go away and come back, freeze, or are gaps.
+
+A step is held against what a joint can do, and against the steps around it. Where most steps are wrong none stands out:
+there the bound alone counts.
+"""
 
 from collections.abc import Sequence
 from typing import Final
@@ -13,6 +17,10 @@ _MAX_SPEED: Final = 20.0
 """Maximum speed from rest to rest within one step, rad/s."""
 _MAX_ACCELERATION: Final = 5000.0
 """Maximum acceleration, rad/s^2: 20 N m accelerate a bare shank and its rotor by less."""
+MAX_SPEED: Final = 30.0
+"""Speed that no joint of a leg keeps up from row to row, rad/s; logs of real robots reach 25."""
+_MAX_SHARE: Final = 0.05
+"""Share of a joint's steps beyond `MAX_SPEED` from which on they need not stand out."""
 _MIN_STEP: Final = 0.1
 """Smallest step that is no noise, rad."""
 _PROMINENCE: Final = 8.0
@@ -60,26 +68,20 @@ class Steps:
             smooth = (rest <= np.minimum(4.0 * most + 0.02, 0.15 * period)) & (size > 4.0 * most)
             self.wrapped = np.where(large & smooth & (whole != 0.0), whole, self.wrapped)
         stands_out = large & (self.wrapped == 0.0) & (size > _PROMINENCE * usual)
-        self.spikes = np.zeros(position.shape, dtype=np.bool_)
+        self.spikes = self._spikes(stands_out, stands_out & (size > bound))
         """Positions where the joint stays for a few rows only (n, J)"""
-        for count in range(1, min(MAX_AWAY, len(size) - 1) + 1):
-            first, last = slice(None, -count), slice(count, None)
-            moves = [self.change[k : k + len(size) - count] for k in range(count + 1)]
-            # The joint goes away, stays there, and comes back near to where it was.
-            stays = np.abs(moves[1:-1]).max(axis=0, initial=0.0) < 0.25 * size[first]
-            returns = np.abs(np.sum(moves, axis=0)) < 0.5 * size[first]
-            far = stands_out[first] & ((size > bound) & stands_out)[last] if count > 1 else stands_out[first]
-            found = far & stays & returns & ~self.spikes[:-1][first] & ~self.gap[last, None]
-            for k in range(1, count + 1):
-                self.spikes[k : k + len(found)] |= found
         self.away = self.spikes[1:] & ~self.spikes[:-1]
         """Steps to spikes (n - 1, J)"""
         beside = self.spikes[1:] | self.spikes[:-1] | self.gap[:, None]
+        too_fast = beyond(self.change, time) & ~beside & (self.wrapped == 0.0)
+        self.impossible = too_fast & (too_fast.mean(axis=0) > _MAX_SHARE)
+        """Steps that no joint makes, of joints that make many of them (n - 1, J)"""
         velocity = rows.values.get("velocity", np.zeros_like(position))
         self.jumps = stands_out & (size > bound) & ~beside
         if "velocity" in rows.values:
             self.jumps |= self._unexpected(velocity) & ~beside & (self.wrapped == 0.0)
-        self.bad = self.jumps | beside
+        self.jumps &= ~self.impossible
+        self.bad = self.jumps | self.impossible | beside
         """Steps that say nothing about the motion (n - 1, J)"""
         speed = np.abs(velocity)[:-1]
         moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
@@ -88,6 +90,22 @@ class Steps:
         self.false_speeds = (speed - fastest > _MAX_SPEED) & (speed > _PROMINENCE * _around(speed)[0])
         """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
 
+    def _spikes(self, stands_out: NDArray[np.bool_], far: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Mask (n, J) of positions to which a step leads that stands out, and from which another leads back."""
+        size = np.abs(self.change)
+        spikes = np.zeros((len(size) + 1, size.shape[1]), dtype=np.bool_)
+        for count in range(1, min(MAX_AWAY, len(size) - 1) + 1):
+            first, last = slice(None, -count), slice(count, None)
+            moves = [self.change[k : k + len(size) - count] for k in range(count + 1)]
+            # The joint goes away, stays there, and comes back near to where it was.
+            stays = np.abs(moves[1:-1]).max(axis=0, initial=0.0) < 0.25 * size[first]
+            returns = np.abs(np.sum(moves, axis=0)) < 0.5 * size[first]
+            leaves = stands_out[first] & far[last] if count > 1 else stands_out[first]
+            found = leaves & stays & returns & ~spikes[:-1][first] & ~self.gap[last, None]
+            for k in range(1, count + 1):
+                spikes[k : k + len(found)] |= found
+        return spikes
+
     def _unexpected(self, velocity: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Mask (n - 1, J) of steps that are large, and far larger than the velocity (n, J) says."""
         size, expected = np.abs(self.change), (velocity[1:] + velocity[:-1]) / 2.0 * self.duration[:, None]
@@ -95,6 +113,11 @@ class Steps:
         bound = np.maximum(_MIN_STEP, _MAX_SPEED / 2.0 * self.time[:, None])
         stands_out = (rest > _PROMINENCE * _around(rest)[0]) & (size > 2.0 * np.abs(expected))
         return np.logical_and(np.minimum(size, rest) > bound, stands_out, dtype=np.bool_)
+
+
+def beyond(change: NDArray[np.float64], time: NDArray[np.float64], max_speed: float = MAX_SPEED) -> NDArray[np.bool_]:
+    """Mask (n, J) of steps of positions, rad (n, J), within times, s (n, J) or (n, 1), that no joint makes."""
+    return np.abs(change) > np.maximum(_MIN_STEP, max_speed * time)
 
 
 def _around(sizes: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

@@ -145,7 +145,7 @@ def test_error_about_a_mistyped_word_suggests_the_similar_one(arguments, error, 
     assert re.fullmatch(error, capsys.readouterr().err.splitlines()[-1])
 
 
-@pytest.mark.parametrize(("name", "shown"), [("train", 10), ("sweep", 11), ("replay", 10), ("identify", 8)])
+@pytest.mark.parametrize(("name", "shown"), [("train", 10), ("sweep", 11), ("replay", 10), ("identify", 9)])
 def test_help_describes_the_options_that_matter_and_help_all_every_one(name, shown, capsys):
     text, everything = (
         help_of(lambda option=option: main([name, option]), capsys) for option in ("--help", "--help-all")

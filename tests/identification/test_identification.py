@@ -3,6 +3,7 @@
 import argparse
 import html
 import json
+from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -166,16 +167,43 @@ class TestRecorded:
         constant = JointTrajectory(stamps, JOINT_NAMES, np.tile(STANCE, (len(stamps), 1)))
         real = measured(commands, TRUTH)
         positions = np.where(np.arange(8) % 2, targets_at(real.stamps), real.positions)
+        later = JointTrajectory(commands.stamps + 1, JOINT_NAMES, commands.positions)
         mixed = JointTrajectory(real.stamps, JOINT_NAMES, positions)
         unknown = r"so stall_torque, .*, delay, target_step, backlash, dead_band cannot be identified.*--without"
         for recording, message in (
-            (commands, rf"positions of {', '.join(JOINT_NAMES)} are their targets, 0 s later: .*{unknown}"),
+            (later, rf"positions of {', '.join(JOINT_NAMES)} are their targets, 0 s later: .*{unknown}"),
             (late, rf"are their targets, 0\.0(3|4)\d s later.*{unknown}"),
             (constant, r"LF_hip_joint does not move .* its servo reports no position.*--without"),
             (mixed, rf"positions of {', '.join(JOINT_NAMES[1::2])} are their targets"),
         ):
             with pytest.raises(QuadrupedError, match=message):
                 identify(recording, commands)
+
+
+def test_columns_that_are_read_twice_are_named_and_servos_are_not_accused():
+    commands = commanded(4.0)
+    with pytest.raises(
+        QuadrupedError, match=r"same columns were read twice; .*--commands-columns.*--commands-topic"
+    ) as e:
+        identify(commands, JointTrajectory(commands.stamps, JOINT_NAMES, commands.positions))
+    assert "report no position" not in str(e.value)
+
+
+def test_one_servo_on_a_bench_is_fitted_from_a_file_without_the_other_joints():
+    commands, moved = commanded(6.0), np.tile(STANCE, (301, 1))
+    moved[:, 0] = commands.positions[:, 0]
+    alone = JointTrajectory(commands.stamps, JOINT_NAMES, moved)
+    start = with_values(TRUTH, {"hip.kp": 20.0})
+    bench = measured(alone, TRUTH).select(["LF_hip_joint"])
+    found = identify(bench, alone.select(["LF_hip_joint"]), start=start, fitted=["kp"], without=JOINT_NAMES[1:])
+    estimates = {one.name: one for one in found.estimates}
+    assert estimates["hip.kp"].after == pytest.approx(TRUTH.hip.kp, rel=0.05)
+    assert (estimates["knee.kp"].determined, estimates["knee.kp"].after) == (False, TRUTH.knee.kp)
+    assert any(
+        one.endswith("RH_knee_joint: not recorded, and simulated at rest in the stance.") for one in found.remarks
+    )
+    with pytest.raises(QuadrupedError, match=r"joint 'LF_knee_joint' is missing.*\(--without\)"):
+        identify(bench, alone, without=JOINT_NAMES[2:])
 
 
 class TestRefusals:
@@ -436,6 +464,37 @@ class TestProgram:
         assert output.endswith("motors, numbers and report: results/identify-walk\n")
         assert main(["identify", "walk.csv", "-o", "results/identify-walk"]) == 2
         assert "motors.json: exists already" in capsys.readouterr().err
+
+    def test_targets_and_measured_joints_in_one_log(self, tmp_path, monkeypatch):
+        """Positions in rad, targets of the same joints in degrees: by the same map, or by one of their own."""
+        monkeypatch.chdir(tmp_path)
+        rng = np.random.default_rng(0)
+        targets, positions = rng.uniform(-0.5, 0.5, (2, 30, 8))
+        titles = ["time", *(f"q_des_{i}" for i in range(8)), *(f"q_{i}" for i in range(8))]
+        table = np.column_stack([np.arange(30) * 0.02, np.degrees(targets), positions])
+        lines = [",".join(titles), *(",".join(map(repr, row)) for row in table.tolist())]
+        Path("log.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+        def column_map(file, columns, unit):
+            rules = "".join(
+                f"[joints.{name}]\nsource = 'q_{i}'\nunit = '{unit}'\n" for i, name in enumerate(JOINT_NAMES)
+            )
+            Path(file).write_text(f"[columns]\nstamp = 'time'\npositions = {columns}\n{rules}", encoding="utf-8")
+
+        column_map("q.toml", [f"q_{i}" for i in range(8)], "rad")
+        column_map("des.toml", "{ " + ", ".join(f"q_{i} = 'q_des_{i}'" for i in range(8)) + " }", "deg")
+
+        def stop(measured, commands, *_):
+            found.append((measured.positions, commands.positions))
+            raise QuadrupedError("seen")
+
+        found = []
+        monkeypatch.setattr("quadruped_env.identification.identify", stop)
+        options = ["identify", "log.csv", "--columns", "q.toml", "--map", "q.toml", "--commands-columns", "des.toml"]
+        assert main([*options, "--commands-map", "des.toml"]) == 2
+        np.testing.assert_allclose(found[0], [positions, targets])
+        assert main([*options, "--commands", "log.csv", "--radians"]) == 2
+        np.testing.assert_allclose(found[1], [positions, np.degrees(targets)])
 
     def test_joints_to_leave_out_may_be_named_one_by_one_or_together(self):
         parser = argparse.ArgumentParser()

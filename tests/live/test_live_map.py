@@ -21,7 +21,7 @@ from quadruped_env.live.nodes import calibrate
 from quadruped_env.live.nodes.calibrate import parsed_answer
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
-from quadruped_env.trajectory import JointMap
+from quadruped_env.trajectory import JointMap, JointRule
 
 MOTORS = tuple(f"m{i}" for i in range(8))
 A = np.zeros((8, 8))
@@ -143,6 +143,37 @@ def test_joint_is_known_once_all_of_its_motors_are(map_file):
     assert (other.others, np.isnan(other.positions).all()) == (("tail",), True)
 
 
+UNITS = (
+    ({"unit": "turn", "velocity_unit": "rpm"}, 9.0 / (2 * np.pi), 270.0 / np.pi),
+    ({"unit": "ticks", "ticks_per_turn": 65536, "velocity_unit": "rpm"}, 9.0 * 65536 / (2 * np.pi), 270.0 / np.pi),
+    ({"unit": "ticks", "ticks_per_turn": 65536}, *[9.0 * 65536 / (2 * np.pi)] * 2),
+)
+
+
+@pytest.mark.parametrize(("units", "position", "velocity"), UNITS)
+@pytest.mark.parametrize("states", [True, False])
+def test_limits_of_messages_hold_after_the_map(units, position, velocity, states):
+    """Motors before a gear of 9, in units of which a rad and a rad/s of the joint are `position` and `velocity`.
+
+    They count 5000 rad where the joint is at 0, as encoders of many turns may.
+    """
+    offset = -5000.0 * position / 9.0
+    rules = {name: JointRule(f"m{i}", gear=9.0, offset=offset, **units) for i, name in enumerate(JOINT_NAMES)}
+    driver = DriverJoints(MINI_QUADRUPED, JointMap(rules))
+    read = JointReader("/joint_states", driver, states=states)
+
+    def joints(angle, speed):
+        message = joint_state(1, MOTORS, np.full(8, (angle + 5000.0) * position), np.full(8, speed * velocity))
+        return driver.to_robot(read(cdr.serialize(message)))
+
+    for angle, speed in ((0.7, 0.0), (1.5, 31.0), (-999.0, 999.0)):
+        found = joints(angle, speed)
+        np.testing.assert_allclose([found.positions, found.velocities], np.outer([angle, speed], np.ones(8)), atol=1e-9)
+    for angle, speed, field in ((1001.0, 0.0, "position"), (0.0, -1001.0, "velocity")):
+        with pytest.raises(QuadrupedError, match=rf"{field} of m0 is .*; send finite numbers of at most \d"):
+            joints(angle, speed)
+
+
 def test_map_that_does_not_fit_the_robot_is_refused(tmp_path, map_file):
     def refused(text, words):
         path = tmp_path / "wrong.toml"
@@ -182,15 +213,20 @@ def test_nodes_speak_the_drivers_joints(run_node, nodes, map_file):
         np.testing.assert_allclose(joints, np.radians(state.position), atol=0.2)
 
 
+TICKS = 65536 / (2.0 * np.pi)
+"""Ticks of the motors' encoders per rad."""
+
+
 class Hanging:
-    """A driver of motors that follow their targets, and a person who looks at the joints and types."""
+    """A driver of motors that follow their targets, in ticks; their angles here are in rad."""
 
     def __init__(self):
         self.node = Node("driver")
         self.names = (*MOTORS, "gripper")
         self.states = self.node.publish(JOINT_STATES)
         self.stops = self.node.publish(ESTOP)
-        self.read = JointReader("/joint_commands", type("Motors", (), {"joint_names": self.names}))
+        motors = type("Motors", (), {"joint_names": self.names, "limits": {"position": np.inf}})
+        self.read = JointReader("/joint_commands", motors)
         self.commands = self.node.subscribe(JOINT_COMMANDS, Qos(1000), read=self.read)
         self.motors = np.radians(np.append(motor_angles(0.1 * STANCE), 0.7))
         self.rest = self.motors.copy()
@@ -205,14 +241,14 @@ class Hanging:
             for _, joints in self.commands.messages(pytest.fail):
                 self.limp = read_target(joints) is LIMP
                 if not self.limp:
-                    self.targets.append(joints.positions)
+                    self.targets.append(joints.positions / TICKS)
             if self.targets and not self.limp:
                 way = self.targets[-1] - self.rest
                 self.motors = self.rest + (-way if self.fault == "reversed" else way)
             if self.fault != "silent" or self.limp:
                 half = len(self.names) // 2
                 for part in (slice(half), slice(half, None)):
-                    self.states.send(joint_state(time.time_ns(), self.names[part], self.motors[part]))
+                    self.states.send(joint_state(time.time_ns(), self.names[part], TICKS * self.motors[part]))
             time.sleep(0.005)
 
 
@@ -317,7 +353,8 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     person = Person(robot)
     monkeypatch.setattr(calibrate, "Keyboard", lambda: person)
     path = tmp_path / "found.toml"
-    person.log = log = run_node("calibrate", str(path), "--angle", "0.1", "--speed", "1")
+    unit = ["--unit", "ticks", "--ticks-per-turn", "65536"]
+    person.log = log = run_node("calibrate", str(path), "--angle", "0.1", "--speed", "1", *unit)
     robot.thread.start()
     try:
         wait_until(lambda: "wrote" in log.getvalue() or "ended after" in log.getvalue(), log.getvalue)
@@ -329,7 +366,7 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     assert tuple(found.rules) == JOINT_NAMES
     positions = np.random.default_rng(0).uniform(-1.0, 1.0, (20, 8))
     expected = positions @ A.T + B
-    measured = found.to_joints(MOTORS, {"position": positions})["position"]
+    measured = found.to_joints(MOTORS, {"position": TICKS * positions})["position"]
     np.testing.assert_allclose(measured, expected, atol=2e-3)
     assert found.rules["RH_knee_joint"].source == "m6"
     assert found.rules["RH_hip_joint"].sign == -1.0

@@ -262,6 +262,36 @@ class TestTitles:
         with pytest.raises(QuadrupedError, match=r"line 2, time: '1970-13-02T00:00:01' is not a time in s"):
             self.load(tmp_path, "time,q\n1970-13-02T00:00:01,0\n", "q")
 
+    @pytest.mark.parametrize("title", ["t;LF_hip_joint;LF_knee_joint", "stamp_ns;position.LF_hip_joint;LF_knee_joint"])
+    def test_decimal_commas_of_a_spreadsheet_are_read_and_said(self, tmp_path, title):
+        loaded = self.load(tmp_path, f"{title}\n0;0,5;-1e-2\n1;0,25;0\n")
+        np.testing.assert_array_equal(loaded.positions, [[0.5, -0.01], [0.25, 0.0]])
+        assert loaded.source.notes[0].endswith("2 joints, in rad, with decimal commas")
+        with pytest.raises(
+            QuadrupedError, match=r"line 2, (position\.)?LF_hip_joint: '0,5' is not .*\(decimal = \",\"\)"
+        ):
+            self.load(tmp_path, f"{title}\n0;0,5;-1e-2\n1;0,25;1.000,5\n")
+        with pytest.raises(
+            QuadrupedError, match=r"line 3, .*LF_hip_joint: '0,25' .*decimal comma, .*\(decimal = \",\"\)"
+        ):
+            self.load(tmp_path, f"{title}\n0;0.5;-1e-2\n1;0,25;0\n")
+
+    def test_decimal_commas_by_a_map(self, tmp_path):
+        given = {"stamp": "t", "positions": ["q"], "separator": ";"}
+        text = "t;q\n0,5;1,25\n2024-01-01 00:00:00,25;7\n"
+        loaded = self.load(tmp_path, text, columns=ColumnMap(**given, decimal=","))
+        assert loaded.positions.tolist() == [[1.25], [7.0]]
+        assert loaded.stamps[0] == 500_000_000
+        assert loaded.stamps[1] % 10**9 == 250_000_000
+        with pytest.raises(
+            QuadrupedError, match=r"line 2, q: '1\.000,5' is not a number; fix the value or delete the l"
+        ):
+            self.load(tmp_path, "t;q\n0,5;1.000,5\n", columns=ColumnMap(**given, decimal=","))
+        with pytest.raises(QuadrupedError, match=r"line 2, t: '0,5' is not a time in s; .*\(decimal = \",\"\)"):
+            self.load(tmp_path, text, columns=ColumnMap(**given))
+        with pytest.raises(QuadrupedError, match=r'decimal: expected "\." or ","; found \'x\''):
+            ColumnMap(**given, decimal="x")
+
     def test_csv_without_a_time_needs_a_period(self, tmp_path):
         text, joints = "LF_hip_joint,LF_knee_joint\n0.1,0.2\n0.3,0.4\n", ["LF_knee_joint"]
         with pytest.raises(QuadrupedError, match=r"no timestamps: .*\(period in the map, or --stamps 0\.02\)"):

@@ -8,6 +8,7 @@ import pytest
 from paths import DYNA1, ROOT
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
+from quadruped_env.cli.main import main
 from quadruped_env.trajectory import ColumnMap, JointMap, JointRule
 from quadruped_env.trajectory.loading import Stream
 from quadruped_env.trajectory.plausibility import findings
@@ -49,6 +50,15 @@ LIES = {
              r"by 0\.\d+ rad in 0\.01 s, \d+ rad/s, in RF_hip_joint, at 4\.000 s \(line 400\); cut there"),
     "slip": ("q[400:, 1] += 0.15", "jump",
              r"or than its velocity .*: by 0\.1\d* rad in 0\.01 s, .* in LF_knee_joint, at 4\.000 s"),
+    "two publishers": ("q[1::2] -= 1.0", "impossible",
+                       r"in 100 % of the steps of LF_hip_joint, .* by up to 1\.\d+ rad in 0\.01 s, 1\d\d rad/s, first "
+                       r"at 0\.010 s \(line 1\), 79\d\d times; two publishers .*--degrees"),
+    "publisher of every third": ("q[::3] -= 0.5", "impossible", r"in 6\d % of the steps of LF_hip_joint, .*joint tar"),
+    "swapped in half of the rows": ("q[::2, [2, 5]] = q[::2, [5, 2]]", "impossible",
+                                    r"in \d\d % of the steps of RF_hip_joint, LH_knee_joint, as no joint"),
+    "overflow": ("q[:, 3] = np.mod(40 * q[:, 3], 4.0) - 2.0", "impossible", r"in \d+ % of the steps of RF_knee_joint,"),
+    "noise": ("q[:, 6] = np.random.default_rng(0).normal(0, 1, len(q))", "impossible", r"\d % of the steps of RH_hip"),
+    "degrees": ("q *= 20; v *= 20", "impossible", r"70 % of the steps of .*--degrees"),
     "freeze": ("q[300:320] = q[300]", "frozen",
                r"for up to 0\.19 s in LF_hip_joint, .*, first at 3\.000 s \(line 300\), 7 times; cut"),
     "freeze of one": ("q[300:340, 5] = q[300, 5]", "frozen", r"for up to 0\.39 s in LH_knee_joint, at 3\.000 s"),
@@ -85,6 +95,8 @@ def test_planted_lie_is_found_with_its_place_and_repair(name):
     said = "\n".join(finding.text for finding in found if finding.kind == kind)
     assert re.search(text, said), found
     assert any(finding.spoils for finding in found) == (kind != "repeats")
+    # Positions that cannot be say nothing about velocities.
+    assert kind != "impossible" or "velocity" not in {finding.kind for finding in found}
 
 
 @pytest.mark.parametrize("rate", [30.0, 50.0, 100.0, 200.0, 500.0, 1000.0])
@@ -118,6 +130,26 @@ def test_findings_of_honest_recordings_are_none(rate):
     assert {name: [one.text for one in findings(found)] for name, found in honest.items()} == {
         name: [] for name in honest
     }
+
+
+def test_load_of_efforts_that_are_all_nan_has_none_and_says_so(tmp_path, capsys):
+    rows = planted("e[:] = np.nan", seconds=0.1)
+    JointTrajectory(rows.stamps, rows.names, *rows.values.values()).save(tmp_path / "a.csv")
+    loaded = JointTrajectory.load(tmp_path / "a.csv")
+    assert (loaded.efforts, loaded.source.notes) == (None, ("efforts are NaN in every line: they were not recorded",))
+    assert main(["convert", str(tmp_path / "a.csv"), str(tmp_path / "b.csv")]) == 0
+    assert re.search(r"Hz: positions, velocities\n(.*\n)*efforts are NaN in every line", capsys.readouterr().out)
+    # One that is known in a later piece of the file is enough.
+    rows = planted("e[:] = np.nan; e[-1, 2] = 0.5", rate=1000.0, seconds=4.2)
+    JointTrajectory(rows.stamps, rows.names, *rows.values.values()).save(tmp_path / "c.csv")
+    assert JointTrajectory.load(tmp_path / "c.csv").efforts[-1, 2] == 0.5
+
+
+def test_wraps_of_a_geared_encoder_in_many_rows_are_wraps():
+    rows = planted("v[:, 0] = 12.0; q[:, 0] = 12.0 * s / 1e9 % (np.pi / 2)")
+    found = findings(rows, "line", (2 * np.pi, np.pi / 2))
+    assert [finding.kind for finding in found] == ["wrap"]
+    assert re.search(r"wrap by 1\.571 rad .* in LF_hip_joint, .* 76 times", found[0].text)
 
 
 def test_findings_of_pieces_are_those_of_the_whole(tmp_path):

@@ -149,12 +149,39 @@ class TestRetarget:
         np.testing.assert_array_equal(target.efforts, [[-3.0, 4.0, np.nan]] * 2)
         np.testing.assert_array_equal(target.stamps, source.stamps)
 
-    @pytest.mark.parametrize(("unit", "factor"), [("rad/s", 1.0), ("deg/s", np.pi / 180), ("rpm", 2 * np.pi / 60)])
+    @pytest.mark.parametrize(
+        ("unit", "factor"),
+        [("rad/s", 1.0), ("deg/s", np.pi / 180), ("rpm", 2 * np.pi / 60), ("turn/s", 2 * np.pi)],
+    )
     def test_velocities_may_have_a_unit_of_their_own(self, unit, factor):
         source = JointTrajectory([0], ["a"], [[180.0]], [[2.0]])
         target = source.retarget(JointMap({"b": JointRule("a", sign=-1, scale=0.5, unit="deg", velocity_unit=unit)}))
         np.testing.assert_allclose(target.positions, [[-np.pi / 2]])
         np.testing.assert_allclose(target.velocities, [[-factor]])
+
+    @pytest.mark.parametrize(
+        ("units", "position", "velocity"),
+        [
+            ({"unit": "turn"}, 2.25, 9.0),
+            ({"unit": "turn", "velocity_unit": "rpm"}, 2.25, 540.0),
+            ({"unit": "ticks", "ticks_per_turn": 4096}, 2.25 * 4096, 9.0 * 4096),
+            ({"unit": "ticks", "ticks_per_turn": 4096, "velocity_unit": "rpm"}, 2.25 * 4096, 540.0),
+            ({"unit": "deg", "ticks_per_turn": 4096, "velocity_unit": "ticks/s"}, 2.25 * 360.0, 9.0 * 4096),
+        ],
+    )
+    def test_turns_and_ticks_before_a_gear(self, units, position, velocity):
+        """A motor that turns by 2.25 turns, at 9 turns/s with 0.5 N m, before a gear of 9."""
+        joint_map = JointMap({"b": JointRule("a", sign=-1, gear=9.0, **units)})
+        motor = {"position": np.array([position]), "velocity": np.array([velocity]), "effort": np.array([0.5])}
+        joint = joint_map.to_joints(["a"], motor)
+        np.testing.assert_allclose(list(joint.values()), [[-np.pi / 2], [-2 * np.pi], [-4.5]])
+        np.testing.assert_allclose(list(joint_map.to_sources(joint).values()), list(motor.values()))
+        # A velocity that is computed from positions has the map's unit, too.
+        np.testing.assert_allclose(joint_map.rates * position / 0.25, velocity)
+        assert joint_map.periods == pytest.approx((2 * np.pi, 2 * np.pi / 9))
+        text = joint_map.text()
+        assert JointMap(JointMap.of(joint_map).rules).text() == text
+        assert "gear = 9.0" in text
 
     @pytest.mark.parametrize(
         ("text", "message"),
@@ -166,7 +193,20 @@ class TestRetarget:
             ("[joints.a]\nsource = 'b'\nsign = 2", r"\[joints\.a\] sign: expected 1 or -1; found 2"),
             ("[joints.a]\nsource = 'b'\nscale = 0", r"\[joints\.a\] scale: expected a number above 0; found 0"),
             ("[joints.a]\nsource = 'b'\noffset = nan", r"\[joints\.a\] offset: expected a number; found nan"),
-            ("[joints.a]\nsource = 'b'\nunit = 'grad'", r"\[joints\.a\] unit: expected 'rad' or 'deg'; found 'grad'"),
+            (
+                "[joints.a]\nsource = 'b'\nunit = 'grad'",
+                r"\[joints\.a\] unit: expected 'rad' or 'deg' or 'turn' .*found 'grad'",
+            ),
+            ("[joints.a]\nsource = 'b'\ngear = -9", r"\[joints\.a\] gear: expected a number above 0; found -9"),
+            ("[joints.a]\nsource = 'b'\nunit = 'ticks'", r"\[joints\.a\] ticks_per_turn: expected .*; found None"),
+            (
+                "[joints.a]\nsource = 'b'\nticks_per_turn = 9",
+                r"\[joints\.a\] ticks_per_turn: .* only there; found 9 with rad and rad/s",
+            ),
+            (
+                "[joints.a]\nsource = 'b'\nscale = 6.2832\nvelocity_unit = 'rpm'",
+                r"\[joints\.a\] scale: 6\.2832 is the unit turn in rad, .* velocity in rpm, too; give unit = \"turn\"",
+            ),
             ("[joints.a]\nsource = 'b'\nsources = {c = 1}", r"\[joints\.a\] sources: expected .* in place of source"),
             ("[joints.a]\nsources = {c = 0}", r"\[joints\.a\] sources: expected .* factors other than 0"),
             ("[joints.a]\nsources = {}", r"\[joints\.a\] sources: expected a table joint = factor"),

@@ -18,7 +18,9 @@ from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_jo
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 MAX_VALUE: Final = 1e3
-"""Largest accepted position or velocity, rad or rad/s. Larger values indicate corrupt data and would lead to NaN."""
+"""Largest accepted position or velocity of a robot's joint, rad or rad/s, after the driver's map.
+
+Larger values indicate corrupt data and would lead to NaN."""
 _REMEMBERED: Final = 16
 """Number of lists of names whose order is remembered."""
 _SHOWN: Final = 4
@@ -63,7 +65,7 @@ class JointReader:
 
     Args:
         topic: topic name for error messages.
-        robot: robot whose joints the messages contain.
+        robot: robot whose joints the messages contain, or its driver, whose `limits` take the place of `MAX_VALUE`.
         states: True for measured states: a message may hold some of the robot's joints and other joints, velocities
             may be NaN, and positions and a timestamp are needed. False for commands, which name each joint once.
     """
@@ -72,6 +74,8 @@ class JointReader:
         self._topic = topic
         self._joints = robot.joint_names
         self._states = states
+        limits = {"position": MAX_VALUE, "velocity": MAX_VALUE, **getattr(robot, "limits", {})}
+        self._limits = {kind: np.broadcast_to(limit, len(self._joints)) for kind, limit in limits.items()}
         self._columns: dict[tuple[str, ...], _Columns] = {}
 
     def __call__(self, data: bytes) -> Joints:
@@ -79,7 +83,7 @@ class JointReader:
 
         Raises:
             QuadrupedError: if the bytes are corrupt, the names do not fit the robot, the numbers of values and names
-                differ, a position or velocity is invalid or exceeds `MAX_VALUE`, or positions or timestamp are missing.
+                differ, a position or velocity is invalid or over its limit, or positions or timestamp are missing.
         """
         try:
             return self._read(read_joint_state(data))
@@ -98,7 +102,7 @@ class JointReader:
             raw.stamp,
             self._values(raw, "position", columns),
             self._values(raw, "velocity", columns, nan=self._states),
-            self._values(raw, "effort", columns, limited=False),
+            self._values(raw, "effort", columns),
             columns.others,
         )
         if self._states and joints.positions is None:
@@ -108,7 +112,7 @@ class JointReader:
         return joints
 
     def _values(
-        self, raw: RawJointState, field: str, columns: "_Columns", nan: bool = False, limited: bool = True
+        self, raw: RawJointState, field: str, columns: "_Columns", nan: bool = False
     ) -> NDArray[np.float64] | None:
         given = getattr(raw, field)
         if not len(given):
@@ -117,11 +121,14 @@ class JointReader:
             raise QuadrupedError(f"{field} holds {len(given)} values for {len(raw.names)} names; send one per joint")
         values = np.full(len(self._joints), np.nan)
         values[columns.joints] = found = given[columns.places]
-        invalid = ~(np.abs(found) <= MAX_VALUE) & ~(np.isnan(found) & nan)
-        if limited and invalid.any():
+        if field not in self._limits:
+            return values
+        limits = self._limits[field]
+        invalid = ~(np.abs(found) <= limits[columns.joints]) & ~(np.isnan(found) & nan)
+        if invalid.any():
             joint = columns.joints[np.flatnonzero(invalid)[0]]
             raise QuadrupedError(
-                f"{field} of {self._joints[joint]} is {values[joint]}; send finite numbers of at most {MAX_VALUE:g}"
+                f"{field} of {self._joints[joint]} is {values[joint]}; send finite numbers of at most {limits[joint]:g}"
             )
         return values
 

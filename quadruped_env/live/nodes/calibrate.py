@@ -16,6 +16,7 @@ import sys
 import time
 from collections import deque
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -32,7 +33,7 @@ from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.robot_messages import read_joint_state
-from quadruped_env.trajectory.maps import UNITS, JointMap, JointRule
+from quadruped_env.trajectory.maps import UNITS, JointMap, JointRule, check_rule
 from quadruped_env.utils.files import check_free, write_whole
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.program import CLEAR_LINE
@@ -42,7 +43,7 @@ _LISTEN: Final = 1.0
 _ANSWER: Final = re.compile(r"(?P<joint>\S+?)(?P<sign>[+-])(?P<factor>\d+\.?\d*|\.\d+)?")
 _DIRECTIONS: Final = (("forward", "backward"), ("left", "right"), ("up", "down"))
 """Positive and negative direction along each axis of the base."""
-_DECIMALS: Final = {"rad": 4, "deg": 2}
+_DECIMALS: Final = {"rad": 4, "deg": 2, "turn": 5, "ticks": 1}
 """Decimals of offsets, by unit."""
 
 Answers = dict[str, dict[int, float]]
@@ -59,6 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--unit", choices=UNITS, default="rad", help="the driver's unit of positions (default: %(default)s)"
     )
+    parser.add_argument("--ticks-per-turn", type=float, metavar="N", help="of the encoders, with --unit ticks")
     parser.add_argument(
         "--angle", type=float, default=0.15, metavar="RAD", help="of the motion, 0.02 to 0.5 (default: %(default)s)"
     )
@@ -80,16 +82,16 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     for name, low, high in (("angle", 0.02, 0.5), ("speed", 0.05, 1.0)):
         if not low <= (value := getattr(arguments, name)) <= high:
             raise QuadrupedError(f"--{name}: expected {low:g} to {high:g}; found {value:g}")
+    unit = JointRule(unit=arguments.unit, ticks_per_turn=arguments.ticks_per_turn)
+    check_rule("calibrate: --unit:", unit)
     check_free([path], arguments.overwrite)
     if arguments.arrays and arguments.motors is None:
         raise QuadrupedError("--arrays: needs --motors, the names in the order of the arrays")
     SinglePublisherGuard(session, JOINT_POSITIONS if arguments.arrays else JOINT_COMMANDS).check()
     names = tuple(arguments.motors or _names(session))
-    swing = MotorSwing(
-        session, Motors(names, UNITS[arguments.unit]), arguments.arrays, arguments.angle, arguments.speed
-    )
+    swing = MotorSwing(session, Motors(names, unit.factors[0]), arguments.arrays, arguments.angle, arguments.speed)
     with Keyboard() as keyboard:
-        wizard = _Wizard(session, swing, keyboard, robot, names, arguments.unit)
+        wizard = _Wizard(session, swing, keyboard, robot, names, unit)
         wizard.warn(arguments.angle, arguments.speed)
         found = wizard.joint_map()
     heading = f"# Joints of {robot.name} by the motors of its driver, as 'mini-quadruped live calibrate' found them."
@@ -123,11 +125,17 @@ class _Wizard:
         keyboard: of the answers, and to stop a motion.
         robot: the robot.
         motors: names of its motors.
-        unit: of their positions.
+        unit: rule with the unit of their positions, and nothing else.
     """
 
     def __init__(
-        self, session: Session, swing: MotorSwing, keyboard: Keyboard, robot: Robot, motors: Sequence[str], unit: str
+        self,
+        session: Session,
+        swing: MotorSwing,
+        keyboard: Keyboard,
+        robot: Robot,
+        motors: Sequence[str],
+        unit: JointRule,
     ) -> None:
         self._session, self._swing, self._keyboard = session, swing, keyboard
         self._robot, self._motors, self._unit = robot, motors, unit
@@ -147,7 +155,7 @@ class _Wizard:
             f"your reach. Each of its {len(self._motors)} motors moves by {angle:g} rad, at {speed:g} rad/s at most, "
             f"while the others hold. Any key stops it at once, and the robot goes limp."
         )
-        self._session.say(f"positions in {self._unit}, is the unit right? {shown}")
+        self._session.say(f"positions in {self._unit.unit}, is the unit right? {shown}")
         self._list_joints()
         if self._ask("Does the robot hang free? Type yes, or anything else to end.") != "yes":
             raise QuadrupedError("the robot has to hang free; nothing was moved")
@@ -278,7 +286,7 @@ def parsed_answer(answer: str, joints: Sequence[str]) -> dict[int, float]:
     return found
 
 
-def _problem(robot: Robot, answers: Answers, unit: str) -> str:
+def _problem(robot: Robot, answers: Answers, unit: JointRule) -> str:
     """Why the answers are no map; empty if they are one."""
     still = [name for i, name in enumerate(robot.joint_names) if not any(i in moved for moved in answers.values())]
     if still:
@@ -290,22 +298,23 @@ def _problem(robot: Robot, answers: Answers, unit: str) -> str:
     return ""
 
 
-def _map(robot: Robot, answers: Answers, unit: str, offsets: NDArray[np.float64] | None = None) -> JointMap:
+def _map(robot: Robot, answers: Answers, unit: JointRule, offsets: NDArray[np.float64] | None = None) -> JointMap:
     """The map of the answers.
 
     Args:
         robot: the robot.
         answers: joints that each motor moves.
-        unit: of the motors.
+        unit: rule with the unit of the motors.
         offsets: of the joints (J,), rad; None: 0.
     """
     rules = {}
     for joint, name in enumerate(robot.joint_names):
         weights = {motor: moved[joint] for motor, moved in answers.items() if joint in moved}
-        offset = 0.0 if offsets is None else round(float(offsets[joint]) / UNITS[unit], _DECIMALS[unit])
+        offset = 0.0 if offsets is None else round(float(offsets[joint]) / unit.factors[0], _DECIMALS[unit.unit])
         if len(weights) == 1:
             ((source, weight),) = weights.items()
-            rules[name] = JointRule(source, math.copysign(1.0, weight), abs(weight), offset, unit)
+            sign, scale = math.copysign(1.0, weight), abs(weight)
+            rules[name] = replace(unit, source=source, sign=sign, scale=scale, offset=offset)
         else:
-            rules[name] = JointRule(sources=weights or None, offset=offset, unit=unit)
+            rules[name] = replace(unit, sources=weights or None, offset=offset)
     return JointMap(rules, "the answers")

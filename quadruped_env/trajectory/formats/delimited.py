@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import re
 from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -42,6 +43,8 @@ class Layout:
     """Numbers that mark a missing value"""
     blanks: tuple[str, ...] = ()
     """Texts that mark a missing value"""
+    decimal: str = "."
+    """Decimal point or comma"""
 
 
 @contextmanager
@@ -138,16 +141,25 @@ def salvaged_text(pieces: Iterator[Rows], reading: Reading) -> Iterator[Rows]:
 
 def _parser(layout: Layout, reading: Reading) -> Callable[[str], float]:
     """Parser of the numbers in cells; NaN for texts that mark a missing value."""
-    if not layout.blanks:
+    if not layout.blanks and layout.decimal == ".":
         return parse_number
 
     def parse(text: str) -> float:
         if text.strip() in layout.blanks:
             reading.count(MISSING)
             return math.nan
-        return parse_number(text)
+        return parse_number(with_point(text, layout.decimal))
 
     return parse
+
+
+def with_point(text: str, decimal: str) -> str:
+    """A number with a decimal point. Raises ValueError if it has one already, and `decimal` is the comma."""
+    if decimal == ".":
+        return text
+    if "." in text:
+        raise ValueError(text)
+    return text.replace(",", ".")
 
 
 def parse_number(text: str) -> float:
@@ -192,6 +204,8 @@ def _bad_cell(cells: list[str], layout: Layout, used: Iterable[int], number: int
         except (ValueError, OverflowError):
             form = layout.stamp_form if is_stamp else "a number"
             found = short(cells[column].strip("\n"))
-            problem = f"{found} is not {form}; fix the value or delete the line"
+            comma = layout.decimal == "." and re.fullmatch(r"\s*[-+]?\d+,\d+([eE][-+]?\d+)?\s*", cells[column])
+            fix = ', or if this is a decimal comma, say so in a map (decimal = ",")' if comma else ""
+            problem = f"{found} is not {form}; fix the value or delete the line{fix}"
             return QuadrupedError(f"{reading.name}: line {number}, {layout.titles[column]}: {problem}")
     raise AssertionError("every cell is valid")

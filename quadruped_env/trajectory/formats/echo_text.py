@@ -1,16 +1,22 @@
-"""Output of `ros2 topic echo` for joint states, as YAML and as `--csv` text.
+"""Messages as text: output of `ros2 topic echo`, as YAML and with `--csv`, and the JSON lines of rosbridge.
 
-YAML: one document per message, in block or flow style, each ended by a line `---`. Notices of lost messages between
-them, whose last line ends in `---`, are reported. CSV has no header and no quotes:
+YAML: one document per message, in block or flow style, each ended by a line `---`, also as ROS 1 prints it. Notices of
+lost messages between them, whose last line ends in `---`, are reported. CSV has no header and no quotes:
 
     sec,nanosec,frame_id,names...,positions...,velocities...,efforts...
 
 and an empty array is one empty field. Both shorten arrays of over 128 numbers to `...`, unless called with
 `--full-length`; shortened arrays are an error.
+
+JSON lines: each line is a message, or an object whose `msg` is one, as in
+`{"op": "publish", "topic": "/joint_states", "msg": {"header": ...}}`. Other operations are left out.
 """
 
+import json
 import re
 from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
 from itertools import takewhile
 from typing import Any, Final
 
@@ -18,11 +24,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.robot_messages import RawJointState, dynamic_state
+from quadruped_env.ros.robot_messages import RECORDED_TYPES, RawJointState, dynamic_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.formats.message_rows import assembled
+from quadruped_env.trajectory.formats.salvage import choose_topics
 from quadruped_env.trajectory.rows import KINDS, Rows
 
 LOST: Final = "A message was lost!!!"
@@ -31,8 +38,10 @@ LOST: Final = "A message was lost!!!"
 _LOST_NOTE: Final = "the recording itself says that messages were lost"
 _MAX_DOCUMENT: Final = 1_000_000
 """Maximum characters of a message; no joint state is longer."""
+_NO_TOPIC: Final = "(no topic)"
 _SHORTENED: Final = "an array is shortened to '...'; record it again with ros2 topic echo --full-length"
 _FORM: Final = "expected what ros2 topic echo prints of a sensor_msgs/msg/JointState"
+_JSON_FORM: Final = 'expected one JSON object per line, such as {"topic": "/joint_states", "msg": {...}} of rosbridge'
 _SPECIAL: Final = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
 """Numbers that are not finite in YAML -> in Python."""
 _INTEGER: Final = re.compile(r"-?\d{1,18}$", re.ASCII)
@@ -40,12 +49,14 @@ _MAX_KEYS_SHOWN: Final = 8
 _MAX_DEPTH: Final = 8
 """Maximum levels of nesting; a trajectory has five."""
 
+_STATE_KEYS: Final = ("name", *KINDS)
 _DYNAMIC_KEYS: Final = ("joint_names", "interface_values")
 _TRAJECTORY_KEYS: Final = ("joint_names", "points")
+_ARRAY_KEYS: Final = ("layout", "data")
 _POINT_KEYS: Final = ("positions", "velocities", "accelerations", "effort", "time_from_start")
 
 Node = str | list[Any] | tuple[Any, ...]
-"""A YAML node, its values still as text: a scalar, a sequence, or the pairs of a mapping"""
+"""A node of YAML or JSON, its values still as text: a scalar, a sequence, or the pairs of a mapping"""
 
 
 def read_yaml(reading: Reading) -> Iterator[Rows]:
@@ -63,6 +74,15 @@ def read_csv(reading: Reading) -> Iterator[Rows]:
     return assembled(_csv_messages(reading), reading, is_text=True)
 
 
+def read_json_lines(reading: Reading) -> Iterator[Rows]:
+    """The messages of lines of JSON, not validated.
+
+    Raises:
+        QuadrupedError: if the file is missing or damaged, or has several topics and the options name none.
+    """
+    return assembled(_json_messages(reading), reading, is_text=True)
+
+
 def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
     """Number in the file, and joint states of the messages."""
     yaml = yaml_module()
@@ -74,7 +94,7 @@ def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                states = _states(_document(yaml, text))
+                states = _states(_document(yaml, text), reading)
             except (yaml.YAMLError, ValueError) as error:
                 reason = " ".join(str(error).split())
                 raise reading.error(number, f"{reason}; {_FORM}; fix it or delete it") from error
@@ -82,6 +102,53 @@ def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
             number += 1
     if not number:
         raise reading.error(None, f"there is no message in it; {_FORM}")
+
+
+def _json_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
+    """Number of the line, and joint states of the message."""
+    reading.row_name = "line"
+    types: dict[str, str] = {}
+    # The file is read twice, since a topic may come late. Damage is reported by the second time.
+    with suppress(QuadrupedError):
+        for _, topic, node in _json_nodes(replace(reading, progress=None)):
+            types.setdefault(topic, _type_of(node))
+    wanted = choose_topics(types, reading) if types else (_NO_TOPIC,)
+    for number, topic, node in _json_nodes(reading):
+        if topic in wanted:
+            try:
+                yield number, _states(node, reading)
+            except ValueError as error:
+                raise reading.error(number, f"{error}; {_JSON_FORM}; fix it or delete it") from error
+
+
+def _json_nodes(reading: Reading) -> Iterator[tuple[int, str, Node]]:
+    """Number of the line, topic, and message."""
+    with opened(reading) as file:
+        for number, line in enumerate(lines(file, reading, 1), 1):
+            if not line.strip():
+                continue
+            try:
+                # Numbers stay text: some are longer than Python reads.
+                node = json.loads(line, object_pairs_hook=tuple, parse_float=str, parse_int=str, parse_constant=str)
+            except (ValueError, RecursionError) as error:
+                raise reading.error(number, f"not JSON ({error}); {_JSON_FORM}; fix it or delete it") from error
+            fields = dict(node) if isinstance(node, tuple) else {}
+            if fields.get("op", "publish") != "publish":
+                reading.note("lines with another operation than publish were left out")
+            elif "msg" in fields:
+                yield number, str(fields.get("topic", _NO_TOPIC)), fields["msg"]
+            elif "op" in fields or "topic" in fields:
+                raise reading.error(number, f"there is no msg in it; {_JSON_FORM}; fix it or delete it")
+            else:
+                yield number, _NO_TOPIC, node
+
+
+def _type_of(node: Node) -> str:
+    """Name of the type of a message, by its keys."""
+    keys = _keys(node)
+    types = zip((_STATE_KEYS, _DYNAMIC_KEYS, _TRAJECTORY_KEYS, _ARRAY_KEYS), RECORDED_TYPES, strict=True)
+    other = f"another one, with the keys {', '.join(short(key)[1:-1] for key in keys[:_MAX_KEYS_SHOWN])}"
+    return next((name for known, name in types if set(known) <= set(keys)), other)
 
 
 def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
@@ -174,15 +241,21 @@ def _document(yaml: Any, text: str) -> Node | None:
     return root[0] if root else None
 
 
-def _states(node: Node | None) -> list[RawJointState]:
-    """The joint states in a YAML node: of a `JointState`, `DynamicJointState` or `JointTrajectory`.
+def _states(node: Node | None, reading: Reading) -> list[RawJointState]:
+    """The joint states in a node: of a `JointState`, `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
 
     Raises ValueError if the node holds another message.
     """
-    keys = [key for key, _ in node] if isinstance(node, tuple) else []
-    rest = next((one for one in (_DYNAMIC_KEYS, _TRAJECTORY_KEYS) if one[-1] in keys), ("name", *KINDS))
+    keys = _keys(node)
+    if _ARRAY_KEYS[0] in keys:
+        if reading.options.period is None:
+            raise ValueError("an array has no timestamp: give the time from row to row in s (--stamps 0.02)")
+        data = _numbers(_mapping(node, _ARRAY_KEYS, "the message")["data"], "data")
+        return [RawJointState(0, (), data, np.empty(0), np.empty(0))]
+    rest = next((one for one in (_DYNAMIC_KEYS, _TRAJECTORY_KEYS) if one[-1] in keys), _STATE_KEYS)
     fields = _mapping(node, ("header", *rest), "the message")
-    header = _mapping(fields["header"], ("stamp", "frame_id"), "header")
+    ros1 = ("seq",) if "seq" in _keys(fields["header"]) else ()
+    header = _mapping(fields["header"], (*ros1, "stamp", "frame_id"), "header")
     stamp = _time(header["stamp"], "header.stamp")
     names = tuple(_texts(fields[rest[0]], rest[0]))
     if rest == _DYNAMIC_KEYS:
@@ -209,22 +282,30 @@ def _states(node: Node | None) -> list[RawJointState]:
 
 def _time(node: Node, what: str) -> int:
     """A time or a duration, ns."""
-    found = _mapping(node, ("sec", "nanosec"), what)
-    return _stamp(_scalar(found["sec"], "sec"), _scalar(found["nanosec"], "nanosec"))
+    keys = ("secs", "nsecs") if "secs" in _keys(node) else ("sec", "nanosec")
+    found = _mapping(node, keys, what)
+    return _stamp(*(_scalar(found[key], key) for key in keys))
 
 
 def _texts(node: Node, what: str) -> list[str]:
-    return [_scalar(item, what) for item in _sequence(node, what)]
+    texts = [_scalar(item, what) for item in _sequence(node, what)]
+    "".join(texts).encode()  # a ValueError for half a character, which can be neither printed nor written
+    return texts
 
 
 def _numbers(node: Node, what: str) -> NDArray[np.float64]:
     return np.array([_number(item, what) for item in _sequence(node, what)], dtype=np.float64)
 
 
+def _keys(node: Node | None) -> list[str]:
+    """Keys of a mapping; none of another node."""
+    return [key for key, _ in node if isinstance(key, str)] if isinstance(node, tuple) else []
+
+
 def _mapping(node: Node | None, keys: tuple[str, ...], what: str) -> dict[str, Any]:
     """Key -> node. YAML's own mappings would silently keep the last of two equal keys."""
     pairs = node if isinstance(node, tuple) else ()
-    found = [key for key, _ in pairs if isinstance(key, str)]
+    found = _keys(node)
     if sorted(found) != sorted(keys) or len(found) != len(pairs):
         some = ", ".join(short(key)[1:-1] for key in found[:_MAX_KEYS_SHOWN])
         more = f" and {len(found) - _MAX_KEYS_SHOWN} more" if len(found) > _MAX_KEYS_SHOWN else ""
@@ -247,8 +328,8 @@ def _scalar(node: Node, what: str) -> str:
 
 
 def _number(node: Node, what: str) -> float:
-    """A number; to YAML, 1e-05 is a text."""
-    text = _scalar(node, what)
+    """A number; to YAML, 1e-05 is a text. JSON has no NaN, and rosbridge sends null for it."""
+    text = "nan" if node is None else _scalar(node, what)
     return _cell_number(_SPECIAL.get(text, text), what)
 
 

@@ -23,6 +23,7 @@ from quadruped_env.trajectory.formats.delimited import (
     opened,
     salvaged_text,
     table_rows,
+    with_point,
 )
 from quadruped_env.trajectory.maps import STAMP_UNITS, Column, ColumnMap
 from quadruped_env.trajectory.rows import ARRAYS, KINDS, Rows
@@ -65,16 +66,17 @@ def read(reading: Reading, columns: ColumnMap | None = None) -> Iterator[Rows]:
     return salvaged_text(_rows_of_two_files(reading, columns, velocity_file), reading)
 
 
-def by_titles(line: str, reading: Reading) -> ColumnMap | None:
+def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
     """The column map of a CSV whose columns bear the names of joints, from its first line; None if they do not.
 
     The joints are those of the options, or the built-in robot's. A title is a joint's name, or holds it with a word for
     the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or
-    is s.
+    is s. Numbers have decimal commas if the beginning of the file, `text`, holds such numbers alone, and commas do not
+    separate its columns.
     """
     names = reading.options.names or MINI_QUADRUPED.joint_names
     patterns = {name: re.compile(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])") for name in names}
-    for separator in ",;\t":
+    for separator in sorted(",;\t", key=line.count, reverse=True):
         titles = [title.strip().strip('"') for title in line.rstrip("\n").split(separator)]
         found: dict[str, dict[str, Column]] = {}
         for title in titles:
@@ -98,9 +100,10 @@ def by_titles(line: str, reading: Reading) -> ColumnMap | None:
         unit = (times[0]["unit"] or times[0]["word"] or "s").lower() if times else ""
         unit = unit if unit in STAMP_UNITS else "s"
         time = f"time in {unit} from {short(times[0].string)}, " if times else ""
+        commas = separator != "," and re.search(r"\d,\d", text) and not re.search(r"\d\.\d", text)
         reading.note(
             f"read by the names of its columns: {time}{', '.join(ARRAYS[kind] for kind in kinds_of_all)} of "
-            f"{len(joints)} joints, in rad"
+            f"{len(joints)} joints, in rad{', with decimal commas' if commas else ''}"
         )
         return ColumnMap(
             times[0].string if times else None,
@@ -109,6 +112,7 @@ def by_titles(line: str, reading: Reading) -> ColumnMap | None:
             kinds_of_all.get("effort"),
             unit or "s",
             separator=separator,
+            decimal="," if commas else ".",
             name="columns by their names",
         )
     return None
@@ -171,7 +175,7 @@ def _layout(titles: list[str], columns: ColumnMap, reading: Reading) -> Layout:
     return Layout(
         titles=titles,
         stamp=None if columns.stamp is None else index("stamp", columns.stamp),
-        parse_stamp=_stamp_parser(STAMP_UNITS[columns.stamp_unit]),
+        parse_stamp=_stamp_parser(STAMP_UNITS[columns.stamp_unit], columns.decimal),
         stamp_form=f"a time in {columns.stamp_unit}",
         columns={
             kind: [index(ARRAYS[kind], given[name]) for name in columns.joints]
@@ -180,17 +184,18 @@ def _layout(titles: list[str], columns: ColumnMap, reading: Reading) -> Layout:
         names=columns.joints,
         missing=tuple(mark for mark in columns.marks if not isinstance(mark, str)),
         blanks=tuple(mark.strip() for mark in columns.marks if isinstance(mark, str)),
+        decimal=columns.decimal,
     )
 
 
-def _stamp_parser(power: int) -> StampParser:
+def _stamp_parser(power: int, decimal: str) -> StampParser:
     def parse(text: str) -> int:
         if "_" in text or not text.isascii():
             raise ValueError(text)
         if ":" in text:
-            return _date_and_time(text)
+            return _date_and_time(text.replace(",", "."))
         try:
-            time = Decimal(text).scaleb(power)
+            time = Decimal(with_point(text, decimal)).scaleb(power)
         except DecimalException as error:
             raise ValueError(text) from error
         # Before it is rounded: 1e999999999 has more digits than fit into memory.

@@ -1,6 +1,7 @@
 """The reader of a file, recognised by its content, not by its name."""
 
 import os
+import re
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from functools import partial
@@ -21,7 +22,8 @@ _HEAD: Final = 65536
 """Bytes by which a format is recognised."""
 _KNOWN: Final = (
     "known are the project's CSV, CSVs whose columns bear the joints' names, any CSV with a column map, ros2 topic "
-    "echo (YAML and --csv), rosbag2 (MCAP and sqlite3) and ROS 1 bags, motion clips (JSON with FrameDuration)"
+    "echo (YAML and --csv), JSON lines of rosbridge, rosbag2 (MCAP and sqlite3) and ROS 1 bags, motion clips (JSON "
+    "with FrameDuration)"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
     b"\x89MCAP0": partial(bag_reader.read, storage=salvage.MCAP),
@@ -81,8 +83,8 @@ def _reader(head: bytes, reading: Reading) -> Reader:
     for magic, reader in _MAGICS.items():
         if head.startswith(magic):
             line = head.partition(b"\n")[0].decode("utf-8-sig", errors="replace")
-            plain = reader == project_csv.read and "." not in line
-            return (_reader_by_titles(line, reading) if plain else None) or reader
+            other = reader == project_csv.read and ("." not in line or ";" in line)
+            return (_reader_by_titles(line, head.decode(errors="replace"), reading) if other else None) or reader
     if head.startswith(b"#ROSBAG"):
         version = short(head[:13].decode(errors="replace"))
         raise reading.error(None, f"a bag of an old version, {version}; convert it with rosbag migrate")
@@ -90,7 +92,7 @@ def _reader(head: bytes, reading: Reading) -> Reader:
 
 
 def _text_reader(head: bytes, reading: Reading) -> Reader:
-    """The reader for the output of `ros2 topic echo` with these first bytes."""
+    """The reader for text with these first bytes."""
     if problem := description_problem(head):
         raise reading.error(None, problem)
     try:
@@ -101,11 +103,13 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
     lines = (line for line in text.splitlines() if line.strip(" -") and not line.startswith((echo_text.LOST, "\t")))
     line = next(lines, "")
     cells = line.split(",")
-    if line.rstrip() == "header:" or line.startswith(("header: {", "{header:")):
+    if line.rstrip() in {"header:", "layout:"} or line.startswith(("header: {", "layout: {", "{header:")):
         return echo_text.read_yaml
+    if re.match(r'\s*\{\s*"', line):
+        return echo_text.read_json_lines
     if len(cells) >= 7 and all(cell.lstrip("-").isdecimal() for cell in cells[:2]):
         return echo_text.read_csv
-    if reader := _reader_by_titles(line, reading):
+    if reader := _reader_by_titles(line, text, reading):
         return reader
     if len(cells) > 1:
         raise reading.error(
@@ -116,7 +120,7 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
     raise reading.error(None, f"text that begins with {short(line)} is not a recording of joint states; {_KNOWN}")
 
 
-def _reader_by_titles(line: str, reading: Reading) -> Reader | None:
-    """The reader for a CSV whose first line bears the names of joints."""
-    columns = mapped_csv.by_titles(line, reading)
+def _reader_by_titles(line: str, text: str, reading: Reading) -> Reader | None:
+    """The reader for a CSV whose first line bears the names of joints; `text` is the beginning of the file."""
+    columns = mapped_csv.by_titles(line, text, reading)
     return None if columns is None else partial(mapped_csv.read, columns=columns)
