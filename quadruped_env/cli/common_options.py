@@ -178,7 +178,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
     add_randomization(parser, "none")
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video(parser)
-    add_overwrite(parser, "replace files beside the report that exist, such as that of --video")
+    add_overwrite(parser, "replace files that exist, such as that of --video")
     add_output(parser, "DIR", f"directory of the report (default: {default_output})")
 
 
