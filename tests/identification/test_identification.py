@@ -461,7 +461,8 @@ class TestProgram:
         assert main(["identify", "walk.csv", "--fit", "kp"]) == 0
         output = capsys.readouterr().out
         assert "On held-out time the position error falls" in output
-        assert output.endswith("motors, numbers and report: results/identify-walk\n")
+        report = "results/identify-walk/report.html"
+        assert output.endswith(f"\nmotors and numbers: results/identify-walk\nreport: {report}\n")
         assert main(["identify", "walk.csv", "-o", "results/identify-walk"]) == 2
         assert "motors.json: exists already" in capsys.readouterr().err
 
