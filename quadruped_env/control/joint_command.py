@@ -16,8 +16,11 @@ LIMP: Final = None
 Target = NDArray[np.float64] | None
 """Joint targets (J,) in rad, or `LIMP`."""
 
-MAX_TARGET: Final = 1e6
-"""Largest joint target that may be sent, in the unit of the motors; larger ones follow from damaged data or maps."""
+MAX_TARGET: Final = 1e12
+"""Largest joint target that may be sent, in the motors' unit, such as ticks of an encoder; larger ones follow from
+damaged data or maps."""
+MAX_MEASURED: Final = 1e3
+"""Largest position and velocity that a measurement may hold, rad and rad/s."""
 INVALID_TIMEOUT: Final = 0.2
 """Time of invalid joint targets after which the motors are disabled, s."""
 _ROUNDING: Final = 1e-6

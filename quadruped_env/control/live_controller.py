@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface, Controller
 from quadruped_env.control.controllers import PolicyController
-from quadruped_env.control.joint_command import LIMP, Target, TargetGate, limited
+from quadruped_env.control.joint_command import LIMP, MAX_MEASURED, Target, TargetGate, limited
 from quadruped_env.control.observations import OBSERVATIONS
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.timestamp_filter import TimestampFilter
@@ -50,8 +50,6 @@ _EARLY_TOLERANCE: Final = 0.25
 """Fraction of a control step by which a state may precede its tick: timestamps of real robots jitter."""
 _LATE_TOLERANCE: Final = 0.5
 """Fraction of a control step for which a tick waits for its state."""
-_MAX_MEASURED: Final = 1e3
-"""Largest accepted position, angular velocity or joint velocity, rad or rad/s."""
 
 
 @dataclass(frozen=True)
@@ -415,9 +413,9 @@ class LiveController:
         """Refuse values that are not finite, or too large: NaN would reach the observation history."""
         _, positions, velocities, orientation, angular_velocity = measurement
         for one in (positions, orientation, angular_velocity, *[velocities] * self.needs_velocities):
-            if not (np.abs(one) <= _MAX_MEASURED).all():
+            if not (np.abs(one) <= MAX_MEASURED).all():
                 raise QuadrupedError(
-                    f"the measurement holds {one.tolist()}; expected finite numbers of at most {_MAX_MEASURED:g} rad "
+                    f"the measurement holds {one.tolist()}; expected finite numbers of at most {MAX_MEASURED:g} rad "
                     f"and rad/s: check the driver, and --map"
                 )
 

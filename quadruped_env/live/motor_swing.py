@@ -9,11 +9,12 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import MAX_MEASURED
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.emergency_stop import EmergencyStop
-from quadruped_env.live.messages.joint_messages import MAX_VALUE, JointMerger, JointReader
+from quadruped_env.live.messages.joint_messages import JointMerger, JointReader
 from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
@@ -40,7 +41,7 @@ class Motors(NamedTuple):
     @property
     def limits(self) -> dict[str, float]:
         """Largest accepted positions, in the motors' unit; their velocities are not used."""
-        return {"position": MAX_VALUE / self.unit, "velocity": math.inf}
+        return {"position": MAX_MEASURED / self.unit, "velocity": math.inf}
 
 
 class MotorSwing:

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from unittest.mock import MagicMock
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from waiting import wait_until
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Safety
-from quadruped_env.live import Node
+from quadruped_env.live import Node, motor_swing
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, command_message, read_target
 from quadruped_env.live.middleware.topics import ESTOP, JOINT_COMMANDS, JOINT_STATES, TF
@@ -269,7 +270,7 @@ class Person:
         }
         self.faults = list(self.reasons)
         self.seen_reasons = set()
-        self.swings = []
+        self.wrong = False
 
     def __enter__(self):
         return self
@@ -336,13 +337,12 @@ class Person:
         motor = robot.names.index(name)
         assert np.ptp(np.delete(targets, motor, axis=1), axis=0).max() == 0.0, "the others hold"
         np.testing.assert_allclose(targets[0], robot.rest, atol=0.02)
-        self.swings.append(np.abs(np.diff(targets[:, motor])).max() / 0.02)
         robot.motors = robot.rest.copy()
         out = targets[-1] - targets[0]
         turned = (A @ out[:8]) / np.abs(out[motor])
-        if name == "m6" and self.swings.count(None) == 0:
+        if name == "m6" and not self.wrong:
             # A wrong answer first: the map is refused, and the motor moves again.
-            self.swings.append(None)
+            self.wrong = True
             return "RH_hip+"
         words = [f"{i + 1}{turned[i]:+.2f}" for i in np.flatnonzero(turned)]
         return " ".join(words) or "none"
@@ -372,8 +372,20 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     assert found.rules["RH_hip_joint"].sign == -1.0
     assert person.seen_reasons == set(person.reasons)
     assert "no motor moves RH_knee_joint" in log.getvalue()
-    # A peak of 1 rad/s, and a late step covers two periods at most.
-    assert max(speed for speed in person.swings if speed) < 2.0 + 1e-6
+
+
+def test_swing_is_smooth_and_peaks_at_the_angle_and_the_speed(monkeypatch):
+    unit, angle, speed = 2.0 * np.pi / 65536, 0.1, 0.8
+    for name in ("JointReader", "JointMerger", "CommandPublisher", "EmergencyStop"):
+        monkeypatch.setattr(motor_swing, name, MagicMock())
+    swing = motor_swing.MotorSwing(MagicMock(), motor_swing.Motors(MOTORS, unit), False, angle, speed)
+    times = np.linspace(0.0, 5.0, 50_001)
+    way = unit * np.array([swing._offset(t) for t in times])
+    assert way.min() == 0.0
+    assert way.max() == pytest.approx(angle)
+    velocity = np.diff(way) / np.diff(times)
+    assert np.abs(velocity).max() == pytest.approx(speed, rel=1e-3)
+    assert np.abs(np.diff(velocity)).max() < 1e-2, "no step in the velocity"
 
 
 @pytest.mark.parametrize("answer", ["9+", "LF+", "1", "+1", "1+0", "1+ LF_hip-0.5", "1*2"])

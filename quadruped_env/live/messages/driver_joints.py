@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.joint_command import LIMP, MAX_TARGET, Target
+from quadruped_env.control.joint_command import LIMP, MAX_MEASURED, MAX_TARGET, Target
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.messages.joint_messages import MAX_VALUE, Joints
+from quadruped_env.live.messages.joint_messages import Joints
 from quadruped_env.robot.robot import Robot
 
 if TYPE_CHECKING:
@@ -36,8 +36,8 @@ class DriverJoints:
         """Names of the driver's joints, in the order of its values (D,)."""
         self.rates = np.ones(len(self.joint_names)) if joint_map is None else joint_map.rates
         """Velocity of each joint, in the driver's unit, per unit of position and second (D,)."""
-        self.limits = {} if joint_map is None else joint_map.limits(MAX_VALUE)
-        """Kind -> largest accepted value of each joint, in the driver's unit (D,); without a map, `MAX_VALUE` holds."""
+        self.limits = {} if joint_map is None else joint_map.limits(MAX_MEASURED)
+        """Kind -> largest accepted value of each joint, in the driver's unit (D,); without a map: `MAX_MEASURED`."""
         self._map = joint_map
         if joint_map is None:
             return

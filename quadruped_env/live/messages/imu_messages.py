@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.joint_command import MAX_MEASURED
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.live.messages.joint_messages import MAX_VALUE
 from quadruped_env.live.middleware.topics import TF_STATIC
 from quadruped_env.ros.timestamps import read_stamp
 from quadruped_env.utils.rotations import inverse, multiply, rotate
@@ -47,9 +47,9 @@ def read_imu(message: Any) -> Imu:
     angular_velocity = np.array([rate.x, rate.y, rate.z])
     if not (np.isfinite(orientation).all() and np.isfinite(angular_velocity).all()):
         raise QuadrupedError("/imu/data: a value is not finite; send finite numbers")
-    if np.abs(angular_velocity).max() > MAX_VALUE:
+    if np.abs(angular_velocity).max() > MAX_MEASURED:
         raise QuadrupedError(
-            f"/imu/data: the angular velocity is {angular_velocity.tolist()}; send at most {MAX_VALUE:g} rad/s"
+            f"/imu/data: the angular velocity is {angular_velocity.tolist()}; send at most {MAX_MEASURED:g} rad/s"
         )
     norm = float(np.linalg.norm(orientation))
     if abs(norm - 1.0) > _NORM_ERROR:

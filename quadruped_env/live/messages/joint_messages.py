@@ -9,7 +9,7 @@ from typing import Any, Final, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.joint_command import LIMP, Target
+from quadruped_env.control.joint_command import LIMP, MAX_MEASURED, Target
 from quadruped_env.control.timestamp_filter import MAX_AGE
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
@@ -17,10 +17,6 @@ from quadruped_env.ros import cdr
 from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
-MAX_VALUE: Final = 1e3
-"""Largest accepted position or velocity of a robot's joint, rad or rad/s, after the driver's map.
-
-Larger values indicate corrupt data and would lead to NaN."""
 _REMEMBERED: Final = 16
 """Number of lists of names whose order is remembered."""
 _SHOWN: Final = 4
@@ -65,7 +61,7 @@ class JointReader:
 
     Args:
         topic: topic name for error messages.
-        robot: robot whose joints the messages contain, or its driver, whose `limits` take the place of `MAX_VALUE`.
+        robot: robot whose joints the messages contain, or its driver, whose `limits` take the place of `MAX_MEASURED`.
         states: True for measured states: a message may hold some of the robot's joints and other joints, velocities
             may be NaN, and positions and a timestamp are needed. False for commands, which name each joint once.
     """
@@ -74,7 +70,7 @@ class JointReader:
         self._topic = topic
         self._joints = robot.joint_names
         self._states = states
-        limits = {"position": MAX_VALUE, "velocity": MAX_VALUE, **getattr(robot, "limits", {})}
+        limits = {"position": MAX_MEASURED, "velocity": MAX_MEASURED, **getattr(robot, "limits", {})}
         self._limits = {kind: np.broadcast_to(limit, len(self._joints)) for kind, limit in limits.items()}
         self._columns: dict[tuple[str, ...], _Columns] = {}
 
