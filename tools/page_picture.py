@@ -3,20 +3,25 @@
 The button of the language needs a font with Chinese characters.
 """
 
+import argparse
 import shutil
 import sys
 import tempfile
 from io import BytesIO
 from pathlib import Path
 
-from PIL import Image
-from playwright.sync_api import sync_playwright
+sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
 
+import quadruped_env  # noqa: F401  (first, since it checks this Python)
+
+# isort: split
 from quadruped_env.control.policy_files import SHOWN as POLICY
 from quadruped_env.policies import load_policy
+from quadruped_env.utils.interpreter import pasteable
+from quadruped_env.utils.program import run_program
 from quadruped_env.walking_page import PAGE_FILE, write_page
 
-PICTURE = Path(__file__).parents[1] / "assets" / "pictures" / "page.webp"
+PICTURE = Path("assets/pictures/page.webp")
 BROWSER = "chromium"
 WINDOW, WIDTH = {"width": 1230, "height": 780}, 640
 """Size of the window, and width of the picture, pixels."""
@@ -31,12 +36,25 @@ SHOWN = """() => {
 
 
 def main() -> int:
+    """Parse the arguments and take the picture."""
+    parser = argparse.ArgumentParser(
+        description=pasteable(__doc__), formatter_class=argparse.ArgumentDefaultsHelpFormatter
+    )
+    parser.add_argument("-o", "--output", type=Path, default=PICTURE, help="what to write, over")
+    arguments = parser.parse_args()
+    return run_program(parser.prog, lambda: run(arguments))
+
+
+def run(arguments: argparse.Namespace) -> int:
     """Open the page, let the robot walk for 5 s, and write the picture."""
+    from PIL import Image
+    from playwright.sync_api import sync_playwright
+
     # With WebGL on the CPU. The page draws only on request: on the CPU a picture takes long.
-    arguments = ["--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    options = ["--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
         write_page(load_policy(POLICY), Path(folder, PAGE_FILE), POLICY)
-        browser = driver.chromium.launch(executable_path=shutil.which(BROWSER), args=arguments)
+        browser = driver.chromium.launch(executable_path=shutil.which(BROWSER), args=options)
         page = browser.new_page(viewport=WINDOW, locale="en-US")
         page.add_init_script("window.requestAnimationFrame = () => 0;")
         page.goto(Path(folder, PAGE_FILE).as_uri())
@@ -46,8 +64,10 @@ def main() -> int:
         picture = Image.open(BytesIO(page.screenshot()))
         browser.close()
     height = round(picture.height * WIDTH / picture.width)
-    picture.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS).save(PICTURE, quality=80, method=6)
-    print(f"written to {PICTURE}")
+    picture.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS).save(
+        arguments.output, quality=80, method=6
+    )
+    print(f"written to {arguments.output}")
     return 0
 
 

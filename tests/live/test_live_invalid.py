@@ -350,7 +350,7 @@ def drive(nodes, run_node, *arguments, every=1):
     statuses = robot.subscribe(DIAGNOSTICS, Qos(100))
     log = run_node("controller", "--sim-time", *arguments)
     wait_until(lambda: all(end.readers for end in ends.values()), log.getvalue)
-    stamp = 10**9
+    stamp, rng = 10**9, np.random.default_rng(0)
 
     def send():
         nonlocal stamp
@@ -359,8 +359,11 @@ def drive(nodes, run_node, *arguments, every=1):
         ends[CLOCK].send(cdr.message(CLOCK.type_name, clock=header.stamp))
         if stamp // PERIOD % every:
             return
-        ends[IMU].send(cdr.message(IMU.type_name, header=header, orientation={"w": 1.0}))
-        ends[JOINT_STATES].send(joint_state(stamp, JOINT_NAMES, STANCE, np.zeros(8)))
+        # Sensors that repeat themselves bit for bit while the robot moves would be refused.
+        noise = rng.normal(0.0, 1e-5, 9)
+        turning = {"x": noise[0]}
+        ends[IMU].send(cdr.message(IMU.type_name, header=header, orientation={"w": 1.0}, angular_velocity=turning))
+        ends[JOINT_STATES].send(joint_state(stamp, JOINT_NAMES, STANCE + noise[1:], np.zeros(8)))
 
     return send, commands, statuses, log
 

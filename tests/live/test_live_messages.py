@@ -39,7 +39,7 @@ class InterruptedSession(Session):
             wait_until(lambda: self.publisher.wait_until_read(1.0))
             # Best effort is not acknowledged.
             wait_until(lambda: self.node.wait(0.1))
-            self._interrupted(2, None)
+            self._interrupted(2)
 
 
 def run_interrupted(node, *arguments):

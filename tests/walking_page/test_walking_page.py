@@ -99,7 +99,9 @@ def test_policies_that_a_page_cannot_run_are_refused(tmp_path):
     code = SimpleNamespace(**{**vars(policy), "agent": Stand()})
     with pytest.raises(QuadrupedError, match="is a policy of Python code"):
         write_page(type(policy)(**vars(code)), tmp_path / "walk.html")
-    own = type(policy)(**{**vars(policy), "fields": (*policy.fields, height)})
+    first, *others = policy.weights
+    wider = np.pad(first, ((0, policy.control.observation_history), (0, 0)))
+    own = type(policy)(**{**vars(policy), "fields": (*policy.fields, height), "weights": (wider, *others)})
     with pytest.raises(QuadrupedError, match="observes height of the task's own file"):
         write_page(own, tmp_path / "walk.html")
     assert not list(tmp_path.iterdir())
