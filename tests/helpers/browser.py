@@ -129,7 +129,7 @@ def still(page, picture, frames=10):
 
 def pixels(target, **options):
     """Screenshot (height, width, 3) of a page or of a part of it, with the options of Playwright's `screenshot`."""
-    return np.asarray(Image.open(BytesIO(target.screenshot(**options)), encoding="utf-8").convert("RGB"))
+    return np.asarray(Image.open(BytesIO(target.screenshot(**options))).convert("RGB"))
 
 
 def field(page, label):
