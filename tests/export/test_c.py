@@ -48,7 +48,10 @@ class Compiled:
         library = folder / "policy.so"
         # Not the processor's wider registers: their sums could be rounded differently from one machine to another.
         source = folder / FOLDER / "policy.c"
-        compiler("gcc", "-std=c99", *WARNINGS, *flags, "-shared", "-fPIC", source, "-o", library, "-lm")
+        compiled = folder / "policy.o"
+        compiler("gcc", "-std=c99", *WARNINGS, *flags, "-fPIC", "-c", source, "-o", compiled)
+        # Without the flags: with some, gcc adds start-up code that rounds subnormal numbers to zero in this process.
+        compiler("gcc", "-shared", compiled, "-o", library, "-lm")
         self.library = ctypes.CDLL(str(library))
         symbols = compiler("nm", "-D", "--undefined-only", library)
         assert not {"malloc", "calloc", "realloc", "free"} & set(symbols.split())
