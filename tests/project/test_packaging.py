@@ -94,9 +94,9 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         "assets/mini_quadruped/scene.xml",
         "control/shipped/flat/policy.safetensors",
         "export/firmware/firmware.ino",
-        "page/assets/mujoco.wasm.gz",
-        "page/assets/worker.js.gz",
-        "page/assets/page.js",
+        "walking_page/assets/mujoco.wasm.gz",
+        "walking_page/assets/worker.js.gz",
+        "walking_page/assets/page.js",
         "py.typed",
     ):
         assert f"quadruped_env/{part}" in names
