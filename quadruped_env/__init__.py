@@ -25,7 +25,8 @@ from quadruped_env.utils.registration import register_envs  # noqa: E402
 
 if TYPE_CHECKING:
     from quadruped_env import envs, policies
-    from quadruped_env.api import compare, evaluate, page, train
+    from quadruped_env.api import evaluate, page, train
+    from quadruped_env.evaluation.comparison import compare
     from quadruped_env.policies import load_policy
     from quadruped_env.simulation import build_model
     from quadruped_env.trajectory import JointState, JointTrajectory
@@ -58,8 +59,9 @@ _DEFINED_IN: Final = {
     "JointState": "trajectory",
     "JointTrajectory": "trajectory",
     "build_model": "simulation",
+    "compare": "evaluation.comparison",
     "load_policy": "policies",
-    **dict.fromkeys(("compare", "evaluate", "page", "train"), "api"),
+    **dict.fromkeys(("evaluate", "page", "train"), "api"),
 }
 
 register_envs()

@@ -1,6 +1,6 @@
-"""The programs as functions, for Python and notebooks: `train`, `evaluate`, `compare` and `page`.
+"""The programs as functions, for Python and notebooks: `train`, `evaluate` and `page`.
 
-`quadruped_env` has their names, and that of `load_policy`.
+`quadruped_env` has their names, and those of `compare` (`evaluation.comparison`) and `load_policy`.
 """
 
 from collections.abc import Callable, Mapping
@@ -21,7 +21,7 @@ from quadruped_env.utils.program import Extras
 from quadruped_env.utils.progress import Progress
 from quadruped_env.walking_page import PAGE_FILE, write_page
 
-__all__ = ["Evaluation", "compare", "evaluate", "page", "train"]
+__all__ = ["Evaluation", "evaluate", "page", "train"]
 
 
 @dataclass(frozen=True, eq=False)
