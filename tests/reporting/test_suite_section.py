@@ -222,6 +222,7 @@ def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
     assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
 
 
+@pytest.mark.slow
 def test_evaluate_prints_scores_and_writes_results(
     run_directory, suite_result, comparison, tmp_path, monkeypatch, capsys, without_figures
 ):
