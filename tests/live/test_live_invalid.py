@@ -1,5 +1,6 @@
 """Joint targets that are not finite: from policies, observations and maps, they reach no motor on any output."""
 
+import itertools
 import json
 import math
 from dataclasses import replace
@@ -409,6 +410,27 @@ def test_controller_node_that_ends_with_an_error_lets_the_robot_go_limp(nodes, r
         return sent and sent[-1] is LIMP
 
     wait_until(ended, log.getvalue, interval=0.002)
+
+
+def test_controller_node_whose_map_fails_lets_the_robot_go_limp(nodes, run_node, monkeypatch):
+    to_driver, calls = DriverJoints.target_to_driver, itertools.count()
+
+    def failing(self, target):
+        if target is not LIMP and next(calls) >= 20:
+            raise QuadrupedError("the map fails")
+        return to_driver(self, target)
+
+    monkeypatch.setattr(DriverJoints, "target_to_driver", failing)
+    send, commands, _, log = drive(nodes, run_node)
+    sent = []
+
+    def limp():
+        send()
+        sent.extend(targets_of(commands, one) for one in commands.take())
+        return len(sent) > 20 and sent[20] is LIMP
+
+    wait_until(limp, log.getvalue, interval=0.002)
+    assert "limp (the map fails" in log.getvalue()
 
 
 def test_gait_node_whose_targets_fail_sends_finite_ones_then_limp(nodes, run_node, monkeypatch):

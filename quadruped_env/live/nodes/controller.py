@@ -144,7 +144,8 @@ def _control(
                 publisher.send(answer.stamp, driver.target_to_driver(answer.target))
                 inbox.commanded(answer.target)
             except QuadrupedError as error:
-                live_controller.fail(str(error))
+                # Sent here too: an error of the map comes before the publisher has seen anything.
+                publisher.send(answer.stamp, live_controller.fail(str(error)).target)
                 inbox.commanded(LIMP)
 
     slow = SlowInputs(1.0 / live_controller.period, session.say)
