@@ -24,3 +24,14 @@ def random_policy(mode, **config):
     biases = tuple(np.zeros(width, np.float32) for width in widths[1:])
     card = {"command": "python train/ppo.py", "seed": 0, "best return": math.nan}
     return Policy.for_task(weights, biases, "tanh", task, card)
+
+
+def write_comparison(policies, comparison, output, command="", with_video=True, progress=None, ranked=None, gains=None):
+    """Numbers and page of a comparison, as the program writes them: the page, the numbers, and what is missing."""
+    from quadruped_env.reporting.pages import run_comparison
+
+    document = run_comparison.write_numbers(policies, comparison, output, command, ranked, gains)
+    page, missing = run_comparison.write_page(
+        policies, comparison, output, document, with_video, progress, ranked, gains
+    )
+    return page, output / "metrics.json", missing

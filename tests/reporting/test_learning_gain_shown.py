@@ -5,7 +5,7 @@ import shutil
 
 import numpy as np
 import pytest
-from comparisons import random_policy
+from comparisons import random_policy, write_comparison
 from report_page import Page
 
 from quadruped_env.control.policy_files import CHECKPOINTS
@@ -51,9 +51,7 @@ def test_report_holds_the_table_above_the_findings(written):
 def test_comparison_holds_the_gain_of_each_policy(run_directory, comparison, gain, tmp_path, monkeypatch):
     monkeypatch.setattr(run_comparison, "_figures", lambda *_: [])
     policies = {"policy": find_policy(str(run_directory), tmp_path)}
-    page, numbers, _ = run_comparison.write_comparison(
-        policies, comparison, tmp_path, "", with_video=False, gains={"policy": gain}
-    )
+    page, numbers, _ = write_comparison(policies, comparison, tmp_path, "", with_video=False, gains={"policy": gain})
     assert json.loads(numbers.read_text())["policies"]["policy"]["learning"]["verdict"] == gain.verdict()
     text = text_of(page.read_text())
     assert f"In its own task, it {gain.verdict()}." in text

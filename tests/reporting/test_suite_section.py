@@ -6,7 +6,7 @@ import re
 from xml.etree import ElementTree
 
 import pytest
-from comparisons import random_policy
+from comparisons import random_policy, write_comparison
 from report_page import Page
 
 from benchmarks.shipping import reference_row
@@ -17,7 +17,7 @@ from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
-from quadruped_env.reporting.pages import run_comparison, suite_section
+from quadruped_env.reporting.pages import suite_section
 from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.plots import suite_plots as plots
 
@@ -213,7 +213,7 @@ def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
     several = comparison.seen_as("policy")
     for name in names:
         several.rollouts[name], several.values[name] = several.rollouts["policy"], several.values["policy"]
-    page, numbers, _ = run_comparison.write_comparison(
+    page, numbers, _ = write_comparison(
         found, several, tmp_path / "out", "", with_video=False, ranked=suite_section.ranking(found)
     )
     text = text_of(page)

@@ -95,29 +95,6 @@ def _agreed(names: Sequence[str], one: str, many: str) -> str:
     return one if len(names) == 1 else many
 
 
-def write_comparison(
-    policies: Mapping[str, EvaluatedPolicy],
-    comparison: Comparison,
-    output: Path,
-    command_line: str,
-    with_video: bool = True,
-    progress: Progress | None = None,
-    ranked: Mapping[str, Any] | None = None,
-    gains: Mapping[str, LearningGain] | None = None,
-) -> tuple[Path, Path, list[str]]:
-    """Write the numbers and then the page into a directory; arguments and results as in `write_report`.
-
-    `ranked` is the ranking on the suite, from `suite_section.ranking`; None: the page has no ranking.
-    `gains` are the policies against their zero actions, by name; None: they were not measured.
-
-    Raises:
-        MissingExtraError, QuadrupedError: as `evaluation_report.write_report`.
-    """
-    document = write_numbers(policies, comparison, output, command_line, ranked, gains)
-    report, missing = write_page(policies, comparison, output, document, with_video, progress, ranked, gains)
-    return report, output / METRICS_FILE, missing
-
-
 def write_numbers(
     policies: Mapping[str, EvaluatedPolicy],
     comparison: Comparison,
@@ -126,7 +103,14 @@ def write_numbers(
     ranked: Mapping[str, Any] | None = None,
     gains: Mapping[str, LearningGain] | None = None,
 ) -> dict[str, Any]:
-    """Write the numbers of a comparison, and return their document; arguments as in `write_comparison`."""
+    """Write the numbers of a comparison into a directory, and return their document.
+
+    `ranked` is the ranking on the suite, from `suite_section.ranking`; None: there is none. `gains` are the policies
+    against their zero actions, by name; None: they were not measured.
+
+    Raises:
+        MissingExtraError, QuadrupedError: as `evaluation_report.write_report`.
+    """
     prepare_output(output)
     names = list(policies)
     judged = {name: verdict(comparison.seen_as(name)) for name in names}
@@ -161,7 +145,7 @@ def write_page(
     ranked: Mapping[str, Any] | None = None,
     gains: Mapping[str, LearningGain] | None = None,
 ) -> tuple[Path, list[str]]:
-    """Write the page of a comparison, whose numbers are in `document`; arguments as in `write_comparison`.
+    """Write the page of a comparison, whose numbers are in `document`; arguments as in `write_numbers`.
 
     Returns:
         The page, and a message for each part that could not be made.
