@@ -104,6 +104,16 @@ def test_stop_is_released_by_its_publisher_while_that_one_is_there(nodes, stop_o
     assert not first.send(False)
 
 
+def test_matched_publishers_have_the_handles_of_their_messages(nodes):
+    """Which are random 64-bit numbers: with ten, some are beyond the signed ones."""
+    received = nodes("robot").subscribe(ESTOP)
+    publishers = [nodes(f"button{number}").publish(ESTOP) for number in range(10)]
+    wait_until(lambda: received.writers == 10)
+    for publisher in publishers:
+        publisher.send(cdr.message(ESTOP.type_name, data=True))
+    assert {one.writer for one in received_from(received, 10)} == received.matched
+
+
 def test_stop_of_a_publisher_that_left_is_released_by_news_and_not_by_a_repetition(nodes, stop_of):
     stop = stop_of()
     first, unpressed = Button(nodes("first"), stop), Button(nodes("unpressed"), stop)

@@ -208,7 +208,8 @@ class Subscription(Generic[T]):
     @property
     def matched(self) -> set[int]:
         """Handles of the matched publishers, see `Received.writer`."""
-        return {handle for entity in self.entities for handle in entity.get_matched_publications()}
+        # cyclonedds reads these handles as signed numbers, so every second one is not the handle of its messages.
+        return {handle % 2**64 for entity in self.entities for handle in entity.get_matched_publications()}
 
     @property
     def writers(self) -> int:
