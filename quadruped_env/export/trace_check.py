@@ -34,22 +34,11 @@ class TraceResult:
     """True if no difference is above its tolerance."""
 
 
-class StoredField(TypedDict):
-    """A field of a trace in the manifest; see `TraceField`."""
-
-    name: str
-    part: str
-    width: int
-    unit: str
-    tolerance: float
-    description: str
-
-
 class StoredTrace(TypedDict):
     """A trace in the manifest."""
 
     file: str
-    fields: list[StoredField]
+    fields: list[TraceField]
 
 
 class StoredComponent(TypedDict):
@@ -119,15 +108,15 @@ class ExportedTrace:
 
     @classmethod
     def _of(cls, folder: Path, manifest: "StoredManifest", trace: "StoredTrace") -> "ExportedTrace":
-        fields = tuple(TraceField(**field) for field in trace["fields"])
         rates = tuple(part["largest_rate"] for part in manifest["command"]["components"] if "largest_rate" in part)
-        for field in fields:
+        for field in trace["fields"]:
             if not (0 < field.width < _MAX_WIDTH and field.tolerance > 0.0):
                 raise QuadrupedError(
                     f"{folder / MANIFEST_FILE}: golden_trace: {short(field.name)}: expected a positive width and "
                     f"tolerance; found {field.width} and {field.tolerance:g}; {_AGAIN}"
                 )
-        file, columns = folder / Path(trace["file"]).name, [name for field in fields for name in field.columns]
+        fields, file = tuple(trace["fields"]), folder / Path(trace["file"]).name
+        columns = [name for field in fields for name in field.columns]
         values = _arrays(fields, read_columns(file, columns))
         return cls(folder, fields, values, rates, manifest["control"]["timestep_s"])
 

@@ -12,6 +12,7 @@ import stat
 import sys
 import tomllib
 from collections.abc import Callable
+from dataclasses import fields, is_dataclass
 from pathlib import Path
 from types import NoneType, UnionType
 from typing import Any, Final, Literal, TypeVar, get_args, get_origin, get_type_hints, is_typeddict
@@ -171,8 +172,8 @@ def fitted(document: Any, form: type[Form], where: str, fix: str) -> Form:
 
     Args:
         document: from a JSON file.
-        form: a `TypedDict`, whose fields are forms too: `str`, `int`, `float`, `bool`, `Any`, `Literal`, `list`,
-            `dict` with texts as keys, or several with `|`. Numbers must be finite.
+        form: a `TypedDict` or a dataclass, whose fields are forms too: `str`, `int`, `float`, `bool`, `Any`, `Literal`,
+            `list`, `dict` with texts as keys, or several with `|`. Numbers must be finite.
         where: names the document in errors.
         fix: what errors advise.
 
@@ -200,15 +201,17 @@ def _fitted(value: Any, form: Any, place: tuple[object, ...]) -> Any:
     if form is Any:
         return value
     kind, parts = get_origin(form) or form, get_args(form)
-    if is_typeddict(form) or kind is dict:
+    if is_typeddict(form) or is_dataclass(form) or kind is dict:
         if not isinstance(value, dict):
             raise _UnfitError(place, "a table", short(value))
         if kind is dict:
             return {key: _fitted(entry, parts[1], (*place, key)) for key, entry in value.items()}
-        if missing := sorted(form.__required_keys__ - value.keys()):
+        required = form.__required_keys__ if is_typeddict(form) else {one.name for one in fields(form)}
+        if missing := sorted(required - value.keys()):
             raise _UnfitError((*place, missing[0]), "a value", None)
         hints = get_type_hints(form)
-        return {key: _fitted(value[key], hint, (*place, key)) for key, hint in hints.items() if key in value}
+        found = {key: _fitted(value[key], hint, (*place, key)) for key, hint in hints.items() if key in value}
+        return found if is_typeddict(form) else form(**found)
     if kind is list:
         if not isinstance(value, list):
             raise _UnfitError(place, "a list", short(value))
