@@ -10,6 +10,7 @@ import os
 import shutil
 import traceback
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -41,6 +42,7 @@ from quadruped_env.sim2sim import engines, transfer
 from quadruped_env.sim2sim import transfer_results as sim2sim
 from quadruped_env.sim2sim.transfer import Transfer
 from quadruped_env.training import TrainConfig
+from quadruped_env.training import train as training
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
 from quadruped_env.viewer import show
 from quadruped_env.walking_page import html_file
@@ -165,7 +167,9 @@ def without_computing(patch):
     patch.setattr(engines, "check_drake", lambda: None)
     patch.setattr(sweep_driver, "run_sweep", finish)
     patch.setattr(ray_connection, "check_installed", lambda _: None)
-    patch.setattr(train, "launch", lambda *_: None)
+    patch.setattr(training, "train", lambda config, runs, command, parent, file: (parent.directory, True))
+    learned = SimpleNamespace(table=str, verdict=str, episodes=2, seconds=20.0, is_better=True)
+    patch.setattr(train, "measure_learning", lambda *_: learned)
     patch.setattr(show, "Show", lambda controller, *_: controller.close())
     patch.setattr(view, "run_show", lambda *_: 0)
 

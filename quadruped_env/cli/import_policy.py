@@ -17,6 +17,7 @@ from quadruped_env.cli.common_options import add_output, add_overwrite
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.train import task_change, task_changes
 from quadruped_env.control.control_config import ACTION_MODES
+from quadruped_env.training.algorithms import ALGORITHMS
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -44,8 +45,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--algo",
-        metavar="NAME",
-        help="algorithm of the model (default: recognized), or FILE.py:CLASS for a class of your own; FILE is executed",
+        choices=ALGORITHMS,
+        help="algorithm of the model (default: recognized)",
     )
     add_overwrite(parser, "replace a policy that is there")
     add_output(parser, "DIR", "folder of the policy (default: runs/ and the model's name)")

@@ -38,6 +38,7 @@ _NEVER_USED: Final[dict[str, Any]] = {
 }
 """Fields that only a training needs, with values in place of theirs: a replay buffer may need gigabytes, and a pickled
 function often cannot be read by another version of Python."""
+_BY_CLASS: Final = "load it with its class in Python, and save Policy.from_sb3(model)"
 
 
 def import_policy(path: Path, algo: str, config: TaskConfig, vecnormalize: Path | None = None) -> Policy:
@@ -47,7 +48,7 @@ def import_policy(path: Path, algo: str, config: TaskConfig, vecnormalize: Path 
 
     Args:
         path: the zip that `model.save` wrote.
-        algo: the model's algorithm by its name, or `FILE.py:CLASS`.
+        algo: the model's algorithm, a name in `ALGORITHMS`.
         config: config of the task in which the model was trained.
         vecnormalize: file that `VecNormalize.save` wrote, for a model that was trained in one.
 
@@ -57,12 +58,11 @@ def import_policy(path: Path, algo: str, config: TaskConfig, vecnormalize: Path 
         MissingExtraError: if sb3-contrib is needed, and is not installed.
     """
     kind = algorithm_class(algo)
-    with_code = "name its class with --algo NAME or --algo FILE.py:CLASS"
-    model = _unpickled(path, lambda: kind.load(path, device="cpu", custom_objects=_NEVER_USED), with_code)
+    model = _unpickled(path, lambda: kind.load(path, device="cpu", custom_objects=_NEVER_USED), _BY_CLASS)
     if vecnormalize is None and was_normalized(model):
         raise QuadrupedError(
             f"{path}: this {kind.__name__} was trained in a VecNormalize, whose statistics are not in the zip; name "
-            f"their file, which VecNormalize.save writes (vecnormalize.pkl of rl_zoo3), with --vecnormalize FILE"
+            f"their file, which VecNormalize.save writes (vecnormalize.pkl of rl_zoo3), as vecnormalize"
         )
     env: Any = make_sb3_vec_env(1, config=config)
     _check_spaces(path, model, env, config)
@@ -96,7 +96,7 @@ def algorithm_of(path: Path) -> str:
         raise QuadrupedError(f"{path}: not a zip that model.save of Stable-Baselines3 wrote; name one")
     found = next((name for field, name in _FIELDS.items() if field in data), None)
     if found is None:
-        raise QuadrupedError(f"{path}: its algorithm is unknown; name its class with --algo FILE.py:CLASS")
+        raise QuadrupedError(f"{path}: its algorithm is unknown; name it, or {_BY_CLASS}")
     return found
 
 
@@ -121,5 +121,5 @@ def _check_spaces(path: Path, model: Any, env: Any, config: TaskConfig) -> None:
         if getattr(found, "shape", None) != expected.shape:
             raise QuadrupedError(
                 f"{path}: its {what}_space is {short(found)}, and that of this task has the shape {expected.shape}"
-                f"{columns}; give {fix} of its training with --task. A model of another env cannot walk here"
+                f"{columns}; give {fix} of its training as task. A model of another env cannot walk here"
             )
