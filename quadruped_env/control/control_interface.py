@@ -69,11 +69,12 @@ class ControlInterface:
         self._sine: Floats = memory.zeros("gait_sine", robot.num_joints)
         self._cosine: Floats = memory.zeros("gait_cosine", robot.num_joints)
         self._offset: Floats = memory.zeros("gait_offset", robot.num_joints)
-        # A ring: the observation of step s is at s modulo the number of steps.
         depth = config.observation_history
         past = (depth, self.layout.width) if depth > 1 else (0, 0)
         self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
-        self._env_ids, self._ages = np.arange(num_envs, like=like)[:, None], np.arange(depth, like=like)
+        """The latest observations, the latest first (N, depth, width)."""
+        self._observed_step: NDArray[np.int64] = memory.zeros("observed_step", dtype=np.int64)
+        """Control step of the latest observation, (N,)."""
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
         self._largest_change = config.timestep * frozen(np.array(config.command_rate))
         self._gait, self._scale = config.action.scripted_gait(robot, config.clock_frequency), config.action.scale
@@ -210,11 +211,17 @@ class ControlInterface:
 
     def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
         """The present observations (N, width) and those of the steps before."""
-        past, depth = self._past, self.layout.history
-        past[self._env_ids[:, 0], self.steps % depth] = present
-        first = self.steps == 0
-        past[first] = present[first, None]
-        return past[self._env_ids, (self.steps[:, None] - self._ages) % depth].reshape(self.num_envs, -1)
+        past, steps = self._past, self.steps
+        advanced = np.flatnonzero(steps != self._observed_step)
+        if len(advanced) == len(steps):
+            past[:, 1:] = past[:, :-1]
+        else:
+            past[advanced, 1:] = past[advanced, :-1]
+        past[:, 0] = present
+        if len(first := np.flatnonzero(steps == 0)):
+            past[first] = present[first, None]
+        self._observed_step[:] = steps
+        return past.reshape(len(steps), -1).copy()
 
 
 class Controller(Protocol):

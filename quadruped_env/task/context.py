@@ -134,13 +134,10 @@ class TaskContext:
             substeps.foot_velocity, substeps.foot_angular_velocity, self.robot.foot_radius
         )
         down = np.maximum(-substeps.foot_velocity[..., 2], 0.0)
-        self.landing_speed.fill(0.0)
-        self.slip.fill(0.0)
-        for touching, sole, slip in zip(on_ground, down, sliding, strict=True):
-            np.maximum(self.landing_speed, self._airborne * touching * sole, out=self.landing_speed)
-            self.slip += slip
-            np.subtract(1.0, touching, out=self._airborne)
-        self.slip /= len(on_ground)
+        airborne = np.concatenate([self._airborne[None], 1.0 - on_ground])
+        np.maximum.reduce(airborne[:-1] * on_ground * down, axis=0, out=self.landing_speed)
+        self.slip[:] = quantities.mean_over_steps(sliding)
+        self._airborne[:] = airborne[-1]
 
     def ground_height(self, positions: Floats) -> Floats:
         """Height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""

@@ -53,8 +53,9 @@ def progress(context: TaskContext) -> Floats:
     """
     # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
     # a peak at the command would else pull the median there, not the mean.
-    size = np.maximum(np.abs(context.command), _SMALLEST_COMMAND * context.velocity_unit)
-    share, whole = context.smooth_velocity * (np.sign(context.command) / size), np.abs(context.command) / size
+    speed = np.abs(context.command)
+    size = np.maximum(speed, _SMALLEST_COMMAND * context.velocity_unit)
+    share, whole = context.smooth_velocity * (np.sign(context.command) / size), speed / size
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
@@ -88,7 +89,7 @@ def base_motion(context: TaskContext, base_arm: Annotated[float, Positive("m")] 
 @reward(weight=-1.0)
 def action_rate(context: TaskContext) -> Floats:
     """Sum of (action - previous action)^2."""
-    return ((context.action - context.previous_action) ** 2).sum(axis=-1)
+    return np.add.reduce((context.action - context.previous_action) ** 2, axis=-1)
 
 
 @reward(weight=-0.04, unit="W")
@@ -108,19 +109,19 @@ class electrical_power:  # noqa: N801
 @reward(weight=-2.0, unit="m^2/s^2")
 def foot_slip(context: TaskContext) -> Floats:
     """Sum over the feet on the ground of the sole's squared sliding speed, mean over the physics steps."""
-    return context.slip.sum(axis=-1)
+    return np.add.reduce(context.slip, axis=-1)
 
 
 @reward(weight=-1.0, unit="m^2/s^3")
 def landing(context: TaskContext) -> Floats:
     """Sum over the feet that touch down of their squared downward speed, over the time of the step: -v^2 a landing."""
-    return (context.landing_speed**2).sum(axis=-1) / context.timestep
+    return np.add.reduce(context.landing_speed**2, axis=-1) / context.timestep
 
 
 @reward(weight=-5.0, unit="rad^2")
 def stand_still(context: TaskContext) -> Floats:
     """Sum of (joint position - stance)^2 while standing is commanded: at most 0.02 m/s and 0.02 rad/s."""
-    return (context.joint_offset**2).sum(axis=-1) * (1.0 - context.moving)
+    return np.add.reduce(context.joint_offset**2, axis=-1) * (1.0 - context.moving)
 
 
 @reward(weight=-250.0)
