@@ -37,9 +37,6 @@ from quadruped_env.scale import ray_connection
 from quadruped_env.scale.sweep import sweep_driver
 from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_driver import TrialBook
-from quadruped_env.sim2sim import engines, transfer
-from quadruped_env.sim2sim import transfer_results as sim2sim
-from quadruped_env.sim2sim.transfer import Transfer
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
 from quadruped_env.viewer import show
@@ -130,7 +127,6 @@ def sound(tmp_path_factory):
         patch.chdir(directory)
         assert main(["evaluate", str(run), "--no-video"]) == 0
         write_results(evaluated, {name: part for name, part in SUITE_RESULTS.items() if name != "policy"}, "")
-        sim2sim.save(small_transfer(), evaluated, "")
         assert main(["export", str(run), "-o", str(directory / "export"), "--c-int8"]) == 0
     for page in ("walk.html", "report.html"):
         (run / "evaluation" / page).unlink()
@@ -161,8 +157,6 @@ def without_computing(patch):
     patch.setattr(folder, "filmed", lambda _: [])
     patch.setattr(folder, "save_film", lambda path, *_: path.write_bytes(b""))
     patch.setattr(html_file, "page_document", lambda *_: content)
-    patch.setattr(transfer, "run_transfer", lambda *_, **__: small_transfer())
-    patch.setattr(engines, "check_drake", lambda: None)
     patch.setattr(sweep_driver, "run_sweep", finish)
     patch.setattr(ray_connection, "check_installed", lambda _: None)
     patch.setattr(train, "launch", lambda *_: None)
@@ -182,16 +176,6 @@ def several(comparison, policies):
             for part, values in (("rollouts", comparison.rollouts), ("values", comparison.values))
         },
     )
-
-
-def small_transfer():
-    """Results of three controllers in two engines."""
-    shape, names = (2, 2), ("policy", "tuned", "zero")
-    values = {name: np.full(shape, 0.2) for name in ("forward_velocity", "yaw_rate", "base_height")}
-    both = {**values, "fallen": np.zeros(shape)}
-    settings = tuple({"name": name, "version": "4", "timestep": 0.005} for name in ("MuJoCo", "Drake"))
-    commands = dict.fromkeys(names, ((0.3, 0.0), (0.3, 0.5)))
-    return Transfer(commands, (1, 2), 5.0, settings, dict.fromkeys(names, (both, both)))
 
 
 def finish(sweep, make, address, cores, say):
@@ -219,12 +203,10 @@ PROGRAMS = {
         ("compare", RUN, "flat", "--no-video", "-o", "out"),
         ("page", RUN, "-o", "out.html"),
         ("view", RUN),
-        ("sim2sim", RUN, "-o", "out"),
         ("train", "--resume", RUN),
     ],
     CONFIG_FILE: [("compare", RUN, "runs/other", "--suite", "--no-video", "-o", "out"), ("train", "--resume", RUN)],
     f"evaluation/{METRICS_FILE}": [EXPORT, (*EXPORT, "--hub")],
-    f"evaluation/{sim2sim.RESULTS_FILE}": [("evaluate", RUN, "--no-video")],
     f"evaluation/{SUITE_FILE}": [("compare", RUN, "runs/other", "--suite", "--no-video", "-o", "out")],
     "../../export/manifest.json": [("check-export", "export"), ("export", RUN, "-o", "export", "--overwrite")],
     "../../sweep/sweep.json": [("sweep", "--resume", "sweep")],

@@ -30,7 +30,6 @@ HEAVY = {
     "cyclonedds",
     "scipy",
     "onnx",
-    "pydrake",
 }
 BAD = {
     "train": ("--resume", "nowhere"),
@@ -45,7 +44,6 @@ BAD = {
     "export": ("nowhere",),
     "check-export": ("nowhere",),
     "import-policy": ("nowhere.zip",),
-    "sim2sim": ("nowhere",),
     "sweep": ("--resume", "nowhere"),
 }
 """Command -> arguments that this package refuses, not argparse."""
@@ -53,7 +51,7 @@ SCRIPTS = {
     "train/ppo.py": "train",
     "train/sweep.py": "sweep",
     "evaluate/policy.py": "evaluate",
-    **{f"evaluate/{name}.py": name for name in ("compare", "baseline", "sim2sim", "export", "view", "replay")},
+    **{f"evaluate/{name}.py": name for name in ("compare", "baseline", "export", "view", "replay")},
     **{f"evaluate/{name}.py": name for name in ("convert", "identify")},
 }
 """Script of a checkout -> the command that it is."""
