@@ -21,7 +21,7 @@ OLDEST_MUJOCO = (3, 17)
 CPU_TORCH = "torch --index-url https://download.pytorch.org/whl/cpu"
 """Arguments of pip and uv: PyPI's build for Linux would bring 2.7 GB of CUDA."""
 CPU_TORCH_EXTRAS = ("train", "contrib", "sweep", "test", "dev")
-"""Extras that need torch, without `gpu`, which needs the build with CUDA."""
+"""Extras that need torch."""
 
 COMMAND = "mini-quadruped"
 """The installed command."""

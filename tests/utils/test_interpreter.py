@@ -189,7 +189,6 @@ def test_hint_for_an_extra_installs_the_cpu_build_of_torch_first(monkeypatch):
         assert interpreter.install_command("train", portable) == (
             f"{pip} torch --index-url {index} && {pip} 'mini-quadruped[train]'"
         )
-        assert interpreter.install_command("gpu", portable) == f"{pip} 'mini-quadruped[gpu]'"
     absent.add("pip")
     uv = "uv pip install --python python"
     assert interpreter.install_command("sweep") == f"{uv} torch --index-url {index} && {uv} 'mini-quadruped[sweep]'"
@@ -217,7 +216,7 @@ def test_extras_with_torch_are_those_of_the_hint():
             needs_torch(name) for match in inner if match for name in match[1].split(",")
         )
 
-    assert {extra for extra in extras if needs_torch(extra)} == {*interpreter.CPU_TORCH_EXTRAS, "gpu"}
+    assert {extra for extra in extras if needs_torch(extra)} == {*interpreter.CPU_TORCH_EXTRAS}
 
 
 @pytest.fixture
