@@ -24,7 +24,7 @@ def tilted(
 @termination
 def trunk_contact(context: TaskContext, max_trunk_force: Annotated[float, Parameter("N", 0.0)] = 1.0) -> Bools:
     """The base or a hip presses on the ground with more than 1 N."""
-    touching: Bools = (context.readings.trunk_force > max_trunk_force).any(axis=-1)
+    touching: Bools = np.logical_or.reduce(context.readings.trunk_force > max_trunk_force, axis=-1)
     return touching
 
 
