@@ -145,7 +145,6 @@ SPACE = "[learning_rate]\nlow = 1e-4\nhigh = 1e-2\nlog = true\n[task.reward.weig
 SPACE_JSON = '{"gamma": {"low": 0.9, "high": 0.99}, "task.reward.weights": {"foot_slip": {"choices": [-1, 0]}}}'
 ROW = {name: SUITE_RESULTS[name] for name in ("suite", "conditions", "name")} | {"score": SCORE}
 TASK = json.dumps({"decimation": 4, "reward": {"weights": {"upright": -1.0}}, "command": {"yaw_rate": [-0.4, 0.4]}})
-CLIP = '{"FrameDuration": 0.02, "Frames": [[0.1, 0.2], [0.3, 0.4]]}'
 TABLE = "t,q\n0.0,1.5\n0.1,1.25\n"
 
 READERS = {
@@ -188,7 +187,6 @@ READERS = {
     "table": Reader(
         "a.csv", lambda path: JointTrajectory.load(path, columns=path.with_name("map.toml")), prepare_map, TABLE
     ),
-    "clip": Reader("clip.json", lambda path: JointTrajectory.load(path, names=["a", "b"]), sound=CLIP),
     "metadata": Reader("bag/metadata.yaml", lambda path: JointTrajectory.load(path.parent), prepare_bag),
     "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, salvage=True), prepare_bag),
     "tensors": Reader(TENSORS_FILE, lambda path: read_policy(path.parent), prepare_policy),
@@ -197,7 +195,7 @@ READERS = {
 BINARY = ("tensors", "storage")
 """Readers of binary files; tests/trajectory/test_formats_fuzz.py mutates bags."""
 
-JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON", "clip")
+JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON")
 JSON += ("traced export",)
 TOML = ("columns", "joints", "space")
 
