@@ -11,8 +11,7 @@ from tasks import NEVER_FALLS, ONE_COMMAND, make_task
 from quadruped_env import QuadrupedError
 from quadruped_env.control import CommandedFrequency, ControlConfig, ControlInterface
 from quadruped_env.control.clock import frequency_at, frequency_of
-from quadruped_env.control.controllers import CommandedGaitController, PolicyController
-from quadruped_env.control.editable_gait import EditableGaitController
+from quadruped_env.control.controllers import GaitController, PolicyController
 from quadruped_env.control.joint_command import limited
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.envs import make_sb3_vec_env
@@ -246,10 +245,13 @@ def as_field(value):
 # --- the searched gait as a controller
 
 
-@pytest.mark.parametrize("make", [CommandedGaitController, lambda: EditableGaitController("tuned", MINI_QUADRUPED)])
-def test_tuned_gait_steps_with_the_clock_of_its_frequency_as_in_residual_mode(make):
+@pytest.mark.parametrize("edited", [False, True])
+def test_tuned_gait_steps_with_the_clock_of_its_frequency_as_in_residual_mode(edited):
+    controller = GaitController(CommandedGait.tuned())
+    if edited:
+        controller.settings = controller.settings
     residual = ControlInterface(MINI_QUADRUPED, ControlConfig(action=ActionConfig(mode="residual", gait="tuned")))
-    control, controller = ControlInterface(MINI_QUADRUPED, ControlConfig()), make()
+    control = ControlInterface(MINI_QUADRUPED, ControlConfig())
     for start in (2.0, 5.5):
         for each in (control, residual):
             each.reset(np.array([0]), start, np.array([[0.3, 0.2]]))
@@ -267,4 +269,4 @@ def test_tuned_gait_keeps_its_frequency_with_another_clock(frequency):
         control.advance()
     gait = CommandedGait.tuned()
     expected = gait.positions(gait.angular_frequency * control.time, control.command)
-    np.testing.assert_allclose(CommandedGaitController().act(None, control), expected, atol=1e-9)
+    np.testing.assert_allclose(GaitController().act(None, control), expected, atol=1e-9)
