@@ -15,7 +15,6 @@ from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.gait import joint_phases, wave_positions
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
-from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 
@@ -32,7 +31,6 @@ class ControlInterface:
         config: time step, clock, action scaling and ranges of the command.
         num_envs: number of envs, N.
         fields: fields of the observation.
-        like: an array of the kind to compute with; None: NumPy's.
     """
 
     def __init__(
@@ -41,13 +39,12 @@ class ControlInterface:
         config: ControlConfig,
         num_envs: int = 1,
         fields: Sequence[ObservationField] = OBSERVATIONS,
-        like: Floats | None = None,
     ) -> None:
         self.robot = robot
         self.config = config
         self.num_envs = num_envs
         self.layout = ObservationLayout(robot, tuple(fields), config.observation_history)
-        self.memory = memory = EpisodeMemory(num_envs, like)
+        self.memory = memory = EpisodeMemory(num_envs)
         self.action: Floats = memory.zeros("action", robot.num_joints)
         """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
         self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
@@ -76,18 +73,18 @@ class ControlInterface:
         self._observed_step: NDArray[np.int64] = memory.zeros("observed_step", dtype=np.int64)
         """Control step of the latest observation, (N,)."""
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
-        self._largest_change = config.timestep * frozen(np.array(config.command_rate))
+        self._largest_change = config.timestep * np.array(config.command_rate)
         self._gait, self._scale = config.action.scripted_gait(robot, config.clock_frequency), config.action.scale
-        self._joint_phases = frozen(joint_phases(robot))
+        self._joint_phases = joint_phases(robot)
         self._leg_phases = self._joint_phases[:: robot.num_joints // robot.num_legs]
-        self._moving_threshold = frozen(moving_threshold(robot))
+        self._moving_threshold = moving_threshold(robot)
         self.stance: Floats = robot.stance[None]
         """Joint positions of the stance (1, J), rad."""
         self._observation_low, self._observation_high = (
-            frozen(bound.astype(np.float32)) for bound in (self.layout.low, self.layout.high)
+            bound.astype(np.float32) for bound in (self.layout.low, self.layout.high)
         )
-        self._clock: Floats = np.zeros((num_envs, 2), like=like)
-        self.reset(np.arange(num_envs, like=like))
+        self._clock: Floats = np.zeros((num_envs, 2))
+        self.reset(np.arange(num_envs))
 
     def __getstate__(self) -> dict[str, object]:
         # `command` is a view, and unpickling would turn it into a copy.
@@ -105,7 +102,7 @@ class ControlInterface:
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
         if command is None:
-            command = np.zeros((len(env_ids), VELOCITY), like=self.phase)
+            command = np.zeros((len(env_ids), VELOCITY))
         self.set_command(env_ids, command)
         # Also for zero: clock and scripted gait follow the command.
         self._set_velocity(env_ids, command[:, :VELOCITY])

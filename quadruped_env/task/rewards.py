@@ -13,13 +13,12 @@ from numpy.typing import NDArray
 from quadruped_env.task import quantities
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardTerm, reward, reward_group
-from quadruped_env.utils.arrays import frozen
 from quadruped_env.utils.parameters import Parameter
 
 Floats = NDArray[np.float64]
 Positive = Parameter.positive
 
-_SMALLEST_COMMAND: Final = frozen(np.array([0.1, 0.2]))
+_SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
 """Command below which progress is reduced in proportion, for the built-in robot, m/s and rad/s."""
 
 
@@ -37,7 +36,7 @@ class tracking:  # noqa: N801  named like the other terms
         forward_velocity_std: Annotated[float, Positive("m/s")] = 0.07,
         yaw_rate_std: Annotated[float, Positive("rad/s")] = 0.15,
     ) -> None:
-        self._std = frozen(np.array([forward_velocity_std, yaw_rate_std]))
+        self._std = np.array([forward_velocity_std, yaw_rate_std])
 
     def __call__(self, context: TaskContext) -> Floats:
         """Values (N, 2)."""
@@ -97,7 +96,7 @@ class electrical_power:  # noqa: N801
     """Sum of max(0, torque * joint velocity) + torque^2 R / K^2, mean over the physics steps."""
 
     def __init__(self, context: TaskContext) -> None:
-        self._heat = frozen(context.motors.joule_coefficients(context.robot.joint_kinds))
+        self._heat = context.motors.joule_coefficients(context.robot.joint_kinds)
 
     def __call__(self, context: TaskContext) -> Floats:
         """Values (N,)."""

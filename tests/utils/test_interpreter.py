@@ -143,7 +143,7 @@ def test_extras_with_torch_are_those_of_the_hint():
             needs_torch(name) for match in inner if match for name in match[1].split(",")
         )
 
-    assert {extra for extra in extras if needs_torch(extra)} - {"gpu"} == {*interpreter.CPU_TORCH_EXTRAS}
+    assert {extra for extra in extras if needs_torch(extra)} == {*interpreter.CPU_TORCH_EXTRAS}
 
 
 @pytest.fixture
