@@ -7,14 +7,13 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.control.control_interface import Controller
-from quadruped_env.control.controllers import LoopController, PolicyController, ZeroController
-from quadruped_env.control.editable_gait import EditableGaitController
+from quadruped_env.control.controllers import GaitController, PolicyController, TrajectoryController, ZeroController
 from quadruped_env.control.hub_policies import is_on_hub
 from quadruped_env.control.policy import CARD_FILE, Policy
 from quadruped_env.control.policy_argument import BAG_FILE, not_a_policy
 from quadruped_env.control.policy_files import SHIPPED, is_code, read_policy, training_advice
 from quadruped_env.errors import QuadrupedError, did_you_mean, short
-from quadruped_env.gait import PRESETS
+from quadruped_env.gait import COMMANDED, PRESETS, CommandedGait, SinusoidalGait
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.files import shown_path
@@ -46,9 +45,13 @@ def _recording(path: Path, robot: Robot) -> ControllerSpec:
     def make() -> Controller:
         from quadruped_env.trajectory import JointTrajectory
 
-        return LoopController(JointTrajectory.load(path).in_joint_order(robot), path.name)
+        return TrajectoryController(JointTrajectory.load(path).in_joint_order(robot), path.name, loop=True)
 
     return ControllerSpec(f"recording {path.name}", make)
+
+
+def _gait(preset: str, robot: Robot) -> SinusoidalGait | CommandedGait:
+    return CommandedGait.preset(preset, robot) if preset in COMMANDED else SinusoidalGait.preset(preset, robot)
 
 
 def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUADRUPED) -> ControllerSpec:
@@ -66,7 +69,7 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     if text in SHIPPED:
         return _policy(f"policy {text}", text, load)
     if text in PRESETS:
-        return ControllerSpec(f"gait {text}", lambda: EditableGaitController(text, robot))
+        return ControllerSpec(f"gait {text}", lambda: GaitController(_gait(text, robot), text))
     path = Path(text)
     if is_code(text) or is_on_hub(text):
         return _policy(f"policy {path.name}", text, load)
