@@ -103,7 +103,7 @@ class Evaluation:
             print_report(report, missing)
 
     def __str__(self) -> str:
-        judged = verdict(self.comparison, self.suite, self.gain)
+        judged = verdict(self.comparison, self.gain)
         return f"{summary_table(self.comparison)}\n\n{self.gain.table()}\n\n{judged.text()}"
 
 

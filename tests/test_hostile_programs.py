@@ -18,11 +18,13 @@ from hanging import bounded
 from sweep_files import SUITE_RESULTS, write_sweep
 
 from quadruped_env import api
-from quadruped_env.cli import common_options, train, view
+from quadruped_env.cli import train, view
 from quadruped_env.cli.main import main
 from quadruped_env.control.policy import CARD_FILE, config_hash
 from quadruped_env.control.policy_files import shipped_directory
 from quadruped_env.errors import QuadrupedWarning
+from quadruped_env.evaluation import comparison as comparison_module
+from quadruped_env.evaluation import learning_gain as learning_gain_module
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import learning_gain
@@ -144,14 +146,13 @@ def sound(tmp_path_factory):
 def without_computing(patch):
     """Replace what takes long and reads no document."""
     (comparison, gain), (graph, trace, content) = evaluation(), exported()
-    patch.setattr(common_options, "compared", lambda policies, _: several(comparison, policies))
-    patch.setattr(common_options, "gain_of", lambda *_: gain)
+    patch.setattr(comparison_module, "compare", lambda policies, *_, **__: several(comparison, policies))
+    patch.setattr(learning_gain_module, "gain_beside", lambda *_: gain)
     patch.setattr(api, "compare", lambda policy, *_, **__: several(comparison, policy))
     patch.setattr(api, "gain_beside", lambda *_: gain)
     for module in (evaluation_report, run_comparison):
         patch.setattr(module, "_figures", lambda *_: [])
     patch.setattr(evaluation_report.plots, "episode", lambda *_: "<svg/>")
-    patch.setattr(evaluation_report, "scene", lambda _: {"missing": "no scene"})
     patch.setattr(folder, "policy_graph", lambda *_: graph)
     patch.setattr(folder, "golden_trace", lambda *_: trace)
     patch.setattr(folder, "largest_difference", lambda *_: 1e-6)
@@ -216,16 +217,15 @@ PROGRAMS = {
         EXPORT,
         (*EXPORT, "--hub", "--c-int8"),
         ("evaluate", RUN, "--no-video", "-o", "out"),
-        ("compare", RUN, "flat", "--no-video", "-o", "out"),
+        ("compare", RUN, "flat", "-o", "out"),
         ("page", RUN, "-o", "out.html"),
         ("view", RUN),
         ("sim2sim", RUN, "-o", "out"),
         ("train", "--resume", RUN),
     ],
-    CONFIG_FILE: [("compare", RUN, "runs/other", "--suite", "--no-video", "-o", "out"), ("train", "--resume", RUN)],
+    CONFIG_FILE: [("compare", RUN, "runs/other", "--suite", "-o", "out"), ("train", "--resume", RUN)],
     f"evaluation/{METRICS_FILE}": [EXPORT, (*EXPORT, "--hub")],
-    f"evaluation/{sim2sim.RESULTS_FILE}": [("evaluate", RUN, "--no-video")],
-    f"evaluation/{SUITE_FILE}": [("compare", RUN, "runs/other", "--suite", "--no-video", "-o", "out")],
+    f"evaluation/{SUITE_FILE}": [("compare", RUN, "runs/other", "--suite", "-o", "out")],
     "../../export/manifest.json": [("check-export", "export"), ("export", RUN, "-o", "export", "--overwrite")],
     "../../sweep/sweep.json": [("sweep", "--resume", "sweep")],
     "../../sweep/trials/0001/trial.json": [("sweep", "--resume", "sweep")],

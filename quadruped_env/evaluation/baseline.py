@@ -150,7 +150,6 @@ def run_baseline(
     seconds: float = 10.0,
     rate: float = 50.0,
     episodes: int = 20,
-    seed: int = FIRST_SEED,
     progress: Progress | None = None,
     robot: Robot = MINI_QUADRUPED,
     terrain: str | Terrain | None = None,
@@ -165,7 +164,6 @@ def run_baseline(
         seconds: length of every episode, s.
         rate: rate of the joint targets, Hz.
         episodes: number of random starts to measure.
-        seed: seed of the first episode; each further episode uses the next one.
         progress: called with the fraction done.
         robot: robot to measure.
         terrain: a terrain, or the name of a built-in one; None is level ground.
@@ -175,11 +173,9 @@ def run_baseline(
     """
     if episodes < 1:
         raise QuadrupedError(f"episodes: expected 1 or more; found {episodes}")
-    if seed < 0:
-        raise QuadrupedError(f"seed: expected 0 or more; found {seed}")
     gait = SinusoidalGait.preset(preset, robot)
     commands = publish(gait, seconds, rate)
-    seeds = range(seed, seed + episodes)
+    seeds = range(FIRST_SEED, FIRST_SEED + episodes)
     controller = TrajectoryController(commands, preset)
     config = TaskConfig().for_robot(robot).on_terrain(terrain or flat)
     rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, part_of(progress, 0.0, 0.5))

@@ -273,7 +273,7 @@ def compare(
         if policy.config.robot != config.robot:
             raise QuadrupedError(
                 f"{name}: is a policy for {policy.config.robot!r}, the first one for {config.robot!r}; compare "
-                f"policies for one robot with each other, as 'mini-quadruped compare' does"
+                f"policies for one robot with each other, and evaluate those for other robots by themselves"
             )
     tuned = CommandedGait.tuned(config.robot)
     # With a clock of its own frequency the searched gait is in phase, so that the reward's terms of the clock judge it.

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Command, Comparison
 from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means, without_fall_in_words
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.evaluation.verdict import tolerances
+from quadruped_env.evaluation.verdict import tolerance
 from quadruped_env.robot import Robot
 from quadruped_env.utils.rotations import tilt, up_in_body
 
@@ -61,7 +61,7 @@ def worst_episodes(comparison: Comparison, controller: str = "policy", count: in
 
 def _tolerances(robot: Robot) -> NDArray[np.float64]:
     """Errors of forward velocity, m/s, and yaw rate, rad/s, that count as 1 (2,)."""
-    return np.array([tolerances(metric, robot)[1] for metric in _ERRORS])
+    return np.array([tolerance(metric, robot) for metric in _ERRORS])
 
 
 def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Failure:

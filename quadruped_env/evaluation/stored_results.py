@@ -66,7 +66,7 @@ class StoredSuite(TypedDict):
     """Results of the suite on a card."""
 
     suite: StoredSuiteName
-    findings: dict[str, str]
+    findings: NotRequired[dict[str, str]]
     score: NotRequired[Any]
     met: NotRequired[Any]
     envelope: NotRequired[Any]
@@ -82,7 +82,7 @@ class StoredVerdict(TypedDict):
 
     level: str
     headline: str
-    findings: dict[str, str]
+    findings: NotRequired[dict[str, str]]
 
 
 class CardResults(TypedDict, total=False):
