@@ -71,7 +71,7 @@ class Evaluation:
         comparison = compare(
             policy, seeds, seconds, progress=progress("running"), terrain=terrain, randomization=randomization
         )
-        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"))
+        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"), comparison)
         results = None if suite is None else suite()
         document = write_numbers(evaluated, comparison, command_line, results, gain)
         return cls(evaluated, comparison, gain, results, document, command_line)

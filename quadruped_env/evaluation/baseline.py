@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from quadruped_env._version import __version__
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number, proportion
-from quadruped_env.evaluation.metrics import METRICS, measure
+from quadruped_env.evaluation.measures import METRICS, measure
 from quadruped_env.evaluation.recorded_episode import Recording, play, publish
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.gait import SinusoidalGait
@@ -34,7 +34,7 @@ SHOWN: Final = (
     "electrical_power",
     "mechanical_power",
     "stride_frequency",
-    "foot_slip",
+    "slip",
     "peak_torque",
     "peak_joint_speed",
 )
@@ -178,6 +178,6 @@ def run_baseline(
     seeds = range(FIRST_SEED, FIRST_SEED + episodes)
     controller = TrajectoryController(commands, preset)
     config = TaskConfig().for_robot(robot).on_terrain(terrain or flat)
-    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, part_of(progress, 0.0, 0.5))
+    rollout = roll_out(controller, [(0.0, 0.0)], seeds, seconds, config, part_of(progress, 0.0, 0.5), physics=True)
     recording = play(commands, preset, progress=part_of(progress, 0.5, 1.0), robot=robot, terrain=terrain)
     return Baseline(preset, gait, rate, seeds, commands, recording, measure(rollout))

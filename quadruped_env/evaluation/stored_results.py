@@ -28,7 +28,7 @@ class StoredPerformance(TypedDict):
     commands_met: StoredEstimate
     falls: StoredEstimate
     electrical_power: StoredEstimate
-    own_action: float
+    own_action: NotRequired[float]
 
 
 class StoredMotion(TypedDict):
@@ -47,7 +47,8 @@ class StoredGain(TypedDict):
     episodes: int
     seconds: float
     difference: StoredEstimate
-    standard_errors: float | None
+    standard_errors: NotRequired[float | None]
+    condition: NotRequired[str | None]
     policy: StoredPerformance
     zero: StoredPerformance
     motions: NotRequired[list[StoredMotion]]

@@ -10,7 +10,7 @@ import numpy as np
 
 from quadruped_env.evaluation.comparison import ERRORS, MOTIONS, Comparison, error_of, rank, words
 from quadruped_env.evaluation.learning_gain import WALKING_FALL_RATE, LearningGain
-from quadruped_env.evaluation.metrics import METRICS
+from quadruped_env.evaluation.measures import METRICS
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of
 

@@ -9,7 +9,7 @@ import pytest
 from quadruped_env.evaluation.comparison import COMMANDS, Comparison, motion_of, rank
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.learning_gain import LearningGain, Performance
-from quadruped_env.evaluation.metrics import METRICS
+from quadruped_env.evaluation.measures import METRICS
 from quadruped_env.evaluation.verdict import reached_share, verdict
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
@@ -95,8 +95,8 @@ def test_headline(numbers, level, headline):
 
 def test_policy_without_a_significant_gain_is_not_good():
     def judged(low):
-        one = Performance(*[Estimate(1.0, 1.0, 1.0, 8)] * 4, own_action=0.1)
-        gain = LearningGain(8, 20.0, (0.05, 0.1), one, one, Estimate(0.5, low, 1.0, 8), 2.5)
+        one = Performance(*[Estimate(1.0, 1.0, 1.0, 8)] * 4)
+        gain = LearningGain(8, 20.0, (0.05, 0.1), one, one, Estimate(0.5, low, 1.0, 8))
         return verdict(invented(1.0), gain=gain)
 
     assert (judged(0.2).level, verdict(invented(1.0)).level) == ("good", "good")

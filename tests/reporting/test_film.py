@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from paths import ROOT
 from PIL import Image
+from synthetic import falls
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.evaluation.recorded_episode import play, publish
@@ -84,7 +85,7 @@ def test_film_of_an_episode_ends_at_its_fall():
     rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [7], 1.0)
     valid = rollout.valid.copy()
     valid[20:] = False
-    fallen = dataclasses.replace(rollout, valid=valid)
+    fallen = dataclasses.replace(rollout, fell=falls(valid))
     assert len(Clip.of_rollout(fallen, 0, "").trace) == 21
     assert Clip.of_rollout(rollout, 0, "").trace.seconds == pytest.approx(1.0)
 

@@ -18,7 +18,7 @@ from report_page import Page
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.evaluation.metrics import METRICS
+from quadruped_env.evaluation.measures import METRICS
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import evaluation_report
@@ -107,7 +107,7 @@ def test_metrics_are_strict_json_with_a_value_for_every_metric(written, comparis
         for estimate in entry["all"].values():
             assert estimate["mean"] is None or estimate["low"] <= estimate["mean"] <= estimate["high"]
     for kind in ("electrical", "mechanical"):
-        assert document["controllers"]["zero"]["all"][f"{kind}_cost_of_transport"]["mean"] is None
+        assert document["controllers"]["zero"]["by_motion"]["standing"][f"{kind}_cost_of_transport"]["mean"] is None
         power = comparison.values["policy"][f"{kind}_power"][0].mean()
         assert document["controllers"]["policy"]["by_command"][0][f"{kind}_power"]["mean"] == pytest.approx(power)
     assert TaskConfig.from_dict(document["config"]).action.mode == "residual"
@@ -131,7 +131,7 @@ def test_reward_terms_of_a_policy_that_always_falls_are_not_drawn_as_zero(compar
     widths = []
     monkeypatch.setattr(Axes, "barh", lambda self, place, width, **style: widths.append(width))
     policy = comparison.rollouts["policy"]
-    fallen = dataclasses.replace(policy, valid=np.zeros_like(policy.valid))
+    fallen = dataclasses.replace(policy, fell=np.ones_like(policy.fell))
     assert "svg" in plots.reward_terms(
         dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
     )

@@ -17,7 +17,7 @@ from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.metrics import GRAVITY, METRICS, joints_at_limit, measure
+from quadruped_env.evaluation.measures import GRAVITY, METRICS, joint_limit_share, measure
 from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.identification import identify
@@ -83,7 +83,7 @@ def shuffled(trajectory):
 
 @pytest.fixture(scope="module")
 def rollout():
-    return roll_out(CommandedGaitController(), COMMANDS, [1, 2], 3.0, CONFIG)
+    return roll_out(CommandedGaitController(), COMMANDS, [1, 2], 3.0, CONFIG, physics=True)
 
 
 @pytest.fixture(scope="module")
@@ -130,7 +130,7 @@ class TestMetrics:
         assert rollout.joint_position.shape[2:] == (ROBOT.num_joints,)
         assert rollout.contact.shape[2:] == (ROBOT.num_legs,)
         # A foot that stands sinks in by less than the difference of the two robots' foot radii.
-        assert abs(rollout.foot_height[-25:][rollout.contact[-25:]].mean()) < 0.001
+        assert abs(rollout.physics.height[-100:][rollout.physics.force[-100:] > 1.0].mean()) < 0.001
         assert ROBOT.foot_radius - MINI_QUADRUPED.foot_radius > 0.0015
 
     def test_measure_uses_the_mass_of_the_robot(self, rollout):
@@ -148,10 +148,10 @@ class TestMetrics:
         position = np.tile(ROBOT.stance, (10, 1, 1))
         position[:5, 0, 1] = -2.095  # a knee at its limit, beyond that of the built-in robot
         position[5:8, 0, 0] = -1.395
-        assert joints_at_limit(position, np.ones((10, 1), bool), ROBOT) == pytest.approx(0.8)
+        assert joint_limit_share(position, np.ones((10, 1), bool), ROBOT) == pytest.approx(0.8)
         position[:] = ROBOT.stance
         position[:, 0, 1] = -2.05
-        assert joints_at_limit(position, np.ones((10, 1), bool), ROBOT) == 0.0
+        assert joint_limit_share(position, np.ones((10, 1), bool), ROBOT) == 0.0
 
 
 class TestReport:

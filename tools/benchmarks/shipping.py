@@ -12,7 +12,7 @@ import numpy as np
 
 from quadruped_env.control.policy_files import finished_directory, shipped_directory
 from quadruped_env.evaluation.comparison import MOTIONS, compare
-from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
+from quadruped_env.evaluation.measures import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Controller, Policy, PolicyController, load_policy

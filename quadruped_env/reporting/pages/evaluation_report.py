@@ -14,7 +14,7 @@ from quadruped_env.evaluation.comparison import Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.failures import Failure, worst_episodes
 from quadruped_env.evaluation.learning_gain import LearningGain
-from quadruped_env.evaluation.metrics import WINDOW
+from quadruped_env.evaluation.measures import WINDOW
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip

@@ -9,7 +9,7 @@ import numpy as np
 from quadruped_env.errors import portable_message
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
 from quadruped_env.evaluation.failures import Failure
-from quadruped_env.evaluation.metrics import START_UP
+from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.films.film import Camera, Clip, Picture
 from quadruped_env.reporting.films.overlay import AVERAGED
