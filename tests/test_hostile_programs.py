@@ -20,8 +20,6 @@ from sweep_files import SUITE_RESULTS, write_sweep
 from quadruped_env import api
 from quadruped_env.cli import common_options, train, view
 from quadruped_env.cli.main import main
-from quadruped_env.control.policy import CARD_FILE, config_hash
-from quadruped_env.control.policy_files import shipped_directory
 from quadruped_env.errors import QuadrupedWarning
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import find_policy
@@ -30,6 +28,8 @@ from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
 from quadruped_env.export import PolicyInterface, folder
 from quadruped_env.export.golden_trace import golden_trace
 from quadruped_env.export.onnx_graph import policy_graph
+from quadruped_env.policies.files import shipped_directory
+from quadruped_env.policies.policy_data import CARD_FILE, config_hash
 from quadruped_env.reporting.pages import evaluation_report, run_comparison, sweep_report
 from quadruped_env.reporting.pages.page import METRICS_FILE
 from quadruped_env.reporting.pages.suite_section import write_results

@@ -6,9 +6,9 @@ import warnings
 from pathlib import Path
 from typing import Final, Literal, NamedTuple, TypedDict
 
-from quadruped_env.control.policy import TENSORS_FILE
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
+from quadruped_env.policies.policy_data import TENSORS_FILE
 from quadruped_env.sim2sim.transfer import TARGETS, StoredTransfer, Transfer
 from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.files import write_json

@@ -9,8 +9,8 @@ import pytest
 from trainings import ENDLESS, RUN_FILES, assert_complete, command, running
 from waiting import output_of, wait_until
 
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.training.resume import Parent
 
 

@@ -15,7 +15,7 @@ from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.policies import Policy
-from quadruped_env.policies.sb3_policies import linear_layers, symmetrized
+from quadruped_env.policies.sb3 import linear_layers, symmetrized
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.group import ALONE, Group
 from quadruped_env.training.resume import Parent

@@ -17,8 +17,8 @@ from tempfile import TemporaryDirectory
 from typing import Final
 
 import quadruped_env
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.scale.ranks.job import Job, threads_per_rank
 from quadruped_env.training.run_directory import check_latest
 from quadruped_env.utils.files import LATEST
