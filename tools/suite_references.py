@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import note_suite, reference_row, without_suite

@@ -2,8 +2,7 @@
 
 The format of IN is detected by its content: this project's CSV, any CSV with --columns, the output of
 `ros2 topic echo /joint_states` (YAML, or CSV with --csv), JSON lines of rosbridge, a rosbag2 bag (its directory or its
-bare .mcap or .db3 file, compressed or not), a ROS 1 bag, a CSV whose columns bear the joints' names, a motion clip
-(JSON with FrameDuration).
+bare .mcap or .db3 file, compressed or not), a ROS 1 bag, a CSV whose columns bear the joints' names.
 The format of OUT follows from its name:
 
     NAME.csv                this project's CSV

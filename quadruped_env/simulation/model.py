@@ -59,9 +59,18 @@ def build_model(
         QuadrupedError: if the terrain's heights are not valid, or the robot's model does not hold the robot that it
             describes.
     """
+    _write_no_log_file()
     path = asset_path(_SCENE)
     # Compiling takes thirty times as long as copying, so every process compiles each variant once.
     return copy.copy(_compiled(timestep, motors, terrain, robot, max_delay, path.stat().st_mtime_ns))
+
+
+def _write_no_log_file() -> None:
+    """Let MuJoCo print its warnings, and write no MUJOCO_LOG.TXT into the working directory."""
+    config = mujoco.MjLogConfig.get()
+    if config.logto_file and config.logfile == "MUJOCO_LOG.TXT":  # not a file that the process has chosen
+        config.logto_file = False
+        config.set()
 
 
 @functools.lru_cache(maxsize=8)

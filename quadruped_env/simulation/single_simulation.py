@@ -64,7 +64,7 @@ class SingleSimulation:
         try:
             for recorded in self._recorded:
                 finish_step(model, data)
-                recorded[0] = data.sensordata
+                recorded[:] = self.sensordata
                 mujoco.mj_step1(model, data)
                 finish_step = mujoco.mj_step2
             self._settled = True

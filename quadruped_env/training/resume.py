@@ -27,7 +27,6 @@ from quadruped_env.training.run_directory import (
     PROGRESS_FILE,
     RESUME_FILE,
     RESUMED_FROM,
-    RSL_FILE,
     TERM_COLUMN,
     run_name,
 )
@@ -51,8 +50,10 @@ KEPT: Final = (
     "task",
 )
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
-_ADDED: Final = frozenset({"policy", "ranks", "device"})
+_ADDED: Final = frozenset({"policy"})
 """Fields of `TrainConfig` that runs of earlier versions lack; these were trained with the defaults."""
+_REMOVED: Final = frozenset({"ranks", "device"})
+"""Fields of runs of earlier versions that trained with several processes, or on a GPU."""
 
 _MOST: Final = 1e15
 """Maximum number of steps and seconds that a run has learned from."""
@@ -101,8 +102,7 @@ class Parent:
             problem = not_a_policy(str(directory)) or f"{directory} is not a directory"
             raise QuadrupedError(f"--resume: {problem}; name a run such as runs/latest")
         directory = finished_directory(directory)
-        resume_file = RSL_FILE if (directory / RSL_FILE).is_file() else RESUME_FILE
-        for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, resume_file, PROGRESS_FILE):
+        for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, PROGRESS_FILE):
             if not (directory / name).is_file():
                 raise QuadrupedError(
                     f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its "
@@ -176,12 +176,6 @@ class Parent:
         Raises:
             QuadrupedError: naming the option, the value given and the run's own.
         """
-        here, there = (device != "cpu" for device in (asked.get("device", self.config.device), self.config.device))
-        if here != there:
-            raise QuadrupedError(
-                f"--device: found {asked['device']}; {self.name} was trained with {self.config.device}, whose files "
-                f"another trainer wrote: leave the option out, or start a new training without --resume"
-            )
         for name in KEPT:
             kept = getattr(self.config, name)
             if name in OPTIONS and is_user_class(kept) and name not in asked:
@@ -267,6 +261,11 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
     """The training of a run's config.json with its whole task, and the share of the schedules that it began with."""
     document = read_json(path, "start a new training")
     training, task = _section(path, document, "training"), _section(path, document, "task")
+    if training.get("device", "cpu") != "cpu":
+        raise QuadrupedError(
+            f"{path}: training.device: found {short(training['device'])}; a run of an earlier version's trainer on a "
+            f"GPU works as a policy, and cannot be resumed; start a new training"
+        )
     values: dict[str, Any] = {}
     for field in fields(TrainConfig):
         if field.name in _ADDED and field.name not in training:
@@ -285,7 +284,7 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
             f"--task: found {definition.file.name}; {run_name(path.parent)} was trained without a file, and a resumed "
             f"training keeps its task and network: leave the option out, or start a new training without --resume"
         )
-    unknown = sorted(set(training) - set(values))
+    unknown = sorted(set(training) - set(values) - _REMOVED)
     if unknown:
         raise QuadrupedError(f"{path}: training has the unknown field {short(unknown[0])}; start a new training")
     try:

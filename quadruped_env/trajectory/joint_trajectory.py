@@ -128,8 +128,8 @@ class JointTrajectory:
 
         Formats: this project's CSV (`quadruped_env.trajectory.formats.project_csv`), any CSV with a column map, CSVs
         whose columns bear the joints' names, the output of `ros2 topic echo` (YAML and `--csv`), JSON lines of
-        rosbridge, rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags, motion clips (JSON with
-        `FrameDuration`). Messages are `JointState`, `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
+        rosbridge, rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags. Messages are `JointState`,
+        `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
 
         What is not plausible is noted (`quadruped_env.trajectory.plausibility`) in `source.notes`, and not changed.
 
@@ -139,7 +139,7 @@ class JointTrajectory:
                 commas between.
             columns: map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`).
             joint_map: map of another robot's joints to this one's, or the path of its TOML file (in the same module).
-            names: names of the joints in their order, for messages and motion clips without names; of a CSV without a
+            names: names of the joints in their order, for messages without names; of a CSV without a
                 map, the columns of the positions (default: the built-in robot's joints).
             degrees: True converts positions and velocities from degrees and degrees/s. False takes them as rad and
                 rad/s. None does too, but raises an error if they look like degrees.

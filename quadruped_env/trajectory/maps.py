@@ -20,8 +20,7 @@ number, 1 for the first:
     stamp = 1
     positions = { flarm = 2, flfoot = 5 }
 
-Without a column of timestamps, `period = 0.02` is the time from row to row in s; it takes the place of `stamp`. A
-motion clip in JSON has its own period, and its columns are given by number.
+Without a column of timestamps, `period = 0.02` is the time from row to row in s; it takes the place of `stamp`.
 
 If all columns are given by number, the file is expected to have no header line; `header = true` says that it has one,
 `header = false` that it does not.

@@ -38,7 +38,7 @@ FLAGS: Final[Mapping[str, Mapping[str, Any]]] = {
         "dest": "names",
         "type": lambda text: text.split(","),
         "metavar": "A,B,...",
-        "help": "names of the joints in their order, for messages and motion clips without names; of a CSV, the names "
+        "help": "names of the joints in their order, for messages without names; of a CSV, the names "
         "of its columns of positions",
     },
     "--degrees": {

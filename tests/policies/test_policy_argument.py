@@ -15,7 +15,6 @@ PROGRAMS = (
     ("export",),
     ("page",),
     ("view",),
-    ("sim2sim",),
     ("compare", "flat"),
     ("train", "--resume"),
     ("live", "controller"),

@@ -28,8 +28,11 @@ PLACEHOLDER = re.compile(r"\b[A-Z]+$|[A-Z]{2,}|\.\.\.|[<>]")
 
 
 def commands():
-    """Page and words of every command of `mini-quadruped` on the pages, without placeholders for its subcommand."""
-    for page in PAGES:
+    """Page and words of every command of `mini-quadruped` on the pages, without placeholders for its subcommand.
+
+    The changelog also names commands that are gone.
+    """
+    for page in (page for page in PAGES if page.name != "CHANGELOG.md"):
         for command in commands_of(page.read_text()):
             words = shlex.split(command) if re.match(r"\S*mini-quadruped ", command) else []
             name = words[2:3] if words[1:2] == ["live"] else words[1:2]

@@ -14,7 +14,7 @@ from quadruped_env.gait import PRESETS
 from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.saturation import saturation
-from quadruped_env.replay.signal_comparison import lags
+from quadruped_env.replay.signal_comparison import lags, side_by_side
 from quadruped_env.robot import JOINT_KINDS, MINI_QUADRUPED, JointMotor, MotorConfig
 
 STANCE = MINI_QUADRUPED.stance
@@ -247,6 +247,20 @@ class TestReplay:
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
         with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             _ = replay(commands, measured=later).comparison
+
+    @pytest.mark.parametrize("still", ["positions", "played", "both"])
+    def test_correlation_with_a_joint_that_does_not_move_is_unknown_and_not_perfect(self, still):
+        wave = np.sin(np.arange(50) / 5.0)[:, None] * np.ones(8)
+        rest = np.full((50, 8), 0.3)
+        stamps = np.arange(50) * 20_000_000
+        recorded = JointTrajectory(stamps, JOINT_NAMES, wave if still == "played" else rest)
+        played = JointTrajectory(stamps, JOINT_NAMES, wave if still == "positions" else rest)
+        signals = side_by_side(recorded, played)
+        found = signals.report()["positions"]["joints"]["LF_hip_joint"]
+        assert found["correlation"] is None
+        assert found["rms"] == (0.0 if still == "both" else pytest.approx(np.sqrt(np.mean((wave[:, 0] - 0.3) ** 2))))
+        line = next(line for line in signals.table().text().splitlines() if line.startswith("LF_hip_joint, pos"))
+        assert line.split()[-1] == "-"
 
     def test_replay_asked_for_its_results_several_times_computes_them_once(self, tmp_path, monkeypatch):
         calls = []

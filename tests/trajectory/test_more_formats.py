@@ -1,6 +1,5 @@
-"""Messages other than joint states, several messages for one robot, motion clips, CSVs by their titles, odd bags."""
+"""Messages other than joint states, several messages for one robot, CSVs by their titles, odd bags."""
 
-import json
 import re
 import sqlite3
 from contextlib import closing
@@ -193,38 +192,6 @@ class TestOddBags:
             assert database.execute("PRAGMA journal_mode = WAL").fetchone() == ("wal",)
         for path in (tmp_path / "bag", tmp_path / "bag/bag.db3"):
             assert_same(JointTrajectory.load(path), trajectory)
-
-
-class TestMotionClip:
-    def test_frames_of_named_joints_with_and_without_a_base(self, tmp_path):
-        joints = [[0.1 * i, 0.2 * i] for i in range(5)]
-        for pose in ([], [0, 0, 0.4, 0, 0, 0, 1]):
-            clip = {"LoopMode": "Wrap", "FrameDuration": 0.025, "Frames": [pose + row for row in joints]}
-            (tmp_path / "clip.txt").write_text(json.dumps(clip, indent=1))
-            loaded = JointTrajectory.load(tmp_path / "clip.txt", names=["a", "b"])
-            assert loaded.stamps.tolist() == [0, 25_000_000, 50_000_000, 75_000_000, 100_000_000]
-            np.testing.assert_array_equal(loaded.positions, joints)
-        with pytest.raises(
-            QuadrupedError, match=r"frames of 9 numbers, which have no names: .*--names.* 9, or 2 after"
-        ):
-            JointTrajectory.load(tmp_path / "clip.txt")
-        by_number = ColumnMap(None, {"a": 9, "b": 8}, velocities={"b": 1, "a": 2})
-        loaded = JointTrajectory.load(tmp_path / "clip.txt", columns=by_number)
-        np.testing.assert_array_equal(loaded.positions, np.array(joints)[:, ::-1])
-
-    @pytest.mark.parametrize(
-        ("duration", "frames", "message"),
-        [
-            (0, [[1]], r"FrameDuration: expected a time .*; found 0"),
-            (0.1, [], r"Frames: expected lists of .*; found \[\]"),
-            (0.1, [[1], [2, 3]], r"Frames: .*; found \[\[1\], \[2, 3\]\]"),
-            (0.1, [["x"]], r"Frames: .*; found \[\['x'\]\]"),
-        ],
-    )
-    def test_mistakes_are_named(self, tmp_path, duration, frames, message):
-        (tmp_path / "clip").write_text(json.dumps({"FrameDuration": duration, "Frames": frames}))
-        with pytest.raises(QuadrupedError, match=message):
-            JointTrajectory.load(tmp_path / "clip", names=["a"])
 
 
 class TestTitles:

@@ -126,6 +126,9 @@ def test_findings_of_honest_recordings_are_none(rate):
         "every third": rows.take(np.s_[:: 3 if rate > 50.0 else 1]),
         "whole degrees": changed(position=np.radians(np.rint(np.degrees(position)))),
         "standing": changed(position=np.round(0.001 * position, 4), velocity=0.02 * rows.values["effort"]),
+        "one joint at rest": changed(
+            **{kind: np.where(np.arange(8) == 4, 0.0, rows.values[kind]) for kind in rows.values}
+        ),
     }
     assert {name: [one.text for one in findings(found)] for name, found in honest.items()} == {
         name: [] for name in honest
@@ -195,8 +198,16 @@ class TestRepairs:
         )
         assert not named(undone.source.notes)
 
-    def test_load_of_a_geared_encoder_names_the_angle_of_its_turn_at_the_joint(self, tmp_path):
-        geared = JointMap({"knee": JointRule("LF_hip_joint", scale=0.25)})
+    @pytest.mark.parametrize(
+        "rule",
+        [
+            JointRule("LF_hip_joint", scale=0.25),
+            JointRule("LF_hip_joint", gear=4.0, sign=-1.0),
+            JointRule(sources={"LF_hip_joint": -0.25, "RF_hip_joint": 0.5}),
+        ],
+    )
+    def test_load_of_a_geared_encoder_names_the_angle_of_its_turn_at_the_joint(self, tmp_path, rule):
+        geared = JointMap({"knee": rule})
         notes = self.load(tmp_path, self.lie("wrap"), joint_map=geared).source.notes
         assert "by 1.571 rad between two lines in knee" in notes[0]
         assert "(--unwrap 1.5708)" in notes[0]

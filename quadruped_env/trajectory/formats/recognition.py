@@ -10,7 +10,7 @@ from typing import Final
 from quadruped_env.errors import short
 from quadruped_env.robot.description import description_problem
 from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, motion_clip, project_csv, salvage
+from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, salvage
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import check_regular
@@ -22,8 +22,7 @@ _HEAD: Final = 65536
 """Bytes by which a format is recognised."""
 _KNOWN: Final = (
     "known are the project's CSV, CSVs whose columns bear the joints' names, any CSV with a column map, ros2 topic "
-    "echo (YAML and --csv), JSON lines of rosbridge, rosbag2 (MCAP and sqlite3) and ROS 1 bags, motion clips (JSON "
-    "with FrameDuration)"
+    "echo (YAML and --csv), JSON lines of rosbridge, rosbag2 (MCAP and sqlite3) and ROS 1 bags"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
     b"\x89MCAP0": partial(bag_reader.read, storage=salvage.MCAP),
@@ -50,8 +49,6 @@ def read(reading: Reading, stack: ExitStack) -> Iterator[Rows]:
     while head.startswith(ZSTD_MAGIC):
         reading.path = salvage.decompressed(reading.path, stack, reading)
         head = _head(reading)
-    if head.lstrip().startswith(b"{") and motion_clip.DURATION.encode() in head:
-        return motion_clip.read(reading)
     reader = mapped_csv.read if reading.options.columns is not None else _reader(head, reading)
     return reader(reading)
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.sim2sim.drake_robot import BodyState, DrakeRobot
 from quadruped_env.utils import rotations
+from second_engine.drake_robot import BodyState, DrakeRobot
 
 Floats = NDArray[np.float64]
 
@@ -70,6 +70,6 @@ class Site:
             turned = rotations.rotate_inverse(self.quaternion, from_site)
             return bool((np.abs(turned) <= self.size).all())
         raise QuadrupedError(
-            f"sim2sim: the site {self.name!r} of a touch sensor must be a sphere or a box; found "
+            f"Drake: the site {self.name!r} of a touch sensor must be a sphere or a box; found "
             f"{mujoco.mjtGeom(self.shape).name}"
         )

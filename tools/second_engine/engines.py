@@ -5,18 +5,29 @@ import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from importlib import metadata
-from typing import Any, ClassVar, Final, Literal, get_args
+from typing import Any, ClassVar, Final, Literal, NamedTuple, get_args
 
 import mujoco
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.sim2sim.contact import Approximation, Contact
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.simulation import BatchSimulation, Simulation
 from quadruped_env.task import TaskConfig
 
+Approximation = Literal["sap", "lagged", "similar"]
 Cone = Literal["pyramidal", "elliptic"]
 
 _CONES: Final = {"pyramidal": mujoco.mjtCone.mjCONE_PYRAMIDAL, "elliptic": mujoco.mjtCone.mjCONE_ELLIPTIC}
+
+
+class Contact(NamedTuple):
+    """Contact model in Drake: contact between points, on every link and the ground."""
+
+    approximation: Approximation
+    """Discrete contact approximation."""
+    friction: float
+    """Coefficient of static and dynamic friction."""
+    relaxation_time: float
+    """Time constant of the dissipation with `sap`, s."""
 
 
 @dataclass(frozen=True)
@@ -115,11 +126,10 @@ class Drake:
         """N robots of a task, on level ground.
 
         Raises:
-            MissingExtraError: if Drake is not installed.
-            QuadrupedError: if the task's ground is not level, or the URDF is not that of the task's robot.
+            QuadrupedError: if Drake is not installed, the task's ground is not level, or the URDF is not the robot's.
         """
         check_drake()
-        from quadruped_env.sim2sim.drake_simulation import DrakeSimulation
+        from second_engine.drake_simulation import DrakeSimulation
 
         return DrakeSimulation(config, num_envs, self.timestep(config), self._contact(config))
 
@@ -144,9 +154,11 @@ class Drake:
 
 
 def check_drake() -> None:
-    """Raise a MissingExtraError if Drake is not installed."""
+    """Raise a QuadrupedError if Drake is not installed."""
     if importlib.util.find_spec("pydrake") is None:
-        raise MissingExtraError("The second engine", "sim2sim")
+        raise QuadrupedError(
+            "Drake is not installed: pip install -c constraints.txt -r tools/second_engine/requirements.txt"
+        )
 
 
 def friction_of(config: TaskConfig) -> float:

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
-from quadruped_env.sim2sim.servos import Servos
 from quadruped_env.simulation import build_model
+from second_engine.servos import Servos
 
 HIP = JointMotor(stall_torque=8.0, no_load_speed=4.0, kp=30.0, kd=0.5, friction_loss=0.2, armature=0.02)
 MOTORS = MotorConfig(hip=HIP, knee=JointMotor())

@@ -1,23 +1,20 @@
 """The comparison of two engines, here MuJoCo with two contact models: no test of this file needs Drake."""
 
-import dataclasses
 import importlib.util
-import json
 import math
 
 import mujoco
 import numpy as np
 import pytest
 
-from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
-from quadruped_env.cli.main import main
-from quadruped_env.evaluation.evaluated_policy import find_policy
+import sim2sim
+from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import PolicyController, load_policy
-from quadruped_env.sim2sim import Drake, MuJoCo, run_transfer, transfer_results
-from quadruped_env.sim2sim.transfer import COMMANDS, Transfer
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import TaskConfig
+from second_engine.engines import Drake, MuJoCo
+from second_engine.transfer import COMMANDS, Transfer, run_transfer
 
 ENGINES = {"name": "MuJoCo", "version": "1", "timestep": 0.005}, {"name": "Drake", "version": "2", "timestep": 0.002}
 
@@ -88,7 +85,7 @@ def test_policy_carries_over_within_the_targets_and_without_more_falls(forward, 
     commands = ((0.5, 0.0), (0.0, 0.5))
     found = made(([0.5, 0.0], [forward, 0.0]), ([0.0, 0.5], [0.0, yaw_rate]), ((0.0, 0.0), (0.0, falls)), commands)
     assert found.carries_over() is expected
-    sentences = transfer_results.verdict(found)
+    sentences = found.verdict()
     assert ("does not carry over" in sentences[0]) is not expected
     assert sum("missed" in sentence for sentence in sentences) == (not expected and not falls)
 
@@ -98,8 +95,7 @@ def test_command_that_is_not_followed_here_leaves_the_conclusion_open(here):
     """No command has a loss, and nothing was measured that could carry over."""
     found = made(([here], [0.0]), ([0], [0]))
     assert found.carries_over() is None
-    assert found.to_dict()["carries_over"] is None
-    assert transfer_results.verdict(found)[0] == (
+    assert found.verdict()[0] == (
         "Whether the policy carries over to Drake is open: in MuJoCo it does not follow the command of 0.5 m/s and "
         "0 rad/s."
     )
@@ -202,46 +198,10 @@ def test_command_that_the_policy_was_not_trained_for_is_a_warning_with_the_range
         run_transfer(policy, [(5.0, 0.0)], 1, 2.0, there=MuJoCo())
 
 
-def test_missing_drake_is_an_error_that_names_the_extra(monkeypatch, tmp_path, capsys):
+def test_missing_drake_is_an_error_that_names_the_fix(monkeypatch, capsys):
     find_spec = importlib.util.find_spec
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "pydrake" else find_spec(name))
-    with pytest.raises(MissingExtraError, match="'sim2sim' extra"):
+    with pytest.raises(QuadrupedError, match=r"pip install .*second_engine/requirements\.txt"):
         Drake()(TaskConfig(), 1)
-    monkeypatch.chdir(tmp_path)
-    assert main(["sim2sim", "flat"]) == 2
-    assert "'sim2sim' extra" in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_results_survive_their_file(transfer, tmp_path):
-    evaluated = find_policy("flat", tmp_path)
-    path = transfer_results.save(transfer, evaluated, "mini-quadruped sim2sim flat")
-    document = json.loads(path.read_text())
-    assert document["verdict"] == list(transfer_results.verdict(transfer))
-    loaded, _ = transfer_results.load(evaluated)
-    assert transfer_results.tables(loaded) == transfer_results.tables(transfer)
-    assert loaded.to_dict() == transfer.to_dict()
-    assert transfer_results.load(find_policy("flat", tmp_path / "elsewhere")) is None
-
-
-def test_results_of_another_policy_or_form_are_left_out_with_a_warning(transfer, tmp_path):
-    evaluated = find_policy("flat", tmp_path)
-    path = transfer_results.save(transfer, evaluated, "mini-quadruped sim2sim flat")
-    other = evaluated.policy
-    weights = tuple(weight + 1.0 for weight in other.weights)
-    changed = dataclasses.replace(other, weights=weights)
-    with pytest.warns(UserWarning, match=r"sim2sim\.json: is of another policy.*again"):
-        assert transfer_results.load(dataclasses.replace(evaluated, policy=changed)) is None
-    for name, value in (
-        ("format_version", 0),
-        ("seeds", [0]),
-        ("controllers", {}),
-        ("controllers", {"policy": {}}),
-        ("engines", [{}, {}]),
-        ("command_line", None),
-    ):
-        document = {**json.loads(path.read_text()), name: value}
-        path.write_text(json.dumps({key: entry for key, entry in document.items() if entry is not None}))
-        with pytest.warns(UserWarning, match=r"sim2sim\.json: .*left out"):
-            assert transfer_results.load(evaluated) is None
-        transfer_results.save(transfer, evaluated, "mini-quadruped sim2sim flat")
+    assert sim2sim.main(["flat"]) == 2
+    assert "second_engine/requirements.txt" in capsys.readouterr().err

@@ -8,8 +8,8 @@ from pydrake.multibody.math import SpatialForce
 from pydrake.multibody.plant import ExternallyAppliedSpatialForce
 from pydrake.systems.analysis import Simulator
 
-from quadruped_env.sim2sim.drake_model import DrakeModel, errors_only
 from quadruped_env.utils import rotations
+from second_engine.drake_model import DrakeModel, errors_only
 
 Floats = NDArray[np.float64]
 

@@ -17,7 +17,7 @@ from pydrake.systems.framework import DiagramBuilder
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot
-from quadruped_env.sim2sim.contact import Contact
+from second_engine.engines import Contact
 
 
 @dataclass(frozen=True)

@@ -1,20 +1,19 @@
-"""The robot in Drake against closed forms and against MuJoCo; skipped without the extra `sim2sim`."""
+"""The robot in Drake against closed forms and against MuJoCo; skipped without Drake."""
 
 import dataclasses
-import json
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from second_robot import DESIGN
 
+import sim2sim
 from quadruped_env import QuadrupedError
-from quadruped_env.cli.main import main
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
-from quadruped_env.sim2sim import Drake, MuJoCo
 from quadruped_env.task import Task, TaskConfig
+from second_engine.engines import Drake, MuJoCo
 
-pytest.importorskip("pydrake", reason="Drake is not installed: pip install -e '.[sim2sim]'")
+pytest.importorskip("pydrake", reason="Drake is not installed: pip install -r tools/second_engine/requirements.txt")
 pytestmark = pytest.mark.slow
 
 ENV = np.zeros(1, dtype=np.intp)
@@ -261,34 +260,20 @@ def test_urdf_that_is_not_the_robots_is_an_error_that_names_the_part(old, new, m
         Drake()(TaskConfig().for_robot(robot), 1)
 
 
-def test_program_runs_both_engines_and_the_next_report_shows_them(tmp_path, capsys):
-    output = tmp_path / "results"
-    options = ["--seeds", "1", "--seconds", "3", "--command", "0.3", "0", "--command", "0", "0", "-o", str(output)]
-    assert main(["sim2sim", "flat", *options]) == 0
+def test_program_runs_both_engines_and_the_shipped_policy_walks_in_drake(capsys):
+    assert sim2sim.main(["flat", "--seeds", "1", "--seconds", "3", "--command", "0.3", "0", "--command", "0", "0"]) == 0
     printed = capsys.readouterr().out
-    document = json.loads((output / "sim2sim.json").read_text())
-    assert [engine["name"] for engine in document["engines"]] == ["MuJoCo", "Drake"]
-    here, there = document["controllers"]["policy"]["engines"]
-    assert here["forward_velocity"][0][0] == pytest.approx(0.30, abs=0.03)
-    assert there["forward_velocity"][0][0] == pytest.approx(0.30, abs=0.05), "it walks in Drake"
-    assert there["fallen"] == [[0.0], [0.0]]
-    assert there["forward_velocity"][1][0] == pytest.approx(0.0, abs=0.01), "it stands"
-    assert document["command_line"].startswith("mini-quadruped sim2sim flat --command 0.3 0")
-    for sentence in document["verdict"]:
-        assert sentence in printed
-    assert f"numbers: {output / 'sim2sim.json'}" in printed
-    assert main(["evaluate", "flat", "--seeds", "1", "--seconds", "3", "--no-video", "-o", str(output)]) == 0
-    page = (output / "report.html").read_text()
-    assert "In a second physics engine" in page
-    assert document["verdict"][0] in page
+    rows = [line.split() for line in printed.split("Searched gait")[0].splitlines()]
+    walking, standing = ([float(cell) for cell in row[2:4]] for row in rows if row[:1] in (["0.3,"], ["0,"]))
+    assert walking == pytest.approx([0.30, 0.30], abs=0.05), "it walks in Drake"
+    assert standing == pytest.approx([0.0, 0.0], abs=0.01), "it stands"
+    assert "Falls in 2 episodes: 0 in MuJoCo, 0 in Drake." in printed
 
 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [(["--friction", "-1"], "friction must be 0 or more"), (["--command", "nan", "0"], "command: expected")],
 )
-def test_program_with_bad_input_is_an_error_and_writes_nothing(arguments, message, tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(tmp_path)
-    assert main(["sim2sim", "flat", *arguments]) == 2
+def test_program_with_bad_input_is_an_error(arguments, message, capsys):
+    assert sim2sim.main(["flat", *arguments]) == 2
     assert message in capsys.readouterr().err
-    assert list(tmp_path.iterdir()) == []

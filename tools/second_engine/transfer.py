@@ -4,7 +4,7 @@ import math
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Final, Self, TypedDict
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.evaluation.comparison import Command, commands_for, evaluation_task, motion_of
-from quadruped_env.evaluation.confidence import bootstrap_mean, number
+from quadruped_env.evaluation.confidence import bootstrap_mean
 from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import CommandedGaitController, Controller, Policy, PolicyController, ZeroController
-from quadruped_env.sim2sim.engines import Drake, MuJoCo
 from quadruped_env.utils.progress import Progress, part_of
+from quadruped_env.utils.text_table import text_table
+from second_engine.engines import Drake, MuJoCo
 
 Floats = NDArray[np.float64]
 Engine = MuJoCo | Drake
@@ -38,8 +39,7 @@ SECONDS: Final = 10.0
 MAX_SECONDS: Final = 120.0
 """Maximum length of an episode, s: Drake simulates one robot after the other."""
 
-CONTROLLERS: Final = ("policy", "tuned", "zero")
-"""Names of the controllers: the policy, the searched gait and the robot that holds its stance."""
+_LABELS: Final = {"policy": "Trained policy", "tuned": "Searched gait", "zero": "Standing still"}
 QUANTITIES: Final = ("forward_velocity", "yaw_rate", "base_height", "fallen")
 """Quantities of an episode: means in m/s, rad/s and m after the start-up and before a fall; 1 for a fall, else 0."""
 TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2}
@@ -107,83 +107,69 @@ class Transfer:
             return False
         return None if self.not_followed("policy") else True
 
-    def to_dict(self) -> dict[str, Any]:
-        """All numbers as JSON-serializable values; NaN becomes None."""
-        return {
-            "seeds": list(self.seeds),
-            "seconds": self.seconds,
-            "engines": list(self.engines),
-            "targets": TARGETS,
-            "carries_over": self.carries_over(),
-            "controllers": {
-                controller: {
-                    "commands": [list(command) for command in self.commands[controller]],
-                    "engines": [
-                        {
-                            name: [[number(value) for value in row] for row in engine[name].tolist()]
-                            for name in QUANTITIES
-                        }
-                        for engine in engines
-                    ],
-                }
-                for controller, engines in self.values.items()
-            },
-        }
+    def tables(self) -> list[str]:
+        """Results of each controller as text: the mean of each quantity in both engines, and what is lost."""
+        here, there = (str(engine["name"]) for engine in self.engines)
+        velocities = (f"m/s {here}", there, "loss", f"rad/s {here}", there, "loss")
+        header = ("m/s, rad/s", *velocities, f"height mm {here}", there, f"falls {here}", there)
+        found = []
+        for controller, commands in self.commands.items():
+            rows = []
+            for i, (forward, yaw_rate) in enumerate(commands):
+                cells = [f"{forward:g}, {yaw_rate:g}"]
+                for velocity in TARGETS:
+                    cells += [_shown(value, 3) for value in self.means(controller, velocity, i)]
+                    cells.append(_percent(self.loss(controller, velocity, i)))
+                cells += [_shown(1000.0 * value, 0) for value in self.means(controller, "base_height", i)]
+                cells += [f"{int(engine['fallen'][i].sum())}" for engine in self.values[controller]]
+                rows.append(tuple(cells))
+            found.append(f"{_LABELS[controller]}\n{text_table([header, *rows], left=0)}")
+        return found
 
-    @classmethod
-    def from_dict(cls, document: "StoredTransfer") -> Self:
-        """Results from the values of `to_dict`.
+    def verdict(self) -> tuple[str, ...]:
+        """The targets, one sentence each, for the policy; the first is the conclusion."""
+        here, there = (str(engine["name"]) for engine in self.engines)
+        carries_over = self.carries_over()
+        sentences = [f"The policy {'carries' if carries_over else 'does not carry'} over to {there}."]
+        if carries_over is None:
+            forward, yaw_rate = self.not_followed("policy")[0]
+            sentences = [
+                f"Whether the policy carries over to {there} is open: in {here} it does not follow the command of "
+                f"{forward:g} m/s and {yaw_rate:g} rad/s."
+            ]
+        for velocity, target in TARGETS.items():
+            found = self.largest_loss("policy", velocity)
+            if found is not None:
+                loss, (forward, yaw_rate) = found
+                judged = "reached" if loss <= target else "missed"
+                sentences.append(
+                    f"Largest loss of {velocity.replace('_', ' ')} against {here}: {_percent(loss)}, "
+                    f"at {forward:g} m/s and {yaw_rate:g} rad/s; target {_percent(target)}: {judged}."
+                )
+        episodes = self.values["policy"][0]["fallen"].size
+        first, second = self.falls("policy")
+        return *sentences, f"Falls in {episodes} episodes: {first} in {here}, {second} in {there}."
 
-        Raises:
-            QuadrupedError: if numbers or names do not fit together; the message names the field.
-        """
-        engines, seeds = document["engines"], document["seeds"]
-        if [engine.keys() & {"name", "version"} for engine in engines] != [{"name", "version"}] * 2:
-            raise QuadrupedError(f"engines: expected two with a name and a version; found {short(engines)}")
-        if "policy" not in document["controllers"] or not document["controllers"].keys() <= set(CONTROLLERS):
-            found = short(list(document["controllers"]))
-            raise QuadrupedError(f"controllers: expected policy, and no others than {CONTROLLERS}; found {found}")
-        commands, values = {}, {}
-        for controller, part in document["controllers"].items():
-            pairs, shape = part["commands"], (len(part["commands"]), len(seeds))
-            tables: list[Any] = [table for engine in part["engines"] for table in engine.values()]
-            if 0 in shape or any(len(pair) != 2 for pair in pairs) or len(part["engines"]) != 2:
-                raise QuadrupedError(f"controllers.{controller}: expected pairs as commands, seeds, and two engines")
-            if any([len(row) for row in table] != [shape[1]] * shape[0] for table in tables):
-                raise QuadrupedError(f"controllers.{controller}.engines: expected {shape[0]} by {shape[1]} values each")
-            commands[controller] = tuple((float(v), float(w)) for v, w in pairs)
-            first, second = (
-                {name: np.array(table, dtype=np.float64) for name, table in engine.items()}
-                for engine in part["engines"]
+    def conditions(self) -> tuple[str, ...]:
+        """Engine and settings in words, one sentence per engine."""
+        return tuple(
+            f"{engine['name']} {engine['version']}: "
+            + ", ".join(
+                f"{name.replace('_', ' ')} {f'{value:g}' if isinstance(value, float) else value}"
+                for name, value in engine.items()
+                if name not in ("name", "version")
             )
-            values[controller] = first, second
-        here, there = ({**engine, "name": str(engine["name"]), "version": str(engine["version"])} for engine in engines)
-        return cls(commands, tuple(seeds), float(document["seconds"]), (here, there), values)
+            + "."
+            for engine in self.engines
+        )
 
 
-class StoredEngine(TypedDict):
-    """Quantity -> (K, S) of a controller in an engine; None where there was no data."""
-
-    forward_velocity: list[list[float | None]]
-    yaw_rate: list[list[float | None]]
-    base_height: list[list[float | None]]
-    fallen: list[list[float]]
+def _shown(value: float, digits: int) -> str:
+    return f"{value:z.{digits}f}" if math.isfinite(value) else "-"
 
 
-class StoredController(TypedDict):
-    """A controller's commands, and its results in both engines."""
-
-    commands: list[list[float]]
-    engines: list[StoredEngine]
-
-
-class StoredTransfer(TypedDict):
-    """`Transfer.to_dict`, as a file holds it."""
-
-    seeds: list[int]
-    seconds: float
-    engines: list[dict[str, str | bool | float | None]]
-    controllers: dict[str, StoredController]
+def _percent(share: float) -> str:
+    return f"{100.0 * share:z.1f} %" if math.isfinite(share) else "-"
 
 
 def run_transfer(
@@ -211,9 +197,8 @@ def run_transfer(
         progress: called with the fraction done.
 
     Raises:
-        MissingExtraError: if Drake is needed and not installed.
         QuadrupedError: if there is no command or seed, a command is not finite, the episodes are too short or too long,
-            or Drake cannot simulate the robot.
+            Drake is needed and not installed, or it cannot simulate the robot.
     """
     if commands is None:
         commands = commands_for(policy.config.robot, COMMANDS)

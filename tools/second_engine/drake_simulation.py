@@ -7,15 +7,15 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.readings import Readings, sensor_columns
-from quadruped_env.sim2sim.contact import Contact
-from quadruped_env.sim2sim.drake_model import DrakeModel
-from quadruped_env.sim2sim.drake_robot import DrakeRobot
-from quadruped_env.sim2sim.servos import Servos
-from quadruped_env.sim2sim.sites import Site
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import SimulationState
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils import rotations
+from second_engine.drake_model import DrakeModel
+from second_engine.drake_robot import DrakeRobot
+from second_engine.engines import Contact
+from second_engine.servos import Servos
+from second_engine.sites import Site
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -39,7 +39,7 @@ class DrakeSimulation:
     def __init__(self, config: TaskConfig, num_envs: int, timestep: float, contact: Contact) -> None:
         if config.ground.heights().any():
             raise QuadrupedError(
-                f"sim2sim: the ground is level in Drake; found a task on the terrain {config.terrain['name']!r}: "
+                f"Drake: the ground is level in Drake; found a task on the terrain {config.terrain['name']!r}: "
                 f"put it on level ground with config.on_terrain('flat')"
             )
         self.robot = robot = config.robot
@@ -103,7 +103,7 @@ class DrakeSimulation:
         steps = round(exact)
         if abs(steps - exact) > 1e-6:
             raise QuadrupedError(
-                f"sim2sim: {substeps} physics steps of {self._substep:g} s are not a whole number of Drake's steps of "
+                f"Drake: {substeps} physics steps of {self._substep:g} s are not a whole number of Drake's steps of "
                 f"{self.timestep:g} s; step by whole control steps"
             )
         return steps
@@ -169,7 +169,7 @@ class DrakeSimulation:
     def model_field(self, name: str) -> Floats:
         """Refused with a QuadrupedError: the robot in Drake does not follow MuJoCo's model."""
         raise QuadrupedError(
-            f"sim2sim: a randomization of MuJoCo's {name!r} does not reach the robot in Drake; run the task without "
+            f"Drake: a randomization of MuJoCo's {name!r} does not reach the robot in Drake; run the task without "
             f"it, as config.randomized('none') does"
         )
 
@@ -191,4 +191,4 @@ class DrakeSimulation:
         self._refuse_state()
 
     def _refuse_state(self) -> NoReturn:
-        raise QuadrupedError("sim2sim: states of robots in Drake are not saved; run the episode from its start")
+        raise QuadrupedError("Drake: states of robots in Drake are not saved; run the episode from its start")
