@@ -20,9 +20,10 @@ from waiting import wait_until
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.control import ControlInterface
 from quadruped_env.control.live_controller import LiveController
-from quadruped_env.control.policy_files import load_terms, read_policy
 from quadruped_env.control.stand_up import StandUp
+from quadruped_env.control.task_file import load_terms
 from quadruped_env.policies import GaitController, PolicyController, ZeroController, load_policy
+from quadruped_env.policies.files import read_policy
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
 from quadruped_env.robot.corners import corners
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
