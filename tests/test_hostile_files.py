@@ -183,12 +183,12 @@ READERS = {
     "columns": Reader("columns.toml", ColumnMap.load, sound=COLUMNS),
     "joints": Reader("joints.toml", JointMap.load, sound=JOINTS),
     "recording": Reader("recording", JointTrajectory.load, sound=ECHO + ECHO.replace("sec: 1", "sec: 2")),
-    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, salvage=True, drop=True), sound=ECHO),
+    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, repair=["salvage", "drop"]), sound=ECHO),
     "table": Reader(
         "a.csv", lambda path: JointTrajectory.load(path, columns=path.with_name("map.toml")), prepare_map, TABLE
     ),
     "metadata": Reader("bag/metadata.yaml", lambda path: JointTrajectory.load(path.parent), prepare_bag),
-    "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, salvage=True), prepare_bag),
+    "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, repair=["salvage"]), prepare_bag),
     "tensors": Reader(TENSORS_FILE, lambda path: read_policy(path.parent), prepare_policy),
     "progress": Reader("progress.csv", read_progress, sound="timesteps,return\n1,2.5\n2,\n"),
 }
