@@ -35,6 +35,7 @@ def test_the_shipped_policy_meets_more_commands_than_its_gait():
     assert learned > gait + 0.2
 
 
+@pytest.mark.slow
 def test_the_limit_ends_a_training_that_does_not_learn():
     learned = time_to_learn(
         "position", 0, limit=0.1, interval=0.05, say=lambda line: None, num_envs=64, timesteps=200_000
