@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     evaluated = find_policy(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     prepare_output(evaluated.output)
     if arguments.joints:
-        saving.check(arguments.joints, saving.WriteOptions(overwrite=arguments.overwrite))
+        saving.check(arguments.joints, arguments.overwrite)
     prepare_video(arguments.video, arguments.overwrite)
     interrupted = evaluated.policy.card.get("interrupted")
     print(f"evaluating {evaluated.name}{f', whose training ended early: {short(interrupted)}' if interrupted else ''}")
