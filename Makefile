@@ -26,7 +26,7 @@ help:  ## list the targets
 
 install: $(INSTALLED)  ## create .venv with what walk, view and test need, at the versions of constraints.txt
 
-dev: $(DEV)  ## install the rest too: Ray, MuJoCo Warp, ONNX, Playwright
+dev: $(DEV)  ## install the rest too: Ray, ONNX, Playwright
 
 $(INSTALLED): $(REQUIRED)
 	@$(INSTALL) test

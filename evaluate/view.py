@@ -3,7 +3,7 @@
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 from quadruped_env.cli.main import main
 

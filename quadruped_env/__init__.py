@@ -6,22 +6,19 @@ import quadruped_env
 env = gymnasium.make("MiniQuadruped-v0")
 """
 
-from quadruped_env.utils.interpreter import check_python
+import sys
 
-check_python()  # before anything is imported that the wrong Python does not have
+if sys.version_info < (3, 11):  # noqa: UP036 - a checkout needs no installation, which would check it
+    raise ImportError(f"mini-quadruped needs Python 3.11 or later; this is {sys.executable}, {sys.version.split()[0]}")
 
-from quadruped_env.utils.opengl import import_mujoco  # noqa: E402
+import importlib
+from typing import TYPE_CHECKING, Any, Final
 
-import_mujoco()  # before anything else does: it reads the OpenGL backend from the environment
-
-import importlib  # noqa: E402
-from typing import TYPE_CHECKING, Any, Final  # noqa: E402
-
-from quadruped_env._version import __version__  # noqa: E402
-from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning  # noqa: E402
-from quadruped_env.gait import CommandedGait, SinusoidalGait  # noqa: E402
-from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, asset_path, forward_kinematics  # noqa: E402
-from quadruped_env.utils.registration import register_envs  # noqa: E402
+from quadruped_env._version import __version__
+from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
+from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.robot import JOINT_NAMES, LEG_NAMES, asset_path, forward_kinematics
+from quadruped_env.utils.registration import register_envs
 
 if TYPE_CHECKING:
     from quadruped_env import envs, policies

@@ -2,7 +2,6 @@
 
 import argparse
 import dataclasses
-import hashlib
 import json
 import math
 import os
@@ -20,8 +19,6 @@ from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.cli.train import task_change
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_files import CHECKPOINTS, read_policy, shipped_directory
 from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.aggregate import aggregate
@@ -30,11 +27,12 @@ from quadruped_env.export.folder import check_output, results_of
 from quadruped_env.export.golden_trace import TRACE_FILE
 from quadruped_env.export.manifest import FORMAT
 from quadruped_env.export.trace_check import ExportedTrace
+from quadruped_env.policies.files import CHECKPOINTS, read_policy, shipped_directory
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.reporting.pages.learning import half_way
 from quadruped_env.reporting.plots.learning_plots import read_progress
 from quadruped_env.scale.sweep.search_space import read_space
-from quadruped_env.sim2sim import transfer_results as sim2sim
 from quadruped_env.task import TaskConfig, load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
@@ -119,27 +117,14 @@ def read_suite(path):
     ranked([(found["name"], found), ("other", SUITE_RESULTS)])
 
 
-def read_sim2sim(path):
-    found = sim2sim.load(dataclasses.replace(find_policy("flat"), output=path.parent))
-    for show in () if found is None else (sim2sim.tables, sim2sim.verdict, sim2sim.conditions):
-        show(found[0])
-
-
 def prepare_subject(directory):
-    """A run with the results of its evaluation, and those in a second engine."""
+    """A run with the results of its evaluation."""
     prepare_whole_run(directory)
     card = json.loads((directory / CARD_FILE).read_text())["card"]
     verdict = {"level": "good", "headline": "It walks.", "findings": {}}
     own = {"command_line": "", "format_version": 1, "verdict": verdict, "suite": None, "commands": [], "seeds": []}
     own |= {"seconds": 1.0, "metrics": {}, "controllers": {"policy": {"all": {}, "by_motion": {}}}}
     (directory / "metrics.json").write_text(json.dumps({"policy": {"card": card}, **own}))
-    engine = {"name": "MuJoCo", "version": "4", "timestep": 0.005}
-    values = {name: [[0.1, 0.2]] for name in ("forward_velocity", "yaw_rate", "base_height", "fallen")}
-    part = {"commands": [[0.3, 0.0]], "engines": [values, values]}
-    digest = hashlib.sha256(find_policy("flat").policy.files()[TENSORS_FILE]).hexdigest()
-    document = {"format_version": 1, "command_line": "", "policy": {"weights_sha256": digest}, "seeds": [1, 2]}
-    document |= {"seconds": 5.0, "engines": [engine, engine], "controllers": {"policy": part}}
-    (directory / sim2sim.RESULTS_FILE).write_text(json.dumps(document))
 
 
 def prepare_export(directory):
@@ -160,7 +145,6 @@ SPACE = "[learning_rate]\nlow = 1e-4\nhigh = 1e-2\nlog = true\n[task.reward.weig
 SPACE_JSON = '{"gamma": {"low": 0.9, "high": 0.99}, "task.reward.weights": {"foot_slip": {"choices": [-1, 0]}}}'
 ROW = {name: SUITE_RESULTS[name] for name in ("suite", "conditions", "name")} | {"score": SCORE}
 TASK = json.dumps({"decimation": 4, "reward": {"weights": {"upright": -1.0}}, "command": {"yaw_rate": [-0.4, 0.4]}})
-CLIP = '{"FrameDuration": 0.02, "Frames": [[0.1, 0.2], [0.3, 0.4]]}'
 TABLE = "t,q\n0.0,1.5\n0.1,1.25\n"
 
 READERS = {
@@ -189,7 +173,6 @@ READERS = {
         prepare_subject,
         lenient=True,
     ),
-    "second engine": Reader(sim2sim.RESULTS_FILE, read_sim2sim, prepare_subject, lenient=True),
     "export": Reader(
         "manifest.json", lambda path: check_output(path.parent, True), sound=json.dumps({"format": FORMAT})
     ),
@@ -200,20 +183,19 @@ READERS = {
     "columns": Reader("columns.toml", ColumnMap.load, sound=COLUMNS),
     "joints": Reader("joints.toml", JointMap.load, sound=JOINTS),
     "recording": Reader("recording", JointTrajectory.load, sound=ECHO + ECHO.replace("sec: 1", "sec: 2")),
-    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, salvage=True, drop=True), sound=ECHO),
+    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, repair=["salvage", "drop"]), sound=ECHO),
     "table": Reader(
         "a.csv", lambda path: JointTrajectory.load(path, columns=path.with_name("map.toml")), prepare_map, TABLE
     ),
-    "clip": Reader("clip.json", lambda path: JointTrajectory.load(path, names=["a", "b"]), sound=CLIP),
     "metadata": Reader("bag/metadata.yaml", lambda path: JointTrajectory.load(path.parent), prepare_bag),
-    "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, salvage=True), prepare_bag),
+    "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, repair=["salvage"]), prepare_bag),
     "tensors": Reader(TENSORS_FILE, lambda path: read_policy(path.parent), prepare_policy),
     "progress": Reader("progress.csv", read_progress, sound="timesteps,return\n1,2.5\n2,\n"),
 }
 BINARY = ("tensors", "storage")
 """Readers of binary files; tests/trajectory/test_formats_fuzz.py mutates bags."""
 
-JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON", "clip")
+JSON = ("policy", "config", "motors", "sweep", "trial", "result", "suite", "references", "space as JSON")
 JSON += ("traced export",)
 TOML = ("columns", "joints", "space")
 

@@ -17,7 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final, NamedTuple
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
@@ -26,17 +26,16 @@ import numpy as np
 
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import CommandedGaitController
-from quadruped_env.errors import MissingExtraError
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import evaluation_task
 from quadruped_env.evaluation.metrics import measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import PolicyController, load_policy
-from quadruped_env.sim2sim import Drake, MuJoCo
-from quadruped_env.sim2sim.engines import check_drake
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
+from second_engine.engines import Drake, MuJoCo, check_drake
 
 COMMANDS: Final = ((0.2, 0.0), (0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
 """Forward velocity in m/s and yaw rate in rad/s."""
@@ -99,7 +98,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _has_drake() -> bool:
     try:
         check_drake()
-    except MissingExtraError:
+    except QuadrupedError:
         return False
     return True
 

@@ -23,7 +23,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 sys.path.append(str(Path(__file__).parents[1] / ".cosmic-ray"))  # last: what .venv has is used from there
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)

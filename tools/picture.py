@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
@@ -13,9 +13,9 @@ import numpy as np
 
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.clock import frequency_at
-from quadruped_env.control.policy_files import SHOWN
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
+from quadruped_env.policies.files import SHOWN
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.utils.interpreter import pasteable

@@ -5,7 +5,7 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.render_speed import GOAL, measure_rendering, stay_on_one_core

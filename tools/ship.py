@@ -8,12 +8,12 @@ import json
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import ship
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.control.policy_files import SHIPPED
+from quadruped_env.policies.files import SHIPPED
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 

@@ -10,7 +10,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the package finds it, and prints a fix
+sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env.errors import QuadrupedError

@@ -7,7 +7,7 @@ MJCF. The graph is compared with the policy on ONNX Runtime first. Nothing is up
     mini-quadruped export                      the latest run in runs/, or the shipped policy flat
     mini-quadruped export runs/<name>          a run; if it was interrupted, its last checkpoint
     mini-quadruped export flat --film          a shipped policy, with a film
-    mini-quadruped export flat --hub           for a model hub: also a film, the page that walks, LeRobot's env.py
+    mini-quadruped export flat --hub           for a model hub: also a film and the page that walks
     mini-quadruped export flat --c             also as C99 for a microcontroller, with a sketch for an ESP32
 """
 
@@ -32,7 +32,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--hub",
         action="store_true",
-        help="the folder for a model hub: also the film, the page that walks, the results, and LeRobot's env.py",
+        help="the folder for a model hub: also the film, the page that walks and the results",
     )
     parser.add_argument(
         "--opset",

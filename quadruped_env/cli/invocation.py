@@ -17,7 +17,6 @@ SUMMARIES: Final = {
     "sweep": "train many policies at once: seeds of one config, or a search over its settings",
     "evaluate": "evaluate a policy against the scripted gaits, and write a report",
     "compare": "compare several policies on the same episodes",
-    "sim2sim": "run a policy in a second physics engine, and measure what it loses there",
     "page": "write one HTML file in which a policy's robot walks in any browser",
     "export": "write a policy as ONNX with a manifest, for a robot or a model hub",
     "check-export": "compare runtimes, or a program of your own, with an export's golden trace",

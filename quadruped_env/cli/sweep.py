@@ -13,6 +13,7 @@ Each trial is one training, as of 'train', with its run directory in sweeps/<nam
 
 import argparse
 import math
+import os
 import signal
 from collections.abc import Mapping
 from functools import partial
@@ -112,18 +113,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--resume", type=Path, metavar="SWEEP", help="directory of a sweep to go on with; finished trials stay"
     )
     add_output(group, "DIR", f"directory of the sweeps, which all nodes share (default: {SWEEPS})", SWEEPS)  # type: ignore[arg-type]
-    add_settings(parser, left_out=("ranks", "device"))
+    add_settings(parser)
     shown = ("--seeds", "--vary", "--space", "--trials", "--search", "--scheduler", "--score", "--resume", "--output")
     shorten_help(parser, *shown, "--recipe", "--timesteps")
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.scale.ranks.job import cores
     from quadruped_env.scale.ray_connection import check_answers, check_installed
     from quadruped_env.scale.sweep.sweep_results import collect, table, write
 
-    here = cores() if arguments.cores is None else arguments.cores
+    here = _cores() if arguments.cores is None else arguments.cores
     if here < 1:
         raise QuadrupedError(f"--cores: expected 1 or more; found {here}")
     if arguments.address is not None and arguments.cores is not None:
@@ -253,6 +253,11 @@ def _check_kept(
                 f"{option}: found {short(value)}; the sweep in {arguments.resume} has {short(kept)}, and a resumed "
                 f"sweep keeps its definition: leave the option out, or start a new sweep without --resume"
             )
+
+
+def _cores() -> int:
+    """Number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def describe(config: SweepConfig) -> str:

@@ -8,8 +8,6 @@ mini-quadruped train --randomization hard     with other masses, motors, latency
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
 mini-quadruped train --algo my_algorithm.py:MyPPO   with one of your own
-mini-quadruped train --ranks 2                share the envs and the updates between two processes
-mini-quadruped train --device cuda            on a GPU, thousands of robots at once; with --ranks 2, on two GPUs
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
 
@@ -17,7 +15,7 @@ import argparse
 import dataclasses
 import json
 import signal
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from decimal import Decimal
 from pathlib import Path
 from typing import Any, Final, get_args
@@ -31,18 +29,15 @@ from quadruped_env.cli.common_options import (
 )
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.control.kept_task_file import kept_file
-from quadruped_env.control.policy import CARD_FILE
-from quadruped_env.control.policy_files import policy_directory
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.comparison import COMMANDS
 from quadruped_env.evaluation.learning_gain import EPISODES, MOTION_SEEDS, LearningGain, learning_gain
-from quadruped_env.policies import kept_definition, load_policy
+from quadruped_env.policies import load_policy
+from quadruped_env.policies.files import kept_file
+from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.robot.description import check_no_description
-from quadruped_env.scale.ranks.job import Job
-from quadruped_env.scale.ranks.training_launch import LAUNCHERS, check_ranks, launch, torchrun_place
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.algorithms import ALGORITHMS, check_used
@@ -56,7 +51,7 @@ from quadruped_env.utils.program import shorten_help, stopped_status
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
 _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
-_SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed", "--device")
+_SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed")
 """Options of the settings that `--help` shows."""
 _MANY: Final = 10**18
 """Bound of a count that is parsed: 1e999999999 would fill the memory."""
@@ -75,30 +70,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "from where they were",
     )
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS)
-    parser.add_argument(
-        "--launcher",
-        choices=LAUNCHERS,
-        default=LAUNCHERS[0],
-        help="what starts the other --ranks: processes of this machine, or a Ray cluster, which needs the extra "
-        "'sweep'; torchrun starts all itself (docs/scaling.md) (default: %(default)s)",
-    )
-    parser.add_argument(
-        "--address",
-        metavar="HOST:PORT",
-        help="running Ray cluster, of which this machine is a node, for --launcher ray (default: RAY_ADDRESS)",
-    )
     add_trust_task(
         parser, "with --resume: execute the copy of the task file that the run keeps, in place of --task FILE"
     )
     shorten_help(parser, *_SHOWN, "--resume", "--output")
 
 
-def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) -> None:
-    """Add the fields of `TrainConfig` that are not left out, `--terrain` and `--randomization`."""
+def add_settings(parser: argparse.ArgumentParser) -> None:
+    """Add the fields of `TrainConfig`, `--terrain` and `--randomization`."""
     docs = field_docs(TrainConfig)
     for field in dataclasses.fields(TrainConfig):
-        if field.name in left_out:
-            continue
         option = f"--{field.name.replace('_', '-')}"
         default = field.default if field.default is not dataclasses.MISSING else {}
         text = docs[field.name]
@@ -107,7 +88,7 @@ def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) 
         # Without defaults: those of a resumed run are the run's.
         options: dict[str, Any] = {
             "default": argparse.SUPPRESS,
-            "help": f"{text} (default: {_defaults_in_words(field.name, left_out)})".replace("%", "%%"),
+            "help": f"{text} (default: {_defaults_in_words(field.name)})".replace("%", "%%"),
         }
         if field.name == "hidden":
             options.update(type=int, nargs="+", metavar="N")
@@ -135,9 +116,6 @@ def add_settings(parser: argparse.ArgumentParser, left_out: Iterable[str] = ()) 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Train, and print where the result is."""
     typed, task_file, definition, whole = typed_settings(arguments)
-    here = torchrun_place()
-    if here is not None:
-        check_ranks(typed.setdefault("ranks", here.ranks), here)
     runs, resume = arguments.output, arguments.resume
     before = latest.resolve().name if (latest := runs / "latest").exists() else ""
     if resume is None:
@@ -150,24 +128,22 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         if arguments.trust_task:
             if task_file is not None:
                 raise QuadrupedError(f"--trust-task: found next to --task {task_file}; give one of them")
-            kept = kept_file(policy_directory(resume))
+            kept = kept_file(resume)
             task_file = None if kept is None else kept[0]
-            definition = kept_definition(resume)
+            definition = BUILT_IN if kept is None else load_task_file(*kept)
         parent = Parent.load(resume, definition)
         config, resume = parent.resumed(typed, whole), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
-        if here is None or here.rank == 0:
-            print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
-            for difference in filter(
-                None, (parent.task_changes, parent.reward_changes(config), parent.code_changes(config))
-            ):
-                print(f"note: {difference}", flush=True)
+        print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
+        for difference in filter(
+            None, (parent.task_changes, parent.reward_changes(config), parent.code_changes(config))
+        ):
+            print(f"note: {difference}", flush=True)
     check_used(config.algo, typed)
-    job = Job(config, runs, invocation.line, resume, task_file)
-    result = launch(job, here, arguments.launcher, arguments.address)
-    if result is None:
-        return 0  # one of torchrun's other ranks
-    directory, finished = result
+    # Torch takes seconds to import.
+    from quadruped_env.training.train import train
+
+    directory, finished = train(config, runs, invocation.line, resume, task_file)
     card = read_json(directory / CARD_FILE)["card"]
     steps, interrupted = card["timesteps"], card.get("interrupted")
     print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")
@@ -288,14 +264,12 @@ def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, d
     return next(iter(files), None), changes
 
 
-def _defaults_in_words(name: str, left_out: Iterable[str]) -> str:
+def _defaults_in_words(name: str) -> str:
     """Default of a field of `TrainConfig`, and its other defaults with the options that lead to them."""
     if name == "name":
         return "that of --algo"
     found: dict[str, list[str]] = {}
     for option, choices in {"": ("",), **CHOICES}.items():  # the first pair: without any option
-        if option in left_out:
-            continue
         by_value: dict[str, list[str]] = {}
         for choice in choices:
             settings = default_settings({option: choice})

@@ -15,7 +15,6 @@ from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.gait import joint_phases, wave_positions
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
-from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 
@@ -32,7 +31,6 @@ class ControlInterface:
         config: time step, clock, action scaling and ranges of the command.
         num_envs: number of envs, N.
         fields: fields of the observation.
-        like: an array of the kind to compute with; None: NumPy's.
     """
 
     def __init__(
@@ -41,13 +39,12 @@ class ControlInterface:
         config: ControlConfig,
         num_envs: int = 1,
         fields: Sequence[ObservationField] = OBSERVATIONS,
-        like: Floats | None = None,
     ) -> None:
         self.robot = robot
         self.config = config
         self.num_envs = num_envs
         self.layout = ObservationLayout(robot, tuple(fields), config.observation_history)
-        self.memory = memory = EpisodeMemory(num_envs, like)
+        self.memory = memory = EpisodeMemory(num_envs)
         self.action: Floats = memory.zeros("action", robot.num_joints)
         """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
         self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
@@ -69,24 +66,25 @@ class ControlInterface:
         self._sine: Floats = memory.zeros("gait_sine", robot.num_joints)
         self._cosine: Floats = memory.zeros("gait_cosine", robot.num_joints)
         self._offset: Floats = memory.zeros("gait_offset", robot.num_joints)
-        # A ring: the observation of step s is at s modulo the number of steps.
         depth = config.observation_history
         past = (depth, self.layout.width) if depth > 1 else (0, 0)
         self._past: NDArray[np.float32] = memory.zeros("observations", *past, dtype=np.float32)
-        self._env_ids, self._ages = np.arange(num_envs, like=like)[:, None], np.arange(depth, like=like)
+        """The latest observations, the latest first (N, depth, width)."""
+        self._observed_step: NDArray[np.int64] = memory.zeros("observed_step", dtype=np.int64)
+        """Control step of the latest observation, (N,)."""
         self._columns = {entry.name: i for i, entry in enumerate(config.commands)}
-        self._largest_change = config.timestep * frozen(np.array(config.command_rate))
+        self._largest_change = config.timestep * np.array(config.command_rate)
         self._gait, self._scale = config.action.scripted_gait(robot, config.clock_frequency), config.action.scale
-        self._joint_phases = frozen(joint_phases(robot))
+        self._joint_phases = joint_phases(robot)
         self._leg_phases = self._joint_phases[:: robot.num_joints // robot.num_legs]
-        self._moving_threshold = frozen(moving_threshold(robot))
+        self._moving_threshold = moving_threshold(robot)
         self.stance: Floats = robot.stance[None]
         """Joint positions of the stance (1, J), rad."""
         self._observation_low, self._observation_high = (
-            frozen(bound.astype(np.float32)) for bound in (self.layout.low, self.layout.high)
+            bound.astype(np.float32) for bound in (self.layout.low, self.layout.high)
         )
-        self._clock: Floats = np.zeros((num_envs, 2), like=like)
-        self.reset(np.arange(num_envs, like=like))
+        self._clock: Floats = np.zeros((num_envs, 2))
+        self.reset(np.arange(num_envs))
 
     def __getstate__(self) -> dict[str, object]:
         # `command` is a view, and unpickling would turn it into a copy.
@@ -104,7 +102,7 @@ class ControlInterface:
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
         if command is None:
-            command = np.zeros((len(env_ids), VELOCITY), like=self.phase)
+            command = np.zeros((len(env_ids), VELOCITY))
         self.set_command(env_ids, command)
         # Also for zero: clock and scripted gait follow the command.
         self._set_velocity(env_ids, command[:, :VELOCITY])
@@ -210,11 +208,18 @@ class ControlInterface:
 
     def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
         """The present observations (N, width) and those of the steps before."""
-        past, depth = self._past, self.layout.history
-        past[self._env_ids[:, 0], self.steps % depth] = present
-        first = self.steps == 0
-        past[first] = present[first, None]
-        return past[self._env_ids, (self.steps[:, None] - self._ages) % depth].reshape(self.num_envs, -1)
+        past, steps = self._past, self.steps
+        advanced = steps != self._observed_step
+        if np.count_nonzero(advanced) == len(steps):
+            past[:, 1:] = past[:, :-1]
+        else:
+            past[advanced, 1:] = past[advanced, :-1]
+        past[:, 0] = present
+        if np.count_nonzero(steps) < len(steps):
+            first = steps == 0
+            past[first] = present[first, None]
+        self._observed_step[:] = steps
+        return past.reshape(len(steps), -1).copy()
 
 
 class Controller(Protocol):

@@ -16,12 +16,10 @@ class EpisodeMemory:
 
     Args:
         num_envs: number of envs, N.
-        like: an array of the kind to create; None: NumPy's.
     """
 
-    def __init__(self, num_envs: int, like: NDArray[np.float64] | None = None) -> None:
+    def __init__(self, num_envs: int) -> None:
         self.num_envs = num_envs
-        self._like = None if like is None else like[:0]
         self._arrays: dict[str, NDArray[Any]] = {}
 
     def zeros(self, name: str, *shape: int, dtype: DTypeLike = np.float64) -> NDArray[Any]:
@@ -34,7 +32,7 @@ class EpisodeMemory:
             raise QuadrupedError(
                 f"episode memory: the name {name!r} is taken; choose another than {', '.join(self._arrays)}"
             )
-        self._arrays[name] = np.zeros((self.num_envs, *shape), dtype, like=self._like)
+        self._arrays[name] = np.zeros((self.num_envs, *shape), dtype)
         return self._arrays[name]
 
     def clear(self, env_ids: NDArray[np.intp]) -> None:

@@ -1,6 +1,8 @@
 """Rendering of the robot, offscreen or in a window."""
 
+import ctypes.util
 import functools
+import importlib
 import os
 import sys
 import threading
@@ -12,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.utils.opengl import has_display, import_errors
 
 NO_OPENGL: Final = (
     "no OpenGL to render with: install a software renderer (Debian and Ubuntu: 'apt-get install libegl1 "
@@ -75,6 +76,25 @@ class SceneRenderer:
             self._renderer.close()
 
 
+def has_display() -> bool:
+    """True if a window could be opened."""
+    return not sys.platform.startswith("linux") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def choose_opengl() -> bool:
+    """Set MUJOCO_GL to a backend that renders without a display; False if none is installed."""
+    for backend, library in (("egl", "EGL"), ("osmesa", "OSMesa")):
+        if ctypes.util.find_library(library):
+            os.environ["MUJOCO_GL"] = backend
+            return True
+    return False
+
+
+def _use_chosen_opengl() -> None:
+    """Let MuJoCo use the backend of MUJOCO_GL, which it has read when it was imported."""
+    importlib.reload(sys.modules[mujoco.Renderer.__module__].gl_context)
+
+
 @functools.cache
 def opengl_failure() -> str:
     """Why OpenGL cannot render in this process, with the fix; empty if it can.
@@ -84,17 +104,17 @@ def opengl_failure() -> str:
     chosen = os.environ.get("MUJOCO_GL", "").lower().strip()
     if chosen in _OFF:
         return f"rendering is switched off: MUJOCO_GL is {chosen!r}; unset it"
-    error = next(iter(import_errors), None)
-    if error is None and chosen not in _WITHOUT_DISPLAY and not has_display():
+    if chosen not in _WITHOUT_DISPLAY and not has_display():
         if chosen in ("glfw", "glx"):
             return f"MUJOCO_GL is {chosen!r}, which needs a display, and there is none; unset it, or set it to 'egl'"
-        return NO_OPENGL
+        if not choose_opengl():
+            return NO_OPENGL
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
-            if error is None:
-                mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), _PROBE_SIZE, _PROBE_SIZE).close()
-                return ""
+            _use_chosen_opengl()
+            mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), _PROBE_SIZE, _PROBE_SIZE).close()
+            return ""
         except Exception as failure:  # backends raise various errors, even AttributeError for a missing library
             error = failure
     reasons = "; ".join(dict.fromkeys([*(str(entry.message) for entry in caught), f"{type(error).__name__}: {error}"]))

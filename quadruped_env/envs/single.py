@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _ENV_IDS = np.zeros(1, dtype=np.intp)
 
 
-@with_tables()
+@with_tables
 class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """A small four-legged robot that follows velocity commands.
 
@@ -140,6 +140,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         self.task = Task(self._simulation, task_config)
         self._info = spaces.Info(self.task)
         self.action_space = spaces.action_space(self.task.control.robot)
+        self._action_shape = self.action_space.shape
         self.observation_space = spaces.observation_space(self.task.control.layout)
         self._renderer: SceneRenderer | None = None
         if render_mode == "human":
@@ -174,12 +175,12 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     def step(self, action: NDArray[np.float32]) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
         """Advance by one control step."""
-        action = np.asarray(action)
-        if action.shape != self.action_space.shape:
+        values = np.asarray(action, dtype=np.float64)
+        if values.shape != self._action_shape:
             raise QuadrupedError(
-                f"action: expected shape {self.action_space.shape}, one value per joint; found {action.shape}"
+                f"action: expected shape {self._action_shape}, one value per joint; found {values.shape}"
             )
-        transition = self.task.step(action[None])
+        transition = self.task.step(values[None])
         info: dict[str, Any] = self._info.readings(0)
         # A 0-d array: from a NumPy bool, Gymnasium's vector environments would create an array of objects.
         info["diverged"] = transition.diverged.reshape(())

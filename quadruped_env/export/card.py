@@ -9,7 +9,7 @@ from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, gain
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.golden_trace import INT8_TRACE_FILE, TRACE_FILE
-from quadruped_env.export.hub import ENV_FILE, PAGE_FILE, RESULTS_FILE, mean_of, model_index
+from quadruped_env.export.hub import PAGE_FILE, RESULTS_FILE, mean_of, model_index
 from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
 
@@ -227,7 +227,6 @@ def _files(files: Iterable[str]) -> str:
         "policy.safetensors": "its weights",
         "progress.csv": "the learning curve",
         RESULTS_FILE: "the evaluation",
-        ENV_FILE: 'the environment, for LeRobot: `make_env("OWNER/NAME", trust_remote_code=True)`',
         PAGE_FILE: "the robot walks in your browser: one file, which makes no request",
         "film.webp": "the robot walks forwards, turns, and walks backwards",
         HEADER_FILE: "the policy for a microcontroller: readings and functions",

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
@@ -24,7 +23,7 @@ from quadruped_env.export.golden_trace import (
     trace_document,
     trace_fields,
 )
-from quadruped_env.export.hub import ENV_FILE, PAGE_FILE, RESULTS_FILE, env_file
+from quadruped_env.export.hub import PAGE_FILE, RESULTS_FILE
 from quadruped_env.export.manifest import (
     CONTROLLERS_FILE,
     FORMAT,
@@ -37,6 +36,7 @@ from quadruped_env.export.manifest import (
 from quadruped_env.export.onnx_graph import OPSET, policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.reporting.pages.page import METRICS_FILE, without_nan
 from quadruped_env.reporting.pages.pictures import filmed
@@ -86,8 +86,7 @@ def export_policy(
         progress: called with the fraction of the film that is rendered.
         opset: version of ONNX's operators, one of `OPSETS`.
         c: type of the weights of a C form of the policy, `float32` or `int8`; None: no C form.
-        write_page: writes the page that walks at a path, for a hub, with the results and LeRobot's entry; None: none
-            of these.
+        write_page: writes the page that walks at a path, for a hub, with the results; None: neither of them.
 
     Raises:
         MissingExtraError: if a library of the extra `export`, or with a film of `report`, is not installed.
@@ -115,11 +114,8 @@ def export_policy(
         int8 = golden_trace(PolicyInterface(quantized(policy)), trace)
         contents[INT8_TRACE_FILE] = csv_text(fields, int8).encode()
         document["c"] |= {"loss": int8_loss(policy), "golden_trace": trace_document(interface, INT8_TRACE_FILE)}
-    if write_page is not None:
-        if document["evaluation"] is not None:
-            contents[RESULTS_FILE] = json.dumps(document["evaluation"], indent=2).encode()
-        if (program := env_file(policy)) is not None:
-            contents[ENV_FILE] = program
+    if write_page is not None and document["evaluation"] is not None:
+        contents[RESULTS_FILE] = json.dumps(document["evaluation"], indent=2).encode()
     with whole(output) as part:
         part.mkdir()
         if write_page is not None:

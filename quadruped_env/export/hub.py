@@ -1,30 +1,13 @@
 """Files and results for a model hub, in addition to an exported policy."""
 
-import inspect
-import pprint
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
 from quadruped_env.envs import ENV_ID
-from quadruped_env.export import envhub
-from quadruped_env.policies import Policy
 
-ENV_FILE: Final = "env.py"
-"""LeRobot's EnvHub runs it."""
 RESULTS_FILE: Final = "results.json"
 PAGE_FILE: Final = "walk.html"
 """The page that walks; `quadruped_env.walking_page` writes it, also next to a report."""
-_EMPTY: Final = "CONFIG: dict[str, Any] = {}\n"
-
-
-def env_file(policy: Policy) -> bytes | None:
-    """The program that makes a policy's env for LeRobot; None if the task needs the user's own file or robot."""
-    spec = policy.make_env().spec
-    arguments = {} if spec is None else spec.kwargs
-    if set(arguments) != {"config"} or not isinstance(arguments["config"], dict):
-        return None
-    config = pprint.pformat(arguments["config"], width=118, compact=True, sort_dicts=False)
-    return inspect.getsource(envhub).replace(_EMPTY, f"{_EMPTY[:-3]}{config}\n").encode()
 
 
 def model_index(name: str, results: Mapping[str, Mapping[str, Any]], metrics: Iterable[str]) -> list[dict[str, Any]]:

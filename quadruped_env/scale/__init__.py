@@ -1,1 +1,1 @@
-"""Training at scale: sweeps, ranks, and the simulation of thousands of robots on a GPU."""
+"""Many trainings at once: sweeps on Ray."""

@@ -35,10 +35,7 @@ class SimulationState(NamedTuple):
 class Simulation(Protocol):
     """N copies of the robot on its ground.
 
-    All that it returns and is called with are arrays of one kind, that of `sensordata`: NumPy's, or others that honour
-    NumPy's protocols. A task that is built on it computes with them.
-
-    The drivers on the CPU return bit-identical results for the same calls, for any number of envs and threads.
+    All drivers return bit-identical results for the same calls, for any number of envs and threads.
     """
 
     model: mujoco.MjModel

@@ -9,7 +9,6 @@ from quadruped_env.control.control_config import Command
 from quadruped_env.task.config_sections import Section
 from quadruped_env.task.randomization.draws import Purposes
 from quadruped_env.task.randomization.randomization import between
-from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 
@@ -26,7 +25,7 @@ class CommandSampler:
         self._config = config
         names = [command.name for command in commands]
         self.purposes = Purposes({"command/kind": 1, **{f"command/{name}": 1 for name in names}, "command/interval": 1})
-        ranges = frozen(np.array([config[name] for name in names]))
+        ranges = np.array([config[name] for name in names])
         self._low, self._high = ranges[:, 0], ranges[:, 1]
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:

@@ -13,7 +13,6 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import quantities
-from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 
@@ -58,30 +57,30 @@ class TaskContext:
         height_field: HeightField | None = None,
         motors: MotorConfig | None = None,
     ) -> None:
-        n, like = control.num_envs, control.phase
+        n = control.num_envs
         self.robot = control.robot
         self.motors = motors or control.robot.motors
         """Motors of the simulation, without randomization."""
-        self.memory = EpisodeMemory(n, like)
+        self.memory = EpisodeMemory(n)
         """Arrays of the terms: zero after a reset, and saved with the env."""
         self.timestep = control.config.timestep
         """Time between actions, s."""
-        self.velocity: Floats = np.zeros((n, 2), like=like)
+        self.velocity: Floats = np.zeros((n, 2))
         """Forward velocity (m/s) and yaw rate (rad/s) in the body frame, (N, 2)."""
         self.smooth_velocity: Floats = self.memory.zeros("smooth_velocity", 2)
         """Average of `velocity` over about one gait cycle, (N, 2)."""
-        self.tracking_error: Floats = np.zeros((n, 2), like=like)
+        self.tracking_error: Floats = np.zeros((n, 2))
         """`smooth_velocity` minus the command in force during the step, (N, 2)."""
-        self.fallen: Floats = np.zeros(n, like=like)
+        self.fallen: Floats = np.zeros(n)
         """1.0 where the episode ends in a fall in this step, else 0.0, (N,)."""
-        self.landing_speed: Floats = np.zeros((n, self.robot.num_legs), like=like)
+        self.landing_speed: Floats = np.zeros((n, self.robot.num_legs))
         """Downward speed at which each foot has touched down in this control step, else 0, (N, L), m/s."""
-        self.slip: Floats = np.zeros((n, self.robot.num_legs), like=like)
+        self.slip: Floats = np.zeros((n, self.robot.num_legs))
         """Squared sliding speed of each sole while it is on the ground, mean over the step, (N, L), m^2/s^2."""
         self._airborne: Floats = self.memory.zeros("airborne", self.robot.num_legs)
         self.contact_threshold = contact_threshold
         """Normal force above which a foot is in contact, N."""
-        self.velocity_unit = frozen(np.array([scale_of(unit, self.robot) for unit in ("m/s", "rad/s")]))
+        self.velocity_unit = np.array([scale_of(unit, self.robot) for unit in ("m/s", "rad/s")])
         """Size of a velocity and of a rate for the robot relative to the built-in one, (2,)."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
@@ -134,13 +133,10 @@ class TaskContext:
             substeps.foot_velocity, substeps.foot_angular_velocity, self.robot.foot_radius
         )
         down = np.maximum(-substeps.foot_velocity[..., 2], 0.0)
-        self.landing_speed.fill(0.0)
-        self.slip.fill(0.0)
-        for touching, sole, slip in zip(on_ground, down, sliding, strict=True):
-            np.maximum(self.landing_speed, self._airborne * touching * sole, out=self.landing_speed)
-            self.slip += slip
-            np.subtract(1.0, touching, out=self._airborne)
-        self.slip /= len(on_ground)
+        airborne = np.concatenate([self._airborne[None], 1.0 - on_ground])
+        np.maximum.reduce(airborne[:-1] * on_ground * down, axis=0, out=self.landing_speed)
+        self.slip[:] = quantities.mean_over_steps(sliding)
+        self._airborne[:] = airborne[-1]
 
     def ground_height(self, positions: Floats) -> Floats:
         """Height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""

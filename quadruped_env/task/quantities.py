@@ -21,7 +21,7 @@ def clock_agreement(lift: Real, clock_sine: Real) -> Floats:
         lift: 1 for a foot in the air, -1 on the ground, or a value between (N, L).
         clock_sine: positive while the foot should swing (N, L).
     """
-    return (clock_sine * lift).sum(axis=-1) / clock_sine.shape[-1]
+    return np.add.reduce(clock_sine * lift, axis=-1) / clock_sine.shape[-1]
 
 
 def foot_lift(sole_height: Floats, full: float) -> Floats:
@@ -43,7 +43,7 @@ def foot_lift(sole_height: Floats, full: float) -> Floats:
 
 def mechanical_power(torque: Real, velocity: Real) -> Floats:
     """Mechanical power of the motors (...,), W; negative power counts as zero."""
-    return np.maximum(torque * velocity, 0.0).sum(axis=-1)
+    return np.add.reduce(np.maximum(torque * velocity, 0.0), axis=-1)
 
 
 def electrical_power(torque: Real, velocity: Real, joule_coefficient: Floats) -> Floats:
@@ -54,16 +54,13 @@ def electrical_power(torque: Real, velocity: Real, joule_coefficient: Floats) ->
         velocity: joint velocities (..., J), rad/s.
         joule_coefficient: heat per squared torque of each motor (J,), W/(N m)^2; `MotorConfig.joule_coefficients`.
     """
-    return mechanical_power(torque, velocity) + (torque**2 * joule_coefficient).sum(axis=-1)
+    return mechanical_power(torque, velocity) + np.add.reduce(torque**2 * joule_coefficient, axis=-1)
 
 
 def mean_over_steps(values: Floats) -> Floats:
-    """Mean (N,) over physics steps of values (S, N)."""
-    # One by one: a sum along the first axis adds those of a single env in pairs.
-    total = values[0].copy()
-    for step in values[1:]:
-        total += step
-    return total / len(values)
+    """Mean (N, ...) over physics steps of values (S, N, ...)."""
+    # One by one, as `accumulate` adds: `sum` adds those of a single env in pairs.
+    return np.add.accumulate(values, axis=0)[-1] / len(values)
 
 
 def sliding_squared(foot_velocity: Floats, foot_angular_velocity: Floats, radius: float) -> Floats:

@@ -39,7 +39,7 @@ class RewardFunction:
             if any(config.weights[name] for name in term.names):
                 self._paid.append((start if stop == start + 1 else slice(start, stop), function))
             start = stop
-        self._values = np.zeros((len(self.names), len(context.velocity)), like=context.velocity)
+        self._values = np.zeros((len(self.names), len(context.velocity)))
 
     def __call__(self, context: TaskContext) -> Floats:
         """Weighted terms (T, N) in a new array."""

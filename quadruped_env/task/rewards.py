@@ -13,13 +13,12 @@ from numpy.typing import NDArray
 from quadruped_env.task import quantities
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardTerm, reward, reward_group
-from quadruped_env.utils.arrays import frozen
 from quadruped_env.utils.parameters import Parameter
 
 Floats = NDArray[np.float64]
 Positive = Parameter.positive
 
-_SMALLEST_COMMAND: Final = frozen(np.array([0.1, 0.2]))
+_SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
 """Command below which progress is reduced in proportion, for the built-in robot, m/s and rad/s."""
 
 
@@ -37,7 +36,7 @@ class tracking:  # noqa: N801  named like the other terms
         forward_velocity_std: Annotated[float, Positive("m/s")] = 0.07,
         yaw_rate_std: Annotated[float, Positive("rad/s")] = 0.15,
     ) -> None:
-        self._std = frozen(np.array([forward_velocity_std, yaw_rate_std]))
+        self._std = np.array([forward_velocity_std, yaw_rate_std])
 
     def __call__(self, context: TaskContext) -> Floats:
         """Values (N, 2)."""
@@ -53,8 +52,9 @@ def progress(context: TaskContext) -> Floats:
     """
     # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
     # a peak at the command would else pull the median there, not the mean.
-    size = np.maximum(np.abs(context.command), _SMALLEST_COMMAND * context.velocity_unit)
-    share, whole = context.smooth_velocity * (np.sign(context.command) / size), np.abs(context.command) / size
+    speed = np.abs(context.command)
+    size = np.maximum(speed, _SMALLEST_COMMAND * context.velocity_unit)
+    share, whole = context.smooth_velocity * (np.sign(context.command) / size), speed / size
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
@@ -88,7 +88,7 @@ def base_motion(context: TaskContext, base_arm: Annotated[float, Positive("m")] 
 @reward(weight=-1.0)
 def action_rate(context: TaskContext) -> Floats:
     """Sum of (action - previous action)^2."""
-    return ((context.action - context.previous_action) ** 2).sum(axis=-1)
+    return np.add.reduce((context.action - context.previous_action) ** 2, axis=-1)
 
 
 @reward(weight=-0.04, unit="W")
@@ -96,7 +96,7 @@ class electrical_power:  # noqa: N801
     """Sum of max(0, torque * joint velocity) + torque^2 R / K^2, mean over the physics steps."""
 
     def __init__(self, context: TaskContext) -> None:
-        self._heat = frozen(context.motors.joule_coefficients(context.robot.joint_kinds))
+        self._heat = context.motors.joule_coefficients(context.robot.joint_kinds)
 
     def __call__(self, context: TaskContext) -> Floats:
         """Values (N,)."""
@@ -108,19 +108,19 @@ class electrical_power:  # noqa: N801
 @reward(weight=-2.0, unit="m^2/s^2")
 def foot_slip(context: TaskContext) -> Floats:
     """Sum over the feet on the ground of the sole's squared sliding speed, mean over the physics steps."""
-    return context.slip.sum(axis=-1)
+    return np.add.reduce(context.slip, axis=-1)
 
 
 @reward(weight=-1.0, unit="m^2/s^3")
 def landing(context: TaskContext) -> Floats:
     """Sum over the feet that touch down of their squared downward speed, over the time of the step: -v^2 a landing."""
-    return (context.landing_speed**2).sum(axis=-1) / context.timestep
+    return np.add.reduce(context.landing_speed**2, axis=-1) / context.timestep
 
 
 @reward(weight=-5.0, unit="rad^2")
 def stand_still(context: TaskContext) -> Floats:
     """Sum of (joint position - stance)^2 while standing is commanded: at most 0.02 m/s and 0.02 rad/s."""
-    return (context.joint_offset**2).sum(axis=-1) * (1.0 - context.moving)
+    return np.add.reduce(context.joint_offset**2, axis=-1) * (1.0 - context.moving)
 
 
 @reward(weight=-250.0)

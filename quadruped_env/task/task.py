@@ -73,8 +73,7 @@ class Task:
         self.simulation = simulation
         self.max_episode_steps = max_episode_steps
         n = self.num_envs = simulation.num_envs
-        like = simulation.sensordata
-        self.control = ControlInterface(config.robot, config.control, n, definition.observations, like)
+        self.control = ControlInterface(config.robot, config.control, n, definition.observations)
         self.context = TaskContext(
             simulation.readings,
             self.control,
@@ -83,7 +82,7 @@ class Task:
             simulation.height_field,
             config.motor,
         )
-        self.draws = Draws(n, like)
+        self.draws = Draws(n)
         self._rewards = RewardFunction(definition.rewards, config.reward, self.context)
         self._terminations = Terminations(definition.terminations, config.termination, self.context)
         self._randomizer = Randomizer(simulation, self.control, self.draws, config)
@@ -95,7 +94,7 @@ class Task:
         self.term_names = self._rewards.names
         self.reward_keys = tuple(f"reward_{name}" for name in self.term_names)
 
-        self._memory = EpisodeMemory(n, like)
+        self._memory = EpisodeMemory(n)
         self._fixed: NDArray[np.bool_] = self._memory.zeros("command_is_fixed", dtype=np.bool_)
         self._started: NDArray[np.bool_] = self._memory.zeros("started", dtype=np.bool_)
         self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
@@ -226,7 +225,7 @@ class Task:
         """
         if not self._all_started:
             self._check_started()
-        values = np.asarray(action, dtype=np.float64, like=self.control.action)
+        values = np.asarray(action, dtype=np.float64)
         if restart is not None and values.shape == self.control.action.shape:
             values = values.copy()
             values[restart] = 0.0
@@ -260,7 +259,7 @@ class Task:
         terminated = self._terminations(self.context, diverged)
         self.context.fallen[:] = terminated
         limit = self.max_episode_steps
-        truncated = np.zeros(self.num_envs, np.bool_, like=diverged)
+        truncated = np.zeros(self.num_envs, np.bool_)
         if limit is not None:
             truncated = self.control.steps + self._shortened >= limit
         if self.tiles is not None:
@@ -343,7 +342,7 @@ class Task:
             raise QuadrupedError(
                 f"{what}: expected shape {self.control.action.shape}, one value per joint; found {values.shape}"
             )
-        if not np.isfinite(values).all():
+        if np.count_nonzero(np.isfinite(values)) < values.size:
             env_id, column = np.argwhere(~np.isfinite(values))[0]
             raise QuadrupedError(
                 f"{what}: value {values[env_id, column]} for {self.control.robot.joint_names[column]} in env {env_id} "
@@ -360,7 +359,7 @@ class Task:
             shape = self.num_envs, field.width(self.control.robot)
             read = functools.partial(field.read, self.simulation.readings, self.control)
             checked(f"observation {field.name}", shape, read)
-        self.context.memory.clear(np.arange(self.num_envs, like=self.control.phase))
+        self.context.memory.clear(np.arange(self.num_envs))
 
     def _refuse_reward(self, terms: Floats) -> None:
         term, env_id = np.argwhere(~np.isfinite(terms))[0]
@@ -371,7 +370,7 @@ class Task:
 
     def _resample_commands(self, running: EnvIds | None) -> None:
         due = (self.control.steps >= self._randomizer.command_due) & ~self._fixed
-        if due.any():
+        if np.count_nonzero(due):
             env_ids = np.flatnonzero(due)
             if running is not None:
                 env_ids = np.intersect1d(env_ids, running)

@@ -1,4 +1,4 @@
-"""Settings of a training under which a user gave some: those of the recipe, the algorithm and the device."""
+"""Settings of a training under which a user gave some: those of the recipe and the algorithm."""
 
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
@@ -8,10 +8,10 @@ from quadruped_env.robot import Robot
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.training.algorithms import ALGORITHMS, algorithm, base_of
 from quadruped_env.training.recipes import RECIPES, recipe, task_values
-from quadruped_env.training.train_config import GPU_DEFAULTS, TrainConfig, on_gpu
+from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.training.user_classes import recorded_name
 
-CHOICES: Final = {"recipe": RECIPES, "algo": ALGORITHMS, "device": ("cpu", "cuda")}
+CHOICES: Final = {"recipe": RECIPES, "algo": ALGORITHMS}
 """Settings that change the defaults of others, with their values."""
 
 
@@ -31,15 +31,14 @@ def with_recipe(typed: dict[str, Any], robot: Robot, whole: Iterable[str]) -> di
 
 
 def default_settings(typed: Mapping[str, Any]) -> dict[str, Any]:
-    """Fields of `TrainConfig`, without the task, whose defaults depend on the recipe, algorithm and device."""
-    name, algo, device = (typed.get(option, getattr(TrainConfig, option)) for option in CHOICES)
+    """Fields of `TrainConfig`, without the task, whose defaults depend on the recipe and algorithm."""
+    name, algo = (typed.get(option, getattr(TrainConfig, option)) for option in CHOICES)
     entry = recipe(name)
     return {
         "name": recorded_name(algo).rpartition(":")[2].lower(),
         **algorithm(algo).defaults,
         **entry.training,
         **(entry.ppo if base_of(algo) == TrainConfig.algo else {}),
-        **(GPU_DEFAULTS if on_gpu(device) else {}),
         # The actor of a policy class of one's own may see all columns that the critic sees.
         **({"asymmetric_critic": False} if typed.get("policy") else {}),
     }

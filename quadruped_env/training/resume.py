@@ -10,14 +10,13 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
-from quadruped_env.control.kept_task_file import code_changes
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_argument import not_a_policy
-from quadruped_env.control.policy_files import finished_directory
-from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_file, recorded_terms
+from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_terms
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.policies import Policy, load_policy, task_differences
+from quadruped_env.policies import Policy, load_policy, task_note
+from quadruped_env.policies.files import finished_directory
+from quadruped_env.policies.not_a_policy import not_a_policy
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.task.task_config import flat
@@ -28,7 +27,6 @@ from quadruped_env.training.run_directory import (
     PROGRESS_FILE,
     RESUME_FILE,
     RESUMED_FROM,
-    RSL_FILE,
     TERM_COLUMN,
     run_name,
 )
@@ -52,8 +50,10 @@ KEPT: Final = (
     "task",
 )
 """Fields of `TrainConfig` that a resumed training takes from its parent: its network and its task."""
-_ADDED: Final = frozenset({"policy", "ranks", "device"})
+_ADDED: Final = frozenset({"policy"})
 """Fields of `TrainConfig` that runs of earlier versions lack; these were trained with the defaults."""
+_REMOVED: Final = frozenset({"ranks", "device"})
+"""Fields of runs of earlier versions that trained with several processes, or on a GPU."""
 
 _MOST: Final = 1e15
 """Maximum number of steps and seconds that a run has learned from."""
@@ -81,7 +81,7 @@ class Parent:
     user_code: Any = None
     """Files of the user's own algorithm and policy class, as the run recorded them"""
     task_changes: str = ""
-    """Differences of the task's terms from those that it was trained with, because its file changed; in words."""
+    """A sentence if its task file is another version than the one that it was trained with; else empty."""
 
     @property
     def name(self) -> str:
@@ -102,8 +102,7 @@ class Parent:
             problem = not_a_policy(str(directory)) or f"{directory} is not a directory"
             raise QuadrupedError(f"--resume: {problem}; name a run such as runs/latest")
         directory = finished_directory(directory)
-        resume_file = RSL_FILE if (directory / RSL_FILE).is_file() else RESUME_FILE
-        for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, resume_file, PROGRESS_FILE):
+        for name in (CONFIG_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, PROGRESS_FILE):
             if not (directory / name).is_file():
                 raise QuadrupedError(
                     f"--resume: {directory / name} is missing, so the run is incomplete; resume one of its "
@@ -114,7 +113,6 @@ class Parent:
             warnings.simplefilter("ignore", QuadrupedWarning)  # it says the same as `task_changes`
             policy, path = load_policy(directory, definition.path), directory / CARD_FILE
         card = policy.card
-        differences = task_differences(policy)
         if config.asymmetric_critic and TASK_FILE in policy.task:
             _check_privileged(policy)
         timesteps = _number(path, "card", card, "timesteps", whole=True)
@@ -128,7 +126,7 @@ class Parent:
             _read_curve(directory / PROGRESS_FILE, int(timesteps)),
             definition,
             card.get(RECORDED),
-            differences,
+            task_note(policy),
         )
 
     def resumed(self, changes: Mapping[str, Any], whole: Mapping[str, str] = NO_SECTIONS) -> TrainConfig:
@@ -178,12 +176,6 @@ class Parent:
         Raises:
             QuadrupedError: naming the option, the value given and the run's own.
         """
-        here, there = (device != "cpu" for device in (asked.get("device", self.config.device), self.config.device))
-        if here != there:
-            raise QuadrupedError(
-                f"--device: found {asked['device']}; {self.name} was trained with {self.config.device}, whose files "
-                f"another trainer wrote: leave the option out, or start a new training without --resume"
-            )
         for name in KEPT:
             kept = getattr(self.config, name)
             if name in OPTIONS and is_user_class(kept) and name not in asked:
@@ -256,13 +248,9 @@ def _difference(asked: Any, kept: Any, path: str = "") -> tuple[str, Any, Any] |
 def _check_privileged(policy: Policy) -> None:
     """Refuse another version of a task file whose privileged readings are not those that the run's critic observes."""
     recorded, definition = policy.task[TASK_FILE], policy.config.definition
-    old, new = (recorded_terms(recorded) or {}).get("privileged", []), definition.own_terms()["privileged"]
-    file = recorded_file(recorded)
-    assert file is not None
-    assert definition.file is not None
-    code = code_changes(Path(policy.source).parent, file, definition.file)
-    other = sorted({*old} ^ {*new} | {name for name in old if code is None or name in code})
-    if other:
+    old, new = recorded_terms(recorded).get("privileged", []), definition.own_terms()["privileged"]
+    if other := sorted({*old} ^ {*new}):
+        assert definition.file is not None
         raise QuadrupedError(
             f"--task: {definition.file.name} has another privileged reading {', '.join(other)} than the run, whose "
             f"critic observes it; name the run's version of the file, or start a new training without --resume"
@@ -273,6 +261,11 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
     """The training of a run's config.json with its whole task, and the share of the schedules that it began with."""
     document = read_json(path, "start a new training")
     training, task = _section(path, document, "training"), _section(path, document, "task")
+    if training.get("device", "cpu") != "cpu":
+        raise QuadrupedError(
+            f"{path}: training.device: found {short(training['device'])}; a run of an earlier version's trainer on a "
+            f"GPU works as a policy, and cannot be resumed; start a new training"
+        )
     values: dict[str, Any] = {}
     for field in fields(TrainConfig):
         if field.name in _ADDED and field.name not in training:
@@ -291,7 +284,7 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, f
             f"--task: found {definition.file.name}; {run_name(path.parent)} was trained without a file, and a resumed "
             f"training keeps its task and network: leave the option out, or start a new training without --resume"
         )
-    unknown = sorted(set(training) - set(values))
+    unknown = sorted(set(training) - set(values) - _REMOVED)
     if unknown:
         raise QuadrupedError(f"{path}: training has the unknown field {short(unknown[0])}; start a new training")
     try:

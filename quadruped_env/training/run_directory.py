@@ -12,9 +12,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.training import user_classes
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.files import LATEST, unwritable, write_whole
@@ -24,8 +24,6 @@ CONFIG_FILE: Final = "config.json"
 PROGRESS_FILE: Final = "progress.csv"
 RESUME_FILE: Final = "sb3_model.zip"
 """File from which a training can go on"""
-RSL_FILE: Final = "rsl_rl.pt"
-"""The same of a training on a GPU."""
 RESUMED_FROM: Final = "resumed_from"
 """Field of a resumed run's config and of its policy's card"""
 PROGRESS_COLUMNS: Final = ("timesteps", "seconds", "return", "fall_rate", "forward_velocity_error", "yaw_rate_error")

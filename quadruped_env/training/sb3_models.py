@@ -18,7 +18,7 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
-from quadruped_env.policies.sb3_policies import MODULES
+from quadruped_env.policies.sb3 import MODULES
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RESUME_FILE
@@ -69,13 +69,13 @@ def go_on_from(model: Any, parent: Parent) -> None:
         QuadrupedError: if its file cannot be read.
     """
     path = parent.directory / RESUME_FILE
-    with resuming(path):
+    with _resuming(path):
         with zipfile.ZipFile(path) as archive:
             # Few bytes could stand for more than any memory holds.
             if any(entry.compress_type != zipfile.ZIP_STORED for entry in archive.infolist()):
                 raise _UnusableError("compressed")
         _, tensors, variables = load_from_zip_file(str(path), load_data=False, device="cpu")
-        check_finite({**tensors, **(variables or {})})
+        _check_finite({**tensors, **(variables or {})})
         model.set_parameters(tensors, device="cpu")
         # Such as the weight of the entropy, which the line above leaves out.
         for name, value in (variables or {}).items():
@@ -89,10 +89,10 @@ class _UnusableError(Exception):
 
 
 @contextlib.contextmanager
-def resuming(path: Path) -> Iterator[None]:
+def _resuming(path: Path) -> Iterator[None]:
     """While a run's network and optimizer are loaded: errors of any kind become this package's.
 
-    The zip reader, torch, SB3 and rsl-rl each fail in their own way on a damaged file. Their texts are left out: torch
+    The zip reader, torch and SB3 each fail in their own way on a damaged file. Their texts are left out: torch
     advises to unpickle the file.
     """
     try:
@@ -104,11 +104,11 @@ def resuming(path: Path) -> Iterator[None]:
         ) from None
 
 
-def check_finite(value: Any, place: str = "") -> None:
-    """Check that all numbers in nested dictionaries and lists of tensors are finite; for `resuming`."""
+def _check_finite(value: Any, place: str = "") -> None:
+    """Check that all numbers in nested dictionaries and lists of tensors are finite; for `_resuming`."""
     if isinstance(value, (Mapping, list, tuple)):
         for name, entry in value.items() if isinstance(value, Mapping) else enumerate(value):
-            check_finite(entry, f"{place}.{name}".lstrip("."))
+            _check_finite(entry, f"{place}.{name}".lstrip("."))
     elif isinstance(value, (torch.Tensor, float)) and not torch.isfinite(torch.as_tensor(value)).all():
         raise _UnusableError(f"{place} holds NaN or infinity")
 
@@ -131,7 +131,7 @@ def _member(name: str, module: str, member: str) -> Any:
         raise MissingExtraError(f"--algo {name}", "contrib") from error
 
 
-def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = None, **changes: Any) -> Any:
+def make_model(config: TrainConfig, env: Any) -> Any:
     """A fresh model for a training, whose `learning_rate` is a `Schedule`; `learn` needs the callback `Scheduled`.
 
     Args:
@@ -176,10 +176,10 @@ def make_model(config: TrainConfig, env: Any, kind: Callable[..., Any] | None = 
         policy, own = _own_policy(config, own)
     arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
     arguments["learning_rate"] = Schedule(config)
-    kind = kind or algorithm_class(config.algo)
+    kind = algorithm_class(config.algo)
     if is_user_class(config.algo):
         arguments = accepted(kind, arguments)
-    model = kind(policy, env, **arguments | changes)
+    model = kind(policy, env, **arguments)
     if config.policy or is_user_class(config.algo):
         Policy.from_sb3(model)  # which says why a policy could not be saved, before the training
     return model

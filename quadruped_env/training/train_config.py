@@ -2,29 +2,18 @@
 
 import math
 import numbers
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final, Literal
 
-from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.policies.activations import ACTIVATIONS
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
 from quadruped_env.training.user_classes import is_user_class
 from quadruped_env.utils.seeds import check_training_seeds
-
-GPU_DEFAULTS: Final[Mapping[str, Any]] = MappingProxyType(
-    {"num_envs": 4096, "batch_size": 24_576, "timesteps": 50_000_000}
-)
-"""Defaults on a GPU, also in place of a recipe's: as many envs as keep it busy, and few steps of each (Rudin et al.
-2021). Not tuned."""
-
-WARP_DEVICES: Final[Mapping[str, str]] = MappingProxyType({"warp-cpu": "cpu"})
-"""Warp's names of devices, where they differ from those of the option."""
-_DEVICE: Final = re.compile(r"cpu|warp-cpu|cuda(:[0-9]{1,3})?")
 
 OPEN: Final = math.nextafter(0.0, 1.0)
 """Lowest value of a number that must be more than 0."""
@@ -34,7 +23,6 @@ BOUNDS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType(
         "seconds": (OPEN, 1e9),
         "seed": (0, 2**32 - 1),
         "num_envs": (1, 10**6),
-        "ranks": (1, 10_000),
         "checkpoint_seconds": (OPEN, 1e9),
         "n_steps": (1, 10**6),
         # Advantages are normalized over a batch.
@@ -86,9 +74,6 @@ class TrainConfig:
     """Seed of the envs (each further env has the next one), the network and the exploration"""
     num_envs: int = 256
     """Number of parallel envs"""
-    ranks: int = 1
-    """Number of processes that share the envs and average their gradients, with `--device cuda` one on each GPU (ppo
-    only; docs/scaling.md)"""
     name: str = "ppo"
     """Last part of the run directory's name"""
     checkpoint_seconds: float = 10.0
@@ -123,9 +108,6 @@ class TrainConfig:
     """Share of the networks that their slow copies take over in each gradient step of sac, td3, ddpg and tqc"""
     action_noise: float = 0.1
     """Standard deviation of the exploration of td3 and ddpg, which are deterministic"""
-    device: str = "cpu"
-    """Device of the physics and the networks: `cpu` (MuJoCo's batch and Stable-Baselines3); `cuda` or `cuda:N`, a GPU
-    (MuJoCo Warp and rsl-rl, extra gpu); `warp-cpu`, the GPU's code on the CPU, for trying it"""
     hidden: tuple[int, ...] = (128, 128)
     """Widths of the hidden layers of the policy and of the value function"""
     activation: Literal["elu", "relu", "tanh", "leaky_relu", "silu", "gelu", "softplus", "selu", "sigmoid", "mish"] = (
@@ -153,10 +135,6 @@ class TrainConfig:
         entry = None if is_user_class(self.algo) else algorithm(self.algo)
         if self.policy and not is_user_class(self.policy):
             raise QuadrupedError(f"--policy: expected FILE.py:CLASS; found {short(self.policy)}")
-        if not _DEVICE.fullmatch(self.device):
-            raise QuadrupedError(f"--device: {short(self.device)} is unknown; expected cpu, cuda, cuda:N or warp-cpu")
-        if self.device != "cpu":
-            self._check_device()
         on_policy = entry is not None and entry.on_policy
         if self.symmetric and on_policy and not self.policy and any(width % 2 for width in self.hidden):
             raise QuadrupedError(
@@ -171,48 +149,6 @@ class TrainConfig:
             raise QuadrupedError(
                 f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
                 f"(num_envs * n_steps); lower it or use more envs"
-            )
-        if self.ranks > 1:
-            self._check_ranks()
-
-    def _check_device(self) -> None:
-        """Check the settings for a device other than the CPU."""
-        if self.algo != "ppo":
-            raise QuadrupedError(
-                f"--device: {self.device} trains with ppo alone; found --algo {self.algo}; leave one of both out"
-            )
-        if self.policy:
-            raise QuadrupedError(f"--policy: found {self.policy} with --device {self.device}; leave one of both out")
-
-    def _check_ranks(self) -> None:
-        if self.algo != "ppo":
-            raise QuadrupedError(
-                f"--ranks: found {self.ranks} with --algo {self.algo}; only ppo averages gradients over ranks: leave "
-                f"--ranks out, or choose --algo ppo"
-            )
-        if self.device.startswith("cuda:"):
-            raise QuadrupedError(
-                f"--device: found {self.device} with --ranks {self.ranks}, and each rank needs a GPU of its own; "
-                f"choose --device cuda: rank i of a machine uses GPU i (CUDA_VISIBLE_DEVICES selects some)"
-            )
-        if self.ranks > self.num_envs:
-            raise QuadrupedError(
-                f"--ranks: found {self.ranks}, more than the {self.num_envs} envs that they share; lower it, or give "
-                f"more --num-envs"
-            )
-        for name in ("num_envs", "batch_size"):
-            value, option = getattr(self, name), f"--{name.replace('_', '-')}"
-            if value % self.ranks:
-                below, above = value - value % self.ranks, value + self.ranks - value % self.ranks
-                fixes = " or ".join(f"{option} {fix}" for fix in (below, above) if fix)
-                raise QuadrupedError(
-                    f"--ranks: found {self.ranks}, which does not divide {option} {value} into equal shares; choose "
-                    f"{fixes}, or another number of ranks"
-                )
-        if self.batch_size < 2 * self.ranks:
-            raise QuadrupedError(
-                f"--ranks: found {self.ranks} with --batch-size {self.batch_size}; expected 2 or more samples per "
-                f"rank: lower --ranks, or choose --batch-size {2 * self.ranks} or more"
             )
 
 
@@ -255,13 +191,3 @@ def check_fields(values: Mapping[str, Any]) -> None:
         rule = field_rule(name, value)
         if rule is not None:
             raise QuadrupedError(f"{option}: expected {rule}; found {short(value)}")
-
-
-def on_gpu(device: str) -> bool:
-    """True for a device that is a GPU, whose defaults differ."""
-    return device.startswith("cuda")
-
-
-def equal_batches(config: TrainConfig) -> int:
-    """Number of batches in an update of rsl-rl, which need equal sizes: `--batch-size` is rounded."""
-    return max(1, round(config.num_envs * config.n_steps / config.batch_size))

@@ -10,23 +10,24 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Final
+from typing import Any, Final, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 # First, because it sets a variable that torch reads when it is loaded.
 import quadruped_env.training.sb3_models  # noqa: F401
 
 # isort: split
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs import MAX_EPISODE_STEPS
+from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
+from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.group import ALONE, DifferentWeightsError, Group, RankLostError
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
-from quadruped_env.training.step_statistics import StepStatistics
+from quadruped_env.training.schedules import Scheduled
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.files import unwritable, whole, write_whole
@@ -43,15 +44,13 @@ _BAR_INTERVAL = 0.5
 """Interval of the progress bar, s."""
 _FIRST_LINE, _LINE_INTERVAL = 1.5, 10.0
 """Time of the first line about the progress where there is no terminal for a bar, and time between lines, s."""
-_BETWEEN_RANKS = (RankLostError, DifferentWeightsError)
-"""Errors after which this rank's policy is not that of a whole update of all ranks."""
 
 NO_FIELDS: Final[Mapping[str, Any]] = MappingProxyType({})
 Observer = Callable[[int, Callable[[], Policy]], None]
 """Called after each rollout with the number of time steps and a function that makes the policy at this point."""
 
 
-class Recorder(StepStatistics):
+class Recorder(Scheduled):
     """Watches a training: progress bar, progress.csv, TensorBoard, checkpoints, and the end of the budget.
 
     Args:
@@ -59,12 +58,8 @@ class Recorder(StepStatistics):
         config: settings of the training.
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
-        group: rank 0 of the training, if it has several.
         observer: called after each rollout.
     """
-
-    resume_file = RESUME_FILE
-    """File from which a training can go on."""
 
     def __init__(
         self,
@@ -72,14 +67,17 @@ class Recorder(StepStatistics):
         config: TrainConfig,
         task: TaskConfig,
         seconds_before: float = 0.0,
-        group: Group = ALONE,
         observer: Observer | None = None,
     ) -> None:
-        super().__init__(group)
+        super().__init__()
         self._observer = observer
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.elapsed = 0.0
+        self.stopped = False
+        """True if a signal asked to stop"""
+        self.signal = "SIGTERM"
+        """Name of the signal that asked to stop, if one did"""
 
     @property
     def seconds(self) -> float:
@@ -89,6 +87,9 @@ class Recorder(StepStatistics):
     def _on_training_start(self) -> None:
         self._start = time.perf_counter()
         super()._on_training_start()
+        self._env = cast(MiniQuadrupedSB3VecEnv, self.training_env)
+        self._task = self._env.task
+        self._clear()
         self._next_log = _LOG_INTERVAL
         self._next_checkpoint = self._config.checkpoint_seconds
         self._next_bar, self._next_line = _BAR_INTERVAL, _FIRST_LINE
@@ -105,12 +106,29 @@ class Recorder(StepStatistics):
             dynamic_ncols=True,
         )
 
+    def _clear(self) -> None:
+        """Begin to sum over the steps of the next row of progress.csv."""
+        self._squares: NDArray[np.float64] = np.zeros(2)
+        """Mean over envs of the squared errors, forward and yaw, summed over steps"""
+        self._terms: NDArray[np.float64] = np.zeros(len(self._task.term_names))
+        """Mean over envs of each term, summed over steps"""
+        self._steps = self._falls = 0
+
     def _on_step(self) -> bool:
         self.elapsed = time.perf_counter() - self._start
+        error = self._task.tracking_error
+        self._squares += (error * error).mean(axis=0)
+        self._terms += self._env.last_terms.mean(axis=0)
+        self._steps += 1
+        if self.locals["dones"].any():
+            self._falls += sum(
+                not self.locals["infos"][env_id]["TimeLimit.truncated"]
+                for env_id in np.flatnonzero(self.locals["dones"])
+            )
         # Not only after a rollout, which on a slow machine takes seconds.
         if self.elapsed >= self._next_bar:
             self._show()
-        return super()._on_step()
+        return not (self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds))
 
     def _show(self) -> None:
         """Show the progress: on a bar in a terminal, and in lines of a log."""
@@ -130,9 +148,6 @@ class Recorder(StepStatistics):
             left = (self._config.timesteps - learned) / rate
         return f", {rate:,.0f} steps/s, {max(0.0, left):.0f} s left"
 
-    def _over(self) -> bool:
-        return self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds)
-
     def _on_rollout_end(self) -> None:
         super()._on_rollout_end()
         self._show()
@@ -144,23 +159,22 @@ class Recorder(StepStatistics):
             self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
         if self._observer is not None:
             began = time.perf_counter()
-            self._observer(self.num_timesteps, lambda: self._policy(self._card()))
+            self._observer(self.num_timesteps, self._policy)
             self._start += time.perf_counter() - began
 
     def _log(self) -> None:
-        squares, terms, falls = self.sums
-        errors = np.sqrt(squares / self._steps)
+        errors = np.sqrt(self._squares / self._steps)
         # Robots that do not fall finish their episodes all at once and seldom: rates are known all the time.
         episodes = self._steps * self._config.num_envs / MAX_EPISODE_STEPS
         row = {
             "timesteps": self.num_timesteps,
             "seconds": round(self.seconds, 3),
-            "return": float(terms.sum() / self._steps * MAX_EPISODE_STEPS),
-            "fall_rate": falls / episodes,
+            "return": float(self._terms.sum() / self._steps * MAX_EPISODE_STEPS),
+            "fall_rate": self._falls / episodes,
             "forward_velocity_error": float(errors[0]),
             "yaw_rate_error": float(errors[1]),
         }
-        rates = terms / self._steps / self._task_config.control_timestep
+        rates = self._terms / self._steps / self._task_config.control_timestep
         by_term = dict(zip(self._task.term_names, rates.tolist(), strict=True))
         self._run.log(row | {f"{TERM_COLUMN}{name}": value for name, value in by_term.items()})
         for name, value in row.items():
@@ -168,7 +182,7 @@ class Recorder(StepStatistics):
                 self.logger.record(f"progress/{name}", value)
         for name, value in by_term.items():
             self.logger.record(f"reward_per_second/{name}", value)
-        for name, value in self.mean_levels().items():
+        for name, value in ({} if self._task.tiles is None else self._task.tiles.mean_levels()).items():
             self.logger.record(f"terrain/{name}", value)
         self.logger.dump(self.num_timesteps)
         self._state = (
@@ -183,9 +197,8 @@ class Recorder(StepStatistics):
         return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
 
     def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
-        """Save at the end of a training, but not a policy that the ranks do not share."""
-        if not isinstance(error, _BETWEEN_RANKS):
-            self.save("an error" if error is not None else self.signal if self.stopped else None)
+        """Save at the end of a training."""
+        self.save("an error" if error is not None else self.signal if self.stopped else None)
 
     def save(self, interrupted: str | None = None) -> None:
         """Write the policy as data into the run directory, and the files that resuming needs.
@@ -213,10 +226,10 @@ class Recorder(StepStatistics):
         """Name -> content; the policy's card, which marks a directory as complete, is the last."""
         archive = io.BytesIO()
         self.model.save(archive)
-        return {self.resume_file: archive.getvalue(), **self._policy({**self._card(), **ending}).files()}
+        return {RESUME_FILE: archive.getvalue(), **self._policy(ending).files()}
 
-    def _card(self) -> dict[str, Any]:
-        return {
+    def _policy(self, ending: Mapping[str, Any] = NO_FIELDS) -> Policy:
+        card = {
             **self._run.facts,
             "recipe": self._config.recipe,
             "algo": recorded_name(self._config.algo),
@@ -224,9 +237,8 @@ class Recorder(StepStatistics):
             "timesteps": int(self.model.num_timesteps),
             "seconds": round(self.seconds, 1),
             "budget_left": self.schedule.left_after(self.model.num_timesteps),
+            **ending,
         }
-
-    def _policy(self, card: dict[str, Any]) -> Policy:
         return Policy.from_sb3(self.model, card)
 
     def finish(self) -> None:
@@ -261,8 +273,7 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
             learning()
     except (OSError, QuadrupedError) as error:
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
-        kind = type(cause) if isinstance(cause, _BETWEEN_RANKS) else QuadrupedError
-        raise kind(f"{cause}; what was saved before is kept in {run.directory}") from error
+        raise QuadrupedError(f"{cause}; what was saved before is kept in {run.directory}") from error
 
 
 @contextmanager

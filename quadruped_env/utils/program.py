@@ -45,8 +45,6 @@ def stopped_status(number: int = signal.SIGINT) -> int:
 
 _SYNONYMS: Final = {
     "--lr": "--learning-rate",
-    "--gpu": "--device cuda",
-    "--cuda": "--device cuda",
     "--steps": "--timesteps",
     "--envs": "--num-envs",
     "--epochs": "--n-epochs",
@@ -135,20 +133,6 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
 
     def _split_lines(self, text: str, width: int) -> list[str]:
         return textwrap.wrap(" ".join(text.split()), width, break_on_hyphens=False)
-
-
-def end_with_parent() -> None:
-    """Let this process end with the one that started it, in whatever way that ends.
-
-    Its standard input must be a pipe that the parent holds open.
-    """
-    threading.Thread(target=_exit_at_end_of_input, daemon=True).start()
-
-
-def _exit_at_end_of_input() -> None:
-    while os.read(sys.stdin.fileno(), 1):
-        pass
-    os._exit(1)
 
 
 @contextmanager

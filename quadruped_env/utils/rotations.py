@@ -4,14 +4,10 @@ Every function takes arrays with any leading axes (...), computes in float64, an
 messages and SciPy order a quaternion xyzw.
 """
 
-from typing import Final
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
-
-_ONE: Final = np.float64(1.0)
 
 
 def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
@@ -34,7 +30,7 @@ def from_roll_pitch_yaw(angles: ArrayLike) -> Floats:
     half = 0.5 * _floats(angles)
     (cr, cp, cy), (sr, sp, sy) = _components(np.cos(half)), _components(np.sin(half))
     cc, cs, sc, ss = cr * cp, cr * sp, sr * cp, sr * sp
-    quaternions = np.empty_like(half, shape=(*half.shape[:-1], 4))
+    quaternions = np.empty((*half.shape[:-1], 4))
     quaternions[..., 0] = cc * cy + ss * sy
     quaternions[..., 1] = sc * cy - cs * sy
     quaternions[..., 2] = cs * cy + sc * sy
@@ -94,8 +90,7 @@ def tilt(orientation: ArrayLike) -> Floats:
 
 
 def _floats(values: ArrayLike) -> Floats:
-    """Array of float64. A product, since `np.asarray` would refuse the arrays of a GPU."""
-    return np.multiply(values, _ONE)
+    return np.asarray(values, dtype=np.float64)
 
 
 def _components(rotation: ArrayLike) -> Floats:

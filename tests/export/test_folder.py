@@ -2,7 +2,6 @@
 
 import dataclasses
 import hashlib
-import importlib.util
 import json
 import re
 import subprocess
@@ -27,7 +26,6 @@ from quadruped_env.export import runtime
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.folder import export_policy
 from quadruped_env.export.golden_trace import INT8_TRACE_FILE
-from quadruped_env.export.hub import env_file
 from quadruped_env.export.manifest import manifest, metadata
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
@@ -40,7 +38,7 @@ pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[exp
 
 FILES = {"README.md", "controllers.yaml", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx"}
 FILES |= {"policy.safetensors", "robot.urdf", "robot.xml"}
-FOR_HUB = {"env.py", "results.json", "walk.html"}
+FOR_HUB = {"results.json", "walk.html"}
 
 WALK = """
 import json, re, sys
@@ -439,7 +437,6 @@ def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_p
     assert (folder / "robot.urdf").read_text() == second_robot.ROBOT.urdf
     assert 'joints:  # in the order of the arrays\n      - "RH_hip_joint"' in (folder / "controllers.yaml").read_text()
     assert "70 N m/rad and 1.5 N m s/rad" in (folder / "README.md").read_text()
-    assert env_file(load_policy(tmp_path / "run", tmp_path / "my_robot.py")) is None, "it would need that file"
 
 
 @pytest.mark.slow
@@ -491,25 +488,6 @@ def test_folder_for_a_hub_adds_page_results_and_env_and_its_card_has_the_results
     assert card.data.pipeline_tag == "reinforcement-learning"
     # A hub's own check of the field.
     assert hub.ModelCard(f"---\n{card.data.to_yaml()}\n---\n").data.to_dict() == card.data.to_dict()
-
-
-@pytest.mark.parametrize("in_processes", [False, True])
-def test_env_of_the_folder_is_the_policys_own_as_lerobot_calls_it(for_hub, in_processes):
-    spec = importlib.util.spec_from_file_location("hub_env_me_walker", for_hub / "env.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    ((tasks,),) = (module.make_env(n_envs=2, use_async_envs=in_processes).values(),)
-    envs, policy = tasks[0], load_policy("flat")
-    own = gymnasium.vector.SyncVectorEnv([policy.make_env] * 2)
-    observations, expected = envs.reset(seed=[3, 4])[0], own.reset(seed=[3, 4])[0]
-    for _ in range(20):
-        np.testing.assert_array_equal(observations["agent_pos"], expected)
-        actions = policy.predict(expected)
-        observations, expected = envs.step(actions)[0], own.step(actions)[0]
-    assert envs.call("task_description") == ("Follow the commanded forward velocity and yaw rate.",) * 2
-    assert envs.call("_max_episode_steps") == (1000, 1000)
-    envs.close()
-    own.close()
 
 
 @pytest.mark.parametrize("name", ["läufer 🤖", "a.py", "flat", "with 'quotes\" and \\"])

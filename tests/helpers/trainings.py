@@ -4,18 +4,17 @@ import contextlib
 import csv
 import subprocess
 import sys
-from importlib.util import find_spec
 
 import numpy as np
 import pytest
 from paths import ROOT
 from waiting import DEADLINE, wait_until
 
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, RSL_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE
 
 SCRIPT = ROOT / "train" / "ppo.py"
 TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
@@ -24,14 +23,6 @@ SMALL = {"num_envs": 4, "n_steps": 8, "batch_size": 16, "hidden": (8,), "learnin
 STEPS = 32
 """Environment steps of an update of a training with the settings `SMALL`."""
 RUN_FILES = {CONFIG_FILE, PROGRESS_FILE, CARD_FILE, TENSORS_FILE, RESUME_FILE, "tensorboard"}
-WARP_FILES = RUN_FILES - {RESUME_FILE} | {RSL_FILE}
-
-
-def needs_warp(test):
-    """A slow test that is skipped without MuJoCo Warp or rsl-rl."""
-    lacking = [module for module in ("mujoco_warp", "rsl_rl") if find_spec(module) is None]
-    reason = f"{' and '.join(lacking)} not installed: pip install -e '.[gpu]'"
-    return pytest.mark.slow(pytest.mark.skipif(bool(lacking), reason=reason)(test))
 
 
 def command(runs, *arguments):
@@ -40,10 +31,9 @@ def command(runs, *arguments):
 
 def learn(runs, config, resume=None):
     """Train in this process; the run directory."""
-    from quadruped_env.scale.ranks.job import Job
-    from quadruped_env.scale.ranks.training_launch import launch
+    from quadruped_env.training.train import train
 
-    return launch(Job(config, runs, "train", resume))[0]
+    return train(config, runs, "train", resume)[0]
 
 
 def completed(command, status=0):

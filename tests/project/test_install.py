@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tomllib
 
 import pytest
 from packaging.specifiers import SpecifierSet
@@ -111,7 +112,8 @@ FROM_INDEX = f"install --no-deps --retries 1 --index-url {{}} {TORCH}"
 
 
 def test_every_pin_supports_the_first_patch_release_of_the_oldest_python():
-    oldest = ".".join(map(str, (*interpreter.OLDEST, 0)))
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    oldest = project["requires-python"].removeprefix(">=") + ".0"
     pins = {canonicalize_name(line.partition("==")[0]) for line in CONSTRAINTS if "==" in line}
     required = {
         f"{distribution.name}=={distribution.version}": distribution.metadata["Requires-Python"] or ""

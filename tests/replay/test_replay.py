@@ -14,7 +14,7 @@ from quadruped_env.gait import PRESETS
 from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.saturation import saturation
-from quadruped_env.replay.signal_comparison import lags
+from quadruped_env.replay.signal_comparison import lags, side_by_side
 from quadruped_env.robot import JOINT_KINDS, MINI_QUADRUPED, JointMotor, MotorConfig
 
 STANCE = MINI_QUADRUPED.stance
@@ -104,25 +104,17 @@ class TestReplay:
         np.testing.assert_array_equal(played.stamps, expected.stamps + first)
         np.testing.assert_array_equal(played.positions, expected.positions)
 
-    def test_positions_outside_the_limits_are_named_or_clipped_on_request(self):
+    def test_positions_outside_the_limits_are_played_at_the_limit_and_said(self):
         positions = np.tile(STANCE, (2, 1))
         positions[1, 3], positions[1, 4] = 0.3, -1.7
-        bad = standing(positions=positions)
-        message = (
-            r"JointTrajectory: row 1, position\.RF_knee_joint: 0\.3 rad at 1 s is outside -2 to 0 rad; "
-            r"values outside: 2; clip \(--clip\)"
-        )
-        for mode in ("kinematic", "dynamic"):
-            with pytest.raises(QuadrupedError, match=message):
-                replay(bad, mode)
-        result = replay(bad, "kinematic", clip=True)
+        result = replay(standing(positions=positions), "kinematic")
         assert result.played.positions[1, 3:5].tolist() == [0.0, -1.5]
         np.testing.assert_allclose(result.tracking_error()[1, 3:5], [-0.3, 0.2])
         assert result.report["clipped"] == 2
         assert "2 recorded positions were moved" in result.text()
         positions[1, 5] = -1e200
-        with pytest.raises(QuadrupedError, match=r"LH_knee_joint: -1e.200 rad .*too far to clip: fix"):
-            replay(standing(positions=positions), clip=True)
+        with pytest.raises(QuadrupedError, match=r"row 1, position\.LH_knee_joint: -1e.200 rad at 1 s is far outside"):
+            replay(standing(positions=positions))
 
     def test_a_joint_at_its_stop_may_be_measured_a_little_beyond(self):
         positions = np.tile(STANCE, (2, 1))
@@ -247,6 +239,20 @@ class TestReplay:
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
         with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             _ = replay(commands, measured=later).comparison
+
+    @pytest.mark.parametrize("still", ["positions", "played", "both"])
+    def test_correlation_with_a_joint_that_does_not_move_is_unknown_and_not_perfect(self, still):
+        wave = np.sin(np.arange(50) / 5.0)[:, None] * np.ones(8)
+        rest = np.full((50, 8), 0.3)
+        stamps = np.arange(50) * 20_000_000
+        recorded = JointTrajectory(stamps, JOINT_NAMES, wave if still == "played" else rest)
+        played = JointTrajectory(stamps, JOINT_NAMES, wave if still == "positions" else rest)
+        signals = side_by_side(recorded, played)
+        found = signals.report()["positions"]["joints"]["LF_hip_joint"]
+        assert found["correlation"] is None
+        assert found["rms"] == (0.0 if still == "both" else pytest.approx(np.sqrt(np.mean((wave[:, 0] - 0.3) ** 2))))
+        line = next(line for line in signals.table().text().splitlines() if line.startswith("LF_hip_joint, pos"))
+        assert line.split()[-1] == "-"
 
     def test_replay_asked_for_its_results_several_times_computes_them_once(self, tmp_path, monkeypatch):
         calls = []

@@ -119,11 +119,6 @@ def test_class_that_does_not_fit_is_refused_before_the_training(path, tmp_path, 
     ("changes", "message"),
     [
         ({"policy": "MlpPolicy"}, r"--policy: expected FILE.py:CLASS; found 'MlpPolicy'"),
-        (
-            {"policy": "mine.py:MyPolicy", "device": "warp-cpu"},
-            r"--policy: found mine.py:MyPolicy with --device warp-cpu",
-        ),
-        ({"algo": "mine.py:MyPPO", "ranks": 2}, r"--ranks: found 2 with --algo mine.py:MyPPO"),
     ],
 )
 def test_settings_that_exclude_each_other_execute_nothing(changes, message):

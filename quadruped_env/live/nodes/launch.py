@@ -9,7 +9,6 @@ import time
 from collections.abc import Sequence
 from typing import Any, Final
 
-from quadruped_env.control.policy_files import DEFAULT
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.node_options import (
     add_robot_argument,
@@ -17,6 +16,7 @@ from quadruped_env.live.node_options import (
     chosen_terrain,
 )
 from quadruped_env.live.session import POLL_PERIOD
+from quadruped_env.policies.files import DEFAULT
 from quadruped_env.utils.program import CLEAR_LINE, on_stop
 from quadruped_env.viewer import PORT
 from quadruped_env.viewer.server import add_allow_host

@@ -24,7 +24,6 @@ from quadruped_env.reporting.pages.page import METRICS_FILE
 from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import section, summary, write_results
 from quadruped_env.reporting.report_directory import prepare_output
-from quadruped_env.sim2sim import transfer_results as sim2sim
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.progress import Progress, part_of
 
@@ -88,7 +87,6 @@ def write_report(
         "walking_page": walking_page,
         "figures": drawn.result(),
         "suite": None if suite is None else section(suite),
-        "second_engine": _second_engine(evaluated),
         "failures": [_failure(f, pictures, svg.result()) for f, svg in zip(failures, of_failures, strict=True)],
         **page.tables(comparison),
     }
@@ -141,25 +139,6 @@ def _learning_film(evaluated: EvaluatedPolicy, comparison: Comparison, progress:
         return {"missing": f"No video: {error}"}
     shown = ", then ".join(clip.title for clip in clips)
     return take_pictures(clips, f"{shown}; the same start and command", progress=progress).video
-
-
-def _second_engine(evaluated: EvaluatedPolicy) -> dict[str, Any] | None:
-    """Template variables of the results in a second engine; None if there are none of this policy."""
-    found = sim2sim.load(evaluated)
-    if found is None:
-        return None
-    transfer, command_line = found
-    conclusion, *findings = sim2sim.verdict(transfer)
-    return {
-        "engine": transfer.engines[1]["name"],
-        "conclusion": conclusion,
-        "findings": findings,
-        "tables": sim2sim.tables(transfer),
-        "conditions": sim2sim.conditions(transfer),
-        "seeds": len(transfer.seeds),
-        "seconds": transfer.seconds,
-        "command_line": command_line,
-    }
 
 
 def _span(limits: NDArray[np.float64]) -> str:

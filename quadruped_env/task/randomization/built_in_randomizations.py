@@ -70,7 +70,7 @@ def _horizontal_push(event: Event, values: Floats) -> None:
 
 
 def _rotating_push(event: Event, values: Floats) -> None:
-    both = np.zeros_like(values, shape=(len(values), 6))
+    both = np.zeros((len(values), 6))
     both[:, 3:] = values
     event.simulation.push(event.env_ids, both)
 
@@ -85,7 +85,7 @@ def _worsen_servos(quantity: str, event: Event, values: Floats) -> None:
 
 
 def _horizontal(values: Floats) -> Floats:
-    vectors = np.zeros_like(values, shape=(len(values), 3))
+    vectors = np.zeros((len(values), 3))
     vectors[:, :2] = values
     return vectors
 

@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.episode_memory import EpisodeMemory
-from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 Keys = NDArray[np.uint64]
@@ -35,7 +34,7 @@ class Purposes:
     def __init__(self, widths: Mapping[str, int]) -> None:
         self.widths = widths
         constants = [_constant(name, i) for name, width in widths.items() for i in range(width)]
-        self.constants: Keys = frozen(np.array(constants, dtype=np.uint64))
+        self.constants: Keys = np.array(constants, dtype=np.uint64)
         ends = np.cumsum(list(widths.values()), dtype=int).tolist()
         self.slices = {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
 
@@ -50,12 +49,11 @@ class Draws:
 
     Args:
         num_envs: number of envs, N.
-        like: an array of the kind to compute with; None: NumPy's.
     """
 
-    def __init__(self, num_envs: int, like: Floats | None = None) -> None:
+    def __init__(self, num_envs: int) -> None:
         # Not cleared at a reset, because it holds the number of the episode.
-        self.memory = memory = EpisodeMemory(num_envs, like)
+        self.memory = memory = EpisodeMemory(num_envs)
         """State from which the future draws follow."""
         self._key: Keys = memory.zeros("key", dtype=np.uint64)
         self._episode: Keys = memory.zeros("episode", dtype=np.uint64)

@@ -185,8 +185,9 @@ class _BoundPayload:
         off_centre = np.flatnonzero(np.any(offsets != 0.0, axis=-1) & (added > 0.0))
         if len(off_centre):
             at = event.env_ids[off_centre], self.base
-            parts = (old[off_centre], added[off_centre], offsets[off_centre], inertias[at], axes[at])
-            shift, inertias[at], axes[at] = _joined(*(np.array(part.tolist()) for part in parts))
+            shift, inertias[at], axes[at] = _joined(
+                old[off_centre], added[off_centre], offsets[off_centre], inertias[at], axes[at]
+            )
             centres[at] += shift
 
 

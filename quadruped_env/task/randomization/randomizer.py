@@ -27,7 +27,6 @@ from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
 from quadruped_env.task.randomization.servo_errors import ServoErrors
 from quadruped_env.task.randomization.starts import Starts
 from quadruped_env.task.task_config import TaskConfig
-from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -55,7 +54,7 @@ class Randomizer:
         self.servos = _servos(simulation, config, active)
         """Errors of the servos; None if they have none."""
         self._check(starting)
-        self.memory = EpisodeMemory(control.num_envs, control.phase)
+        self.memory = EpisodeMemory(control.num_envs)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
         """Control step of the episode at which the next command is drawn, (N,)."""
         self.commands = CommandSampler(config.definition.commands, config.command)
@@ -81,12 +80,12 @@ class Randomizer:
         amplitude = np.zeros(layout.width)
         for name, columns in layout.slices.items():
             amplitude[columns] = amplitudes[name]
-        self._noisy = frozen(np.flatnonzero(amplitude))
-        self._noise_amplitude = frozen(config.randomization.observation_noise * amplitude[self._noisy])
+        self._noisy = np.flatnonzero(amplitude)
+        self._noise_amplitude = config.randomization.observation_noise * amplitude[self._noisy]
         # A draw is a hash of its column, so that leaving some out does not change the others.
         self._noise = Purposes({"observation_noise": layout.width})
-        self._noise.constants = frozen(self._noise.constants[self._noisy])
-        self._noise_values = np.zeros((control.num_envs, layout.width), like=control.phase)
+        self._noise.constants = self._noise.constants[self._noisy]
+        self._noise_values = np.zeros((control.num_envs, layout.width))
 
     def _bound(self, randomization: Randomization) -> Active:
         return Active.of(randomization, self._config.randomization[randomization.name], self._simulation)

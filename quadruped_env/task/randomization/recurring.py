@@ -62,7 +62,7 @@ class Recurring:
             env_ids = _among(np.flatnonzero((self._until > 0) & (steps >= self._until)), running)
             if len(env_ids):
                 self._until[env_ids] = 0
-                self._active.apply(event(env_ids), np.zeros((len(env_ids), self._columns), like=env_ids))
+                self._active.apply(event(env_ids), np.zeros((len(env_ids), self._columns)))
         env_ids = _among(np.flatnonzero(steps >= self.due), running)
         if len(env_ids):
             now, columns = steps[env_ids], self._purposes.slices

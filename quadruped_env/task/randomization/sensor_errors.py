@@ -57,7 +57,7 @@ class Sensors:
         n = simulation.num_envs
         self._simulation, self._timestep = simulation, timestep
         self._randomized = frozenset(largest)
-        self.memory = EpisodeMemory(n, simulation.sensordata)
+        self.memory = EpisodeMemory(n)
         self.encoder_offset: Floats = self.memory.zeros("encoder_offset", simulation.robot.num_joints)
         """Reading of each joint's encoder minus the joint's position, (N, J), rad."""
         self.imu_mounting: Floats = self.memory.zeros("imu_mounting", 3)
@@ -75,8 +75,8 @@ class Sensors:
         ends = np.cumsum([simulation.sensordata[:, simulation.sensor_columns[name]].shape[1] for name in MEASURED])
         self._columns = [slice(start, end) for start, end in zip([0, *ends[:-1]], ends, strict=True)]
         self._ring: Floats = self.memory.zeros("readings", self._depth, int(ends[-1]))
-        self._rows = np.arange(n, like=simulation.sensordata) * self._depth
-        self._measured, self._older = np.zeros((2, n, int(ends[-1])), like=simulation.sensordata)
+        self._rows = np.arange(n) * self._depth
+        self._measured, self._older = np.zeros((2, n, int(ends[-1])))
         self._bind()
 
     def _bind(self) -> None:

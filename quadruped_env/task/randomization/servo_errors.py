@@ -6,7 +6,6 @@ from numpy.typing import NDArray
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import SERVO_ERRORS, MotorConfig, servo_target
 from quadruped_env.simulation import Simulation
-from quadruped_env.utils.arrays import frozen
 
 Floats = NDArray[np.float64]
 
@@ -22,9 +21,9 @@ class ServoErrors:
     """
 
     def __init__(self, simulation: Simulation, motors: MotorConfig) -> None:
-        robot, like = simulation.robot, simulation.sensordata
-        self.memory = EpisodeMemory(simulation.num_envs, like)
-        self._least: list[Floats] = [frozen(values) for values in motors.servo_errors(robot.joint_kinds)]
+        robot = simulation.robot
+        self.memory = EpisodeMemory(simulation.num_envs)
+        self._least: list[Floats] = list(motors.servo_errors(robot.joint_kinds))
         self._values: list[Floats] = [self.memory.zeros(name, robot.num_joints) for name in SERVO_ERRORS]
         self._play: Floats = self.memory.zeros("play", robot.num_joints)
 

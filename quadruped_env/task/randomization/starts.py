@@ -97,9 +97,9 @@ class Starts:
             self._simulation,
             robot,
             env_ids,
-            qpos=np.zeros((rows, robot.num_positions), like=draws),
-            qvel=np.zeros((rows, robot.num_velocities), like=draws),
-            tilt=np.zeros((rows, 3), like=draws),
+            qpos=np.zeros((rows, robot.num_positions)),
+            qvel=np.zeros((rows, robot.num_velocities)),
+            tilt=np.zeros((rows, 3)),
             sensors=self._sensors,
             servos=self._servos,
         )
@@ -112,7 +112,7 @@ class Starts:
         event.qpos[:, 2] += highest_ground(self._simulation, event.qpos[:, :2])
         event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
         command, until_next = self._commands.sample(draws[:, self._command_columns])
-        waits = np.zeros((rows, len(self._intervals) + 1), like=draws)
+        waits = np.zeros((rows, len(self._intervals) + 1))
         for i, (interval, column) in enumerate(zip(self._intervals, self._interval_columns, strict=True)):
             waits[:, i] = between(interval, draws[:, column])
         waits[:, -1] = until_next

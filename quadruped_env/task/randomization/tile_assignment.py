@@ -126,21 +126,11 @@ class TileAssignment:
         self._left[env_ids] |= valid & np.logical_or.reduce(away > 0.5 * self._tile_size, -1)
         self._fallen[env_ids] = terminated[env_ids]
 
-    def level_sums(self) -> Floats:
-        """For each kind the sum of its envs' levels and their number, (kinds, 2); those of several ranks add up."""
-        own = self.kind == np.arange(len(self.kinds))[:, None]
-        return np.stack([(own * self.level).sum(axis=1), own.sum(axis=1)], axis=1).astype(np.float64)
-
-    def mean_levels(self, total: Floats | None = None) -> dict[str, float]:
-        """Mean level of all envs, `mean_level`, and of those of each kind that has envs, `level_<kind>`.
-
-        Args:
-            total: sum of the `level_sums` of all ranks of a training; None: the envs of this object.
-        """
-        sums = self.level_sums() if total is None else total
-        of_kinds = {f"level_{name}": level / envs for name, (level, envs) in zip(self.kinds, sums, strict=True) if envs}
-        level, envs = sums.sum(axis=0)
-        return {name: float(value) for name, value in {"mean_level": level / envs, **of_kinds}.items()}
+    def mean_levels(self) -> dict[str, float]:
+        """Mean level of all envs, `mean_level`, and of those of each kind that has envs, `level_<kind>`."""
+        of_kinds = {name: self.level[self.kind == kind] for kind, name in enumerate(self.kinds)}
+        levels = {"mean_level": self.level} | {f"level_{name}": own for name, own in of_kinds.items() if own.size}
+        return {name: float(own.mean()) for name, own in levels.items()}
 
     def _change(self, env_ids: EnvIds) -> NDArray[np.int64]:
         """1 for promoted envs, -1 for demoted ones, else 0, (R,)."""

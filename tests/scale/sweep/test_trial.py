@@ -50,8 +50,7 @@ def test_trial_leaves_a_run_and_its_result_which_stands(sweep, tmp_path):
     folder, _, _ = sweep(score="none", seeds=2)
     # As an earlier version of the package wrote them.
     settings = folder.trial(1).settings()
-    del settings["training"]["device"]
-    settings["training"]["went"] = 1
+    settings["training"] |= {"device": "cpu", "went": 1}
     folder.trial(1).write_settings(settings)
     reports = []
     found = run(folder, 1, reports.append)

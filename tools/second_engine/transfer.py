@@ -1,0 +1,267 @@
+"""A policy on the same episodes in two engines, and what it loses in the second one."""
+
+import math
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.control.velocity_command import out_of_range
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
+from quadruped_env.evaluation.comparison import Command, commands_for, evaluation_task, motion_of
+from quadruped_env.evaluation.confidence import bootstrap_mean
+from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
+from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
+from quadruped_env.policies import CommandedGaitController, Controller, Policy, PolicyController, ZeroController
+from quadruped_env.utils.progress import Progress, part_of
+from quadruped_env.utils.text_table import text_table
+from second_engine.engines import Drake, MuJoCo
+
+Floats = NDArray[np.float64]
+Engine = MuJoCo | Drake
+
+COMMANDS: Final[tuple[Command, ...]] = (
+    (0.1, 0.0),
+    (0.2, 0.0),
+    (0.3, 0.0),
+    (0.5, 0.0),
+    (-0.2, 0.0),
+    (0.0, 0.5),
+    (0.3, 0.5),
+    (0.0, 0.0),
+)
+"""Forward velocity in m/s and yaw rate in rad/s of the default episodes, for the built-in robot."""
+NUM_SEEDS: Final = 3
+SECONDS: Final = 10.0
+MAX_SECONDS: Final = 120.0
+"""Maximum length of an episode, s: Drake simulates one robot after the other."""
+
+_LABELS: Final = {"policy": "Trained policy", "tuned": "Searched gait", "zero": "Standing still"}
+QUANTITIES: Final = ("forward_velocity", "yaw_rate", "base_height", "fallen")
+"""Quantities of an episode: means in m/s, rad/s and m after the start-up and before a fall; 1 for a fall, else 0."""
+TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2}
+"""Velocity -> maximum loss of a policy that carries over, as a share of the velocity here."""
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """Results of controllers on commands and seeds in two engines: the one here and the second one, in this order."""
+
+    commands: dict[str, tuple[Command, ...]]
+    """Controller -> its K commands"""
+    seeds: tuple[int, ...]
+    seconds: float
+    engines: tuple[dict[str, Any], dict[str, Any]]
+    """Name, version, time step and contact model of each engine"""
+    values: dict[str, tuple[dict[str, Floats], dict[str, Floats]]]
+    """Controller -> engine -> quantity -> (K, S)"""
+
+    def means(self, controller: str, quantity: str, command: int) -> tuple[float, float]:
+        """Mean over the seeds in both engines for one of the controller's commands (its index); NaN without data."""
+        here, there = (bootstrap_mean(engine[quantity][command]).mean for engine in self.values[controller])
+        return here, there
+
+    def loss(self, controller: str, velocity: str, command: int) -> float:
+        """Share of a velocity here that the second engine does not reach; negative if it is faster there.
+
+        1 if every robot falls there during the start-up. NaN if the command (its index) does not ask for the velocity,
+        or the robot does not follow it here.
+        """
+        wanted = self.commands[controller][command][tuple(TARGETS).index(velocity)]
+        here, there = self.means(controller, velocity, command)
+        if not here * wanted > 0.0:
+            return math.nan
+        return 1.0 if math.isnan(there) else 1.0 - there / here
+
+    def largest_loss(self, controller: str, velocity: str) -> tuple[float, Command] | None:
+        """The largest loss of a velocity, and its command; None if no command asks for the velocity."""
+        commands = self.commands[controller]
+        losses = [(self.loss(controller, velocity, i), command) for i, command in enumerate(commands)]
+        return max((entry for entry in losses if not math.isnan(entry[0])), default=None)
+
+    def falls(self, controller: str) -> tuple[int, int]:
+        """Number of falls in both engines."""
+        here, there = (int(engine["fallen"].sum()) for engine in self.values[controller])
+        return here, there
+
+    def not_followed(self, controller: str) -> list[Command]:
+        """Commands that ask for a velocity that the robot does not follow here, so that it has no loss."""
+        return [
+            command
+            for i, command in enumerate(self.commands[controller])
+            for name, wanted in zip(TARGETS, command, strict=True)
+            if wanted and math.isnan(self.loss(controller, name, i))
+        ]
+
+    def carries_over(self) -> bool | None:
+        """True if the policy loses no more than `TARGETS`, and falls no more often in the second engine.
+
+        None if that is so, but it does not follow some command here.
+        """
+        largest = [(self.largest_loss("policy", name), limit) for name, limit in TARGETS.items()]
+        here, there = self.falls("policy")
+        if there > here or any(found is not None and found[0] > limit for found, limit in largest):
+            return False
+        return None if self.not_followed("policy") else True
+
+    def tables(self) -> list[str]:
+        """Results of each controller as text: the mean of each quantity in both engines, and what is lost."""
+        here, there = (str(engine["name"]) for engine in self.engines)
+        velocities = (f"m/s {here}", there, "loss", f"rad/s {here}", there, "loss")
+        header = ("m/s, rad/s", *velocities, f"height mm {here}", there, f"falls {here}", there)
+        found = []
+        for controller, commands in self.commands.items():
+            rows = []
+            for i, (forward, yaw_rate) in enumerate(commands):
+                cells = [f"{forward:g}, {yaw_rate:g}"]
+                for velocity in TARGETS:
+                    cells += [_shown(value, 3) for value in self.means(controller, velocity, i)]
+                    cells.append(_percent(self.loss(controller, velocity, i)))
+                cells += [_shown(1000.0 * value, 0) for value in self.means(controller, "base_height", i)]
+                cells += [f"{int(engine['fallen'][i].sum())}" for engine in self.values[controller]]
+                rows.append(tuple(cells))
+            found.append(f"{_LABELS[controller]}\n{text_table([header, *rows], left=0)}")
+        return found
+
+    def verdict(self) -> tuple[str, ...]:
+        """The targets, one sentence each, for the policy; the first is the conclusion."""
+        here, there = (str(engine["name"]) for engine in self.engines)
+        carries_over = self.carries_over()
+        sentences = [f"The policy {'carries' if carries_over else 'does not carry'} over to {there}."]
+        if carries_over is None:
+            forward, yaw_rate = self.not_followed("policy")[0]
+            sentences = [
+                f"Whether the policy carries over to {there} is open: in {here} it does not follow the command of "
+                f"{forward:g} m/s and {yaw_rate:g} rad/s."
+            ]
+        for velocity, target in TARGETS.items():
+            found = self.largest_loss("policy", velocity)
+            if found is not None:
+                loss, (forward, yaw_rate) = found
+                judged = "reached" if loss <= target else "missed"
+                sentences.append(
+                    f"Largest loss of {velocity.replace('_', ' ')} against {here}: {_percent(loss)}, "
+                    f"at {forward:g} m/s and {yaw_rate:g} rad/s; target {_percent(target)}: {judged}."
+                )
+        episodes = self.values["policy"][0]["fallen"].size
+        first, second = self.falls("policy")
+        return *sentences, f"Falls in {episodes} episodes: {first} in {here}, {second} in {there}."
+
+    def conditions(self) -> tuple[str, ...]:
+        """Engine and settings in words, one sentence per engine."""
+        return tuple(
+            f"{engine['name']} {engine['version']}: "
+            + ", ".join(
+                f"{name.replace('_', ' ')} {f'{value:g}' if isinstance(value, float) else value}"
+                for name, value in engine.items()
+                if name not in ("name", "version")
+            )
+            + "."
+            for engine in self.engines
+        )
+
+
+def _shown(value: float, digits: int) -> str:
+    return f"{value:z.{digits}f}" if math.isfinite(value) else "-"
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:z.1f} %" if math.isfinite(share) else "-"
+
+
+def run_transfer(
+    policy: Policy,
+    commands: Sequence[Command] | None = None,
+    num_seeds: int = NUM_SEEDS,
+    seconds: float = SECONDS,
+    here: Engine | None = None,
+    there: Engine | None = None,
+    progress: Progress | None = None,
+) -> Transfer:
+    """Run a policy and the searched gait on every command, and the stance on those that stand, in two engines.
+
+    The task is the policy's own, on level ground; of its randomization only the start of an episode remains. A seed
+    gives the same start in both engines.
+
+    Args:
+        policy: the trained policy.
+        commands: forward velocity in m/s and yaw rate in rad/s; they may lie outside the training ranges. None:
+            `COMMANDS`, in the units of the robot.
+        num_seeds: episodes per command.
+        seconds: length of an episode, s.
+        here: the engine to compare with. None: MuJoCo, with the task's contact model.
+        there: the second engine. None: Drake.
+        progress: called with the fraction done.
+
+    Raises:
+        QuadrupedError: if there is no command or seed, a command is not finite, the episodes are too short or too long,
+            Drake is needed and not installed, or it cannot simulate the robot.
+    """
+    if commands is None:
+        commands = commands_for(policy.config.robot, COMMANDS)
+    checked = _checked(commands, num_seeds, seconds)
+    for command in checked:
+        if outside := out_of_range(command, policy.config.commands):
+            warnings.warn(f"--command: {outside}, for which the policy was not trained", QuadrupedWarning, stacklevel=2)
+    engines = here or MuJoCo(), there or Drake()
+    config = evaluation_task(policy.config.on_terrain("flat"), checked, "none")
+    settings = [{"name": engine.name, **engine.settings(config)} for engine in engines]
+    standing = [command for command in checked if motion_of(command, policy.config.robot) == "standing"]
+    runs: list[tuple[Controller, Sequence[Command]]] = [
+        (PolicyController(policy), checked),
+        (CommandedGaitController(), checked),
+        (ZeroController(), standing),
+    ]
+    runs = [(controller, chosen) for controller, chosen in runs if chosen]
+    seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)
+    total, done = sum(len(chosen) for _, chosen in runs), 0
+    values = {}
+    for controller, chosen in runs:
+        first, second = (
+            _measured(roll_out(controller, chosen, seeds, seconds, config, part, engine=engine), len(seeds))
+            for engine, part in zip(
+                engines, (None, part_of(progress, done / total, (done + len(chosen)) / total)), strict=True
+            )
+        )
+        values[controller.name] = first, second
+        done += len(chosen)
+    return Transfer(
+        {controller.name: tuple(chosen) for controller, chosen in runs},
+        tuple(seeds),
+        seconds,
+        (settings[0], settings[1]),
+        values,
+    )
+
+
+def _checked(commands: Sequence[Command], num_seeds: int, seconds: float) -> list[Command]:
+    """The commands as pairs of numbers."""
+    values = np.asarray(commands, dtype=np.float64)
+    if values.ndim != 2 or values.shape[1] != 2 or not len(values) or not np.isfinite(values).all():
+        raise QuadrupedError(
+            f"command: expected one or more pairs of finite numbers, forward velocity in m/s and yaw rate in rad/s; "
+            f"found {short(list(commands))}"
+        )
+    if num_seeds < 1:
+        raise QuadrupedError(f"seeds: expected 1 or more; found {num_seeds}")
+    if not START_UP < seconds <= MAX_SECONDS:
+        raise QuadrupedError(
+            f"seconds: expected more than {START_UP:g}, which do not count, and at most {MAX_SECONDS:g}; found "
+            f"{seconds:g}"
+        )
+    return [(float(forward), float(yaw_rate)) for forward, yaw_rate in values]
+
+
+def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
+    """The quantities of a rollout: name -> (K, S)."""
+    metrics = measure(rollout)
+    values: dict[str, Floats] = {
+        "forward_velocity": metrics["forward_velocity"],
+        "yaw_rate": metrics["yaw_rate"],
+        "base_height": masked_mean(rollout.base_position[..., 2], counted_samples(rollout)),
+        "fallen": rollout.fallen.astype(np.float64),
+    }
+    return {name: np.reshape(values[name], (-1, num_seeds)) for name in QUANTITIES}
