@@ -8,13 +8,13 @@ from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_argument import not_a_policy
-from quadruped_env.control.policy_files import finished_directory
 from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_terms
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.policies import load_policy, task_differences
+from quadruped_env.policies import load_policy, task_note
+from quadruped_env.policies.files import finished_directory
+from quadruped_env.policies.not_a_policy import not_a_policy
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.task.task_config import flat
 from quadruped_env.training.run_directory import (
@@ -58,7 +58,7 @@ class Parent:
     definition: TaskDefinition = BUILT_IN
     """Terms and robot of its task"""
     task_changes: str = ""
-    """Differences of the task's terms from those that it was trained with, because its file changed; in words."""
+    """A sentence if its task file is another version than the one that it was trained with; else empty."""
 
     @property
     def name(self) -> str:
@@ -90,7 +90,7 @@ class Parent:
             warnings.simplefilter("ignore", QuadrupedWarning)  # it says the same as `task_changes`
             policy, path = load_policy(directory, definition.path), directory / CARD_FILE
         if config.asymmetric_critic and TASK_FILE in policy.task:
-            _check_privileged((recorded_terms(policy.task[TASK_FILE]) or {}).get("privileged", []), definition)
+            _check_privileged(recorded_terms(policy.task[TASK_FILE]).get("privileged", []), definition)
         timesteps = _number(path, "card", policy.card, "timesteps", whole=True)
         return cls(
             directory,
@@ -101,7 +101,7 @@ class Parent:
             began,
             _read_curve(directory / PROGRESS_FILE, int(timesteps)),
             definition,
-            task_differences(policy),
+            task_note(policy),
         )
 
     def resumed(self, changes: Mapping[str, Any]) -> TrainConfig:

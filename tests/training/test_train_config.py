@@ -7,7 +7,7 @@ import pytest
 from settings import TRAINING
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control.activations import ACTIVATIONS
+from quadruped_env.policies.activations import ACTIVATIONS
 from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.training.recipes import RECIPES
 from quadruped_env.training.train_config import BOUNDS, TrainConfig
