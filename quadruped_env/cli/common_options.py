@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.control.policy_files import DEFAULT, SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, compare
 from quadruped_env.evaluation.learning_gain import LearningGain, gain_beside
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies import Policy
+from quadruped_env.policies.files import DEFAULT, SHIPPED
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES, save_film
 from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain

@@ -52,10 +52,6 @@ class TestContent:
         with pytest.raises(QuadrupedError, match="expected the fields"):
             Robot.from_dict({"name": "robot"})
 
-    def test_repr_names_the_robot(self):
-        assert "'other'" in repr(OTHER.robot())
-        assert "mujoco" not in repr(OTHER.robot())
-
 
 class TestModel:
     def test_kinematics_of_another_design_in_closed_form(self):
@@ -71,18 +67,6 @@ class TestModel:
             foot.append(-0.03 * np.cos(hip) - 0.18 * np.cos(hip + knee))
             np.testing.assert_allclose(feet[:, leg], np.stack(foot, axis=-1), rtol=0, atol=1e-12)
             np.testing.assert_allclose(poses[f"{name}_hip"][0], np.tile([x, y, 0.0], (50, 1)), rtol=0, atol=1e-12)
-
-    def test_sides_of_the_legs_follow_from_the_stance(self):
-        robot = OTHER.robot()
-        assert robot.fore_legs.tolist() == [False, False, True, True]
-        assert robot.left_legs.tolist() == [False, True, False, True]
-        assert [robot.leg_names[i] for i in robot.foot_mirror] == ["LH", "RH", "LF", "RF"]
-
-    def test_resting_pose_stands_on_all_feet_in_the_stance(self):
-        robot = OTHER.robot()
-        pose = robot.resting_pose(robot.stance)
-        np.testing.assert_allclose(pose, [0, 0, robot.stance_height, 1, 0, 0, 0], rtol=0, atol=1e-6)
-        np.testing.assert_allclose(robot.sole_heights(robot.stance, pose), 0.0, rtol=0, atol=1e-9)
 
     def test_masses_inferred_from_geoms_stay_in_the_skeleton(self):
         text = MINI_QUADRUPED.mjcf.replace('mass="0"', 'density="500"')

@@ -14,9 +14,9 @@ from waiting import killed_on_failure, output_of
 from benchmarks import env_speed, shipping, terrain_speed, throughput
 from benchmarks.learning_speed import CommandTest, command_test, time_to_learn
 from benchmarks.shipping import acceptance
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.files import SHIPPED
 from quadruped_env.task import RandomizationConfig
 
 
