@@ -31,7 +31,6 @@ ENTRY_POINTS = {
     "task/randomization/randomization_presets.py": "the robot for which the presets' ranges are",
     "trajectory/formats/mapped_csv.py": "names of the columns of a CSV without a map",
     "trajectory/joint_trajectory.py": "default of public methods",
-    "trajectory/saving.py": "default of public options",
     "viewer/view_controller.py": "default of a public class",
 }
 """Modules that name the built-in robot, and why."""
