@@ -242,7 +242,7 @@ def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
     numbers = json.loads((tmp_path / "walk.json").read_text())
     assert (numbers["terrain"], numbers["terrain_file"]) == ("ridges", origin)
     replayed = tmp_path / "replay"
-    assert main(["replay", str(tmp_path / "commands.csv"), *ground, "--no-report", "-o", str(replayed)]) == 0
+    assert main(["replay", str(tmp_path / "commands.csv"), *ground, "-o", str(replayed)]) == 0
     assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()
     motion = json.loads((replayed / "tracking.json").read_text())["motion"]
     assert (motion["terrain"], motion["terrain_file"]) == ("ridges", origin)
