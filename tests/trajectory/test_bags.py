@@ -217,7 +217,6 @@ class TestBagsOfOthers:
             part.save(tmp_path / "bag" / f"bag_{i}.mcap")
         loaded = JointTrajectory.load(tmp_path / "bag")
         assert_same(loaded, trajectory)
-        assert loaded.source.notes[0] == "there is no metadata.yaml: the storage files were read without it"
 
     def test_topics_are_chosen_and_never_guessed(self, tmp_path):
         messages = [(i, fields(stamp=i)) for i in range(10)]
@@ -301,15 +300,17 @@ class TestTargets:
 
 @pytest.mark.parametrize("module", ["rosbags.rosbag2", "rosbags.rosbag1", "yaml"])
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch, module):
-    random_trajectory().save(tmp_path / "a.mcap")
+    write_ros1(tmp_path / "a.bag", random_trajectory())
     (tmp_path / "a.yaml").write_text("header:\n")
     monkeypatch.setitem(sys.modules, module, None)
+    programs = {
+        "rosbags.rosbag2": lambda: random_trajectory().save(tmp_path / "b.mcap"),
+        "rosbags.rosbag1": lambda: JointTrajectory.load(tmp_path / "a.bag"),
+        "yaml": lambda: JointTrajectory.load(tmp_path / "a.yaml"),
+    }
     with pytest.raises(MissingExtraError, match=r"needs the 'ros' extra: .*pip install 'mini-quadruped\[ros\]'"):
-        JointTrajectory.load(tmp_path / ("a.yaml" if module == "yaml" else "a.mcap"))
-    if module == "rosbags.rosbag2":
-        with pytest.raises(MissingExtraError, match="writing bags needs the 'ros' extra"):
-            random_trajectory().save(tmp_path / "b.mcap")
-        assert not (tmp_path / "b.mcap").exists()
+        programs[module]()
+    assert not (tmp_path / "b.mcap").exists()
 
 
 def test_float_with_any_alignment_is_read(tmp_path):

@@ -150,9 +150,10 @@ def parse_sqlite3(path):
     store = get_typestore(Stores.ROS2_HUMBLE)
     database = sqlite3.connect(f"{path.as_uri()}?immutable=1", uri=True)
     try:
+        database.execute("PRAGMA writable_schema = ON")
         rows = database.execute(
-            "SELECT data FROM messages JOIN topics ON topics.id = topic_id "
-            "WHERE type = 'sensor_msgs/msg/JointState' ORDER BY timestamp, messages.id"
+            "SELECT data FROM messages NOT INDEXED JOIN topics ON topics.id = topic_id "
+            "WHERE type = 'sensor_msgs/msg/JointState' ORDER BY messages.id"
         ).fetchall()
     finally:
         database.close()
@@ -217,7 +218,6 @@ WRITERS = {
     "mcap": lambda trajectory, path: trajectory.save(path),
     "db3": lambda trajectory, path: trajectory.save(path),
     "bag": lambda trajectory, path: write_ros1(path, trajectory),
-    "metadata": lambda trajectory, path: trajectory.save(path),
     "db3.zstd": lambda trajectory, path: write_bag(path, messages_of(trajectory), "sqlite3", "file"),
 }
 
@@ -266,10 +266,10 @@ def fuzz(directory, kind, count, seed):
     """Read `count` mutated files; returns how many were refused and how many were read."""
     rng = np.random.default_rng(seed)
     original, path = small(), directory / f"file.{kind}"
-    if kind in {"metadata", "db3.zstd"}:
+    if kind == "db3.zstd":
         path = directory / "bag"
     WRITERS[kind](original, path)
-    damaged = {"metadata": path / "metadata.yaml", "db3.zstd": path / "bag.db3.zstd"}.get(kind, path)
+    damaged = path / "bag.db3.zstd" if kind == "db3.zstd" else path
     data = damaged.read_bytes()
     refused = read = 0
     for _ in range(count):
