@@ -193,16 +193,6 @@ def test_size_of_a_turn_is_the_root_of_the_yaw_rate_times_the_largest():
     np.testing.assert_array_equal(np.sign(turn_size(yaw_rates, 0.7)), np.sign(yaw_rates))
 
 
-def test_turn_has_the_same_bits_alone_and_among_others():
-    commands = draw_commands(200)
-    sizes = turn_size(commands[:, 1], 0.7)
-    assert sizes.tolist() == [turn_size(np.array(yaw_rate), 0.7).item() for yaw_rate in commands[:, 1]]
-    together = TUNED.waves(commands)
-    for i, command in enumerate(commands):
-        for values, alone in zip(together, TUNED.waves(np.array([command])), strict=True):
-            np.testing.assert_array_equal(values[i], alone[0])
-
-
 @pytest.mark.parametrize("speed", [-0.25, 0.1, 0.3])
 @pytest.mark.parametrize("sign", [-1.0, 1.0])
 def test_tuned_gait_turns_by_the_size_of_the_turn(speed, sign):

@@ -12,7 +12,7 @@ import pytest
 from tutorial import random_positions
 
 from quadruped_env import QuadrupedError, build_model, forward_kinematics
-from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, QuadrupedDesign, Robot
+from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign, Robot
 from quadruped_env.robot.readings import sensor_columns
 
 OTHER = QuadrupedDesign(name="other", leg_names=("RH", "LH", "RF", "LF"), leg_length=0.2, base_mass=3.0)
@@ -25,12 +25,6 @@ class TestContent:
         assert again == MINI_QUADRUPED
         assert hash(again) == hash(MINI_QUADRUPED)
         assert len({again, MINI_QUADRUPED, OTHER.robot()}) == 2
-
-    @pytest.mark.parametrize(
-        "changed", [{"base_mass": 2.21}, {"name": "b"}, {"friction": 0.7}, {"motors": MotorConfig(JointMotor(kp=41.0))}]
-    )
-    def test_robots_of_other_content_differ(self, changed):
-        assert QuadrupedDesign(**changed).robot() != MINI_QUADRUPED
 
     def test_comments_and_layout_of_the_files_do_not_count(self):
         text = MINI_QUADRUPED.mjcf.replace("\n  ", "\n\n     ").replace("-->", "and more -->")
@@ -141,19 +135,6 @@ class TestDesign:
         assert robot.leg_names == legs
         np.testing.assert_array_equal(robot.spec().compile().body_mass[1:].round(3), [2.2, *[0.25, 0.2] * 4])
         assert robot.total_mass == 4.0
-
-    def test_motors_reach_both_files(self):
-        motors = MotorConfig(JointMotor(stall_torque=7.0, kp=30.0, friction_loss=0.2), JointMotor(no_load_speed=8.0))
-        robot = QuadrupedDesign(motors=motors).robot()
-        compiled, spec = robot.spec().compile(), MINI_QUADRUPED.spec()
-        motors.write(spec, robot.joint_kinds)
-        written = spec.compile()
-        for name in ("dof_damping", "dof_armature", "dof_frictionloss", "actuator_gainprm", "actuator_biasprm"):
-            np.testing.assert_array_equal(getattr(compiled, name), getattr(written, name), err_msg=name)
-        np.testing.assert_array_equal(robot.effort_limit, [7.0, 10.0] * 4)
-        np.testing.assert_array_equal(robot.velocity_limit, [5.0, 8.0] * 4)
-        assert 'effort="7" velocity="5"' in robot.urdf
-        assert 'effort="10" velocity="8"' in robot.urdf
 
     @pytest.mark.parametrize(
         ("change", "message"),
