@@ -19,8 +19,6 @@ from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.cli.train import task_change
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_files import CHECKPOINTS, read_policy, shipped_directory
 from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.aggregate import aggregate
@@ -29,6 +27,8 @@ from quadruped_env.export.folder import check_output, results_of
 from quadruped_env.export.golden_trace import TRACE_FILE
 from quadruped_env.export.manifest import FORMAT
 from quadruped_env.export.trace_check import ExportedTrace
+from quadruped_env.policies.files import CHECKPOINTS, read_policy, shipped_directory
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.reporting.pages.learning import half_way
 from quadruped_env.reporting.plots.learning_plots import read_progress

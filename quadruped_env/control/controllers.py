@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
-from quadruped_env.control.policy import Policy
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.utils.arrays import Floats
 
 if TYPE_CHECKING:
+    from quadruped_env.policies.policy_data import PolicyData
     from quadruped_env.trajectory import JointTrajectory
 
 
@@ -154,7 +154,7 @@ class PolicyController:
 
     follows_command = True
 
-    def __init__(self, policy: Policy, name: str = "policy") -> None:
+    def __init__(self, policy: "PolicyData", name: str = "policy") -> None:
         self.policy = policy
         self.name = name
         self.action_mode = policy.action_mode
@@ -172,6 +172,6 @@ class PolicyController:
             self.policy.check_control(control.config)
             self.policy.check_observations(control.layout)
             self._checked = control.config
-        if self.policy.agent is not None and (begun := control.steps == 1).any():
-            self.policy.agent.reset(begun)
+        if (begun := control.steps == 1).any():
+            self.policy.begin(begun)
         return control.joint_target(self.policy.predict(observation))

@@ -145,7 +145,7 @@ class TaskRobot:
         self.name = source.name
         self.robot = robot
         controller = source.make()
-        config = task_config(controller.action_mode, task_of(controller, BUILT_IN.with_robot(robot)))
+        config = task_config(controller.action_mode, task_of(controller, robot))
         if config.robot != robot:
             raise QuadrupedError(f"{source.name}: is for {config.robot!r}; the viewer shows {robot!r}")
         if randomization is not None:

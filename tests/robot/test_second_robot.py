@@ -20,9 +20,10 @@ from waiting import wait_until
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.control import ControlInterface
 from quadruped_env.control.live_controller import LiveController
-from quadruped_env.control.policy_files import load_terms, read_policy
 from quadruped_env.control.stand_up import StandUp
+from quadruped_env.control.task_file import load_terms
 from quadruped_env.policies import GaitController, PolicyController, load_policy
+from quadruped_env.policies.files import read_policy
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
 from quadruped_env.robot.corners import corners
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
@@ -239,7 +240,7 @@ class TestLive:
         from quadruped_env.ros import Qos, cdr
 
         node = nodes()
-        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, ROBOT))
+        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(ROBOT))
         described = node.subscribe(ROBOT_DESCRIPTION)
         odometry, ask = node.subscribe(ODOMETRY, Qos(1000)), node.publish(CMD_VEL)
         for arguments in (("sim",), ("state",), ("controller", "tuned")):

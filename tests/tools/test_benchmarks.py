@@ -13,9 +13,9 @@ from waiting import killed_on_failure, output_of
 from benchmarks import env_speed, shipping, terrain_speed, throughput
 from benchmarks.learning_speed import CommandTest, command_test, time_to_learn
 from benchmarks.shipping import acceptance
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.files import SHIPPED
 from quadruped_env.task import RandomizationConfig
 
 
@@ -35,6 +35,7 @@ def test_the_shipped_policy_meets_more_commands_than_its_gait():
     assert learned > gait + 0.2
 
 
+@pytest.mark.slow
 def test_the_limit_ends_a_training_that_does_not_learn():
     learned = time_to_learn(
         "position", 0, limit=0.1, interval=0.05, say=lambda line: None, num_envs=64, timesteps=200_000

@@ -1,0 +1,123 @@
+"""Recognition of files, folders and names that a user gives as a policy and that are something else, with the fix.
+
+Nothing is unpickled or executed: a file is recognized by its first bytes, its name, and the names in a zip's directory.
+"""
+
+import os
+import zipfile
+from pathlib import Path
+from typing import Final
+
+from quadruped_env.errors import short
+from quadruped_env.gait import PRESETS
+from quadruped_env.policies.hub import SCHEME
+from quadruped_env.policies.policy_data import CARD_FILE
+from quadruped_env.robot.description import description_problem
+from quadruped_env.utils.interpreter import program_command
+
+BAG_FILE: Final = "metadata.yaml"
+"""File that marks a directory as a ROS 2 bag."""
+SB3_MEMBERS: Final = frozenset({"data", "policy.pth"})
+"""Files in every zip of Stable-Baselines3."""
+_HEAD: Final = 1 << 16
+"""Bytes from which a file is recognized."""
+_ZIP: Final = b"PK\x03\x04"
+_PICKLE: Final = b"\x80"
+_RECORDINGS: Final = (".csv", ".mcap", ".db3", ".bag", ".tsv", ".yaml", ".yml")
+_HUB_PAGE: Final = "huggingface.co/"
+_AS_CODE: Final = "a policy of another framework is code (docs/training.md#a-policy-that-is-code)"
+
+
+def not_a_policy(source: str, recordings: bool = True) -> str:
+    """Message for a file, folder or name that is known to be no policy; empty for policies and all that is not known.
+
+    Args:
+        source: what the user typed.
+        recordings: a recording counts too; viewer and controller play it.
+    """
+    path, is_file = Path(source), os.path.isfile(source)  # opening a named pipe would wait
+    if not os.path.exists(path):
+        problem, source = _kind_of_name(source), short(source)
+    elif os.path.isfile(path / BAG_FILE) or (is_file and path.suffix.lower() in _RECORDINGS):
+        problem = f"this looks like a recording; '{program_command('replay', source)}' plays it" if recordings else ""
+    elif is_file and os.path.isfile(path.parent / CARD_FILE):
+        problem = f"this is a file of a policy's folder; name the folder, {path.parent}"
+    else:
+        problem = _kind_of_file(path) if is_file else _kind_of_folder(path)
+    return f"{source}: {problem}" if problem else ""
+
+
+def _kind_of_name(source: str) -> str:
+    """Kind of a name that no file has."""
+    if source in PRESETS:
+        return (
+            f"this is a scripted gait, which has no weights; '{program_command('baseline', '--preset', source)}' "
+            f"measures it, and '{program_command('view', source)}' shows it"
+        )
+    address = source.partition(_HUB_PAGE)[2] if _HUB_PAGE in source else source
+    owner, slash, name = address.strip("/").partition("/")
+    if slash and name and "/" not in name and (address != source or not os.path.exists(owner)):
+        return f"there is no such folder; a policy of the hub is {SCHEME}{owner}/{name}"
+    return ""
+
+
+def _kind_of_folder(path: Path) -> str:
+    """Kind of a folder without a policy."""
+    try:
+        names = sorted(os.listdir(path))
+    except OSError:
+        return ""
+    if CARD_FILE in names:
+        return ""
+    zips = [name for name in names if name.endswith(".zip") and _is_sb3(path / name)]
+    if zips:
+        return f"this folder holds models of Stable-Baselines3; {import_advice(path / zips[-1])}"
+    return f"this folder holds checkpoints of torch; {_AS_CODE}" if any(x.endswith(".pt") for x in names) else ""
+
+
+def _kind_of_file(path: Path) -> str:
+    """Kind of a file that is in no policy's folder."""
+    suffix = path.suffix.lower()
+    try:
+        with path.open("rb") as file:
+            head = file.read(_HEAD)
+    except OSError:
+        return ""
+    if problem := description_problem(head):
+        return problem
+    if head.startswith(_ZIP):
+        if _is_sb3(path):
+            return f"this is a model of Stable-Baselines3; {import_advice(path)}"
+        if any(name.endswith("data.pkl") for name in _members(path)):
+            return f"this is a checkpoint of torch; {_AS_CODE}"
+        return "this is a zip archive; unpack it, and name the folder of its policy"
+    if suffix == ".onnx":
+        return f"this is an ONNX graph; if it was exported from here, name its folder; otherwise {import_advice(path)}"
+    if suffix == ".safetensors":
+        return f"this is a file of tensors without its {CARD_FILE}; name the folder that holds both"
+    if head.startswith(_PICKLE) or suffix in (".pkl", ".pt", ".pth"):
+        return (
+            f"this is a pickle, which is not opened; if it holds the statistics of a VecNormalize, "
+            f"{import_advice('MODEL.zip', '--vecnormalize', path)}; {_AS_CODE}"
+        )
+    return ""
+
+
+def import_advice(*arguments: str | Path) -> str:
+    """The command that makes a policy of a model of Stable-Baselines3, as the end of a message."""
+    return (
+        f"'{program_command('import-policy', *arguments)}' makes a policy of it "
+        f"(docs/training.md#a-model-of-another-trainer)"
+    )
+
+
+def _is_sb3(path: Path) -> bool:
+    return _members(path) >= SB3_MEMBERS
+
+
+def _members(path: Path) -> set[str]:
+    try:
+        with zipfile.ZipFile(path) as archive:
+            return set(archive.namelist())
+    except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError):
+        return set()
