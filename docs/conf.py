@@ -12,8 +12,8 @@ from typing import Any
 from sphinx.application import Sphinx
 
 from quadruped_env import __version__
-from quadruped_env.control.policy_files import SHOWN
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.files import SHOWN
 from quadruped_env.walking_page import write_page
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -19,8 +19,6 @@ from sweep_files import SCORE, SUITE_RESULTS, read_sweep, write_sweep
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.cli.train import task_change
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_files import CHECKPOINTS, read_policy, shipped_directory
 from quadruped_env.errors import MAX_MESSAGE, cut, short
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.aggregate import aggregate
@@ -29,6 +27,8 @@ from quadruped_env.export.folder import check_output, results_of
 from quadruped_env.export.golden_trace import TRACE_FILE
 from quadruped_env.export.manifest import FORMAT
 from quadruped_env.export.trace_check import ExportedTrace
+from quadruped_env.policies.files import CHECKPOINTS, read_policy, shipped_directory
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.reporting.pages.learning import half_way
 from quadruped_env.reporting.plots.learning_plots import read_progress
@@ -182,12 +182,12 @@ READERS = {
     "columns": Reader("columns.toml", ColumnMap.load, sound=COLUMNS),
     "joints": Reader("joints.toml", JointMap.load, sound=JOINTS),
     "recording": Reader("recording", JointTrajectory.load, sound=ECHO + ECHO.replace("sec: 1", "sec: 2")),
-    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, salvage=True, drop=True), sound=ECHO),
+    "salvaged": Reader("recording", lambda path: JointTrajectory.load(path, repair=["salvage", "drop"]), sound=ECHO),
     "table": Reader(
         "a.csv", lambda path: JointTrajectory.load(path, columns=path.with_name("map.toml")), prepare_map, TABLE
     ),
     "metadata": Reader("bag/metadata.yaml", lambda path: JointTrajectory.load(path.parent), prepare_bag),
-    "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, salvage=True), prepare_bag),
+    "storage": Reader("bag/bag.mcap", lambda path: JointTrajectory.load(path.parent, repair=["salvage"]), prepare_bag),
     "tensors": Reader(TENSORS_FILE, lambda path: read_policy(path.parent), prepare_policy),
     "progress": Reader("progress.csv", read_progress, sound="timesteps,return\n1,2.5\n2,\n"),
 }

@@ -15,8 +15,8 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
 # isort: split
-from quadruped_env.control.policy_files import SHOWN as POLICY
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.files import SHOWN as POLICY
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 from quadruped_env.walking_page import PAGE_FILE, write_page

@@ -20,7 +20,6 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import note_suite, reference_row, without_suite
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import (
@@ -42,6 +41,7 @@ from quadruped_env.policies import (
     ZeroController,
     load_policy,
 )
+from quadruped_env.policies.files import SHIPPED
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.files import write_json

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.gait import PRESETS
+from quadruped_env.policies.files import SHIPPED
 from quadruped_env.simulation import TERRAINS
 from quadruped_env.utils.program import HelpAll
 

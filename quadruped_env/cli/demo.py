@@ -26,8 +26,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Write the page, and open it."""
-    from quadruped_env.control.policy_files import SHOWN
     from quadruped_env.policies import load_policy
+    from quadruped_env.policies.files import SHOWN
     from quadruped_env.walking_page import write_page
 
     write_page(load_policy(SHOWN), arguments.output, SHOWN)

@@ -79,7 +79,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     evaluated = find_policy(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     prepare_output(evaluated.output)
     if arguments.joints:
-        saving.check(arguments.joints, saving.WriteOptions(overwrite=arguments.overwrite))
+        saving.check(arguments.joints, arguments.overwrite)
     for film in (arguments.video, arguments.learning_film):
         prepare_video(film, arguments.overwrite)
     interrupted = evaluated.policy.card.get("interrupted")

@@ -61,9 +61,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         'the same --map they bear the names of the measured joints: positions = { q_0 = "q_des_0" }',
     )
     parser.add_argument(
-        "--commands-map", type=Path, metavar="MAP.toml", help="map of the joints of the targets (default: --map)"
-    )
-    parser.add_argument(
         "--base",
         choices=BASES,
         default=BASES[0],
@@ -87,12 +84,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="joints to leave out, which need not be in the files: they are then at rest in the stance",
     )
     parser.add_argument("--start", type=Path, metavar="MOTORS.json", help="motors to start from (default: the robot's)")
-    parser.add_argument(
-        "--share", type=float, default=0.7, help="fraction of the time that is used for the fit (default: %(default)g)"
-    )
-    parser.add_argument(
-        "--timestep", type=float, metavar="S", help="physics time step, s (default: the environment's, 0.005)"
-    )
     add_robot_file(parser)
     add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
     add_overwrite(parser)
@@ -130,11 +121,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     robot = load_robot(arguments.task)
     start = None if arguments.start is None else read_motors(arguments.start, robot)
     measured = load_with(arguments.file, arguments, ProgressLine("reading"))
-    others = {
-        "topic": arguments.commands_topic,
-        "columns": arguments.commands_columns,
-        "joint_map": arguments.commands_map,
-    }
+    others = {"topic": arguments.commands_topic, "columns": arguments.commands_columns}
     given = {name: value for name, value in others.items() if value is not None}
     file = arguments.commands or (arguments.file if given else find_commands(arguments.file))
     commands = JointTrajectory.load(file, **reading_options(arguments) | given)
@@ -144,11 +131,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.base,
         start,
         arguments.fit,
-        arguments.share,
-        arguments.timestep,
-        arguments.without,
-        ProgressLine("fitting"),
-        robot,
+        without=arguments.without,
+        progress=ProgressLine("fitting"),
+        robot=robot,
     )
     document = save_numbers(found, output, invocation.line, arguments.overwrite)
     print(found.text())

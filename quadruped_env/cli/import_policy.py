@@ -53,8 +53,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Import the model, and print what was assumed and how the policy is used."""
-    from quadruped_env.control.policy import CARD_FILE
     from quadruped_env.envs.arguments import task_config
+    from quadruped_env.policies.policy_data import CARD_FILE
     from quadruped_env.training.policy_import import algorithm_of, import_policy
     from quadruped_env.utils.files import check_free
     from quadruped_env.utils.interpreter import program_command

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from quadruped_env.cli.common_options import add_output, add_overwrite, add_run, add_task_file
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.control.policy_files import SHOWN
+from quadruped_env.policies.files import SHOWN
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -29,15 +29,14 @@ from quadruped_env.cli.common_options import (
 )
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.control.kept_task_file import kept_file
-from quadruped_env.control.policy import CARD_FILE
-from quadruped_env.control.policy_files import policy_directory
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.comparison import COMMANDS
 from quadruped_env.evaluation.learning_gain import EPISODES, MOTION_SEEDS, LearningGain, learning_gain
-from quadruped_env.policies import kept_definition, load_policy
+from quadruped_env.policies import load_policy
+from quadruped_env.policies.files import kept_file
+from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.training import TrainConfig
@@ -129,9 +128,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         if arguments.trust_task:
             if task_file is not None:
                 raise QuadrupedError(f"--trust-task: found next to --task {task_file}; give one of them")
-            kept = kept_file(policy_directory(resume))
+            kept = kept_file(resume)
             task_file = None if kept is None else kept[0]
-            definition = kept_definition(resume)
+            definition = BUILT_IN if kept is None else load_task_file(*kept)
         parent = Parent.load(resume, definition)
         config, resume = parent.resumed(typed, whole), parent.directory
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"

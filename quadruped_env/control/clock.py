@@ -6,13 +6,11 @@ from itertools import pairwise
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
 from quadruped_env.utils.plain import Plain, PlainFields, plain
-
-Floats = NDArray[np.float64]
 
 FIELD: Final = "clock_frequency"
 UNITS: Final = {"speeds": "m/s", "frequencies": "Hz", "turn_arm": "m"}

@@ -1,6 +1,5 @@
-"""A user's Python file of terms and robots: read, verified, and executed only if the user names it."""
+"""A user's Python file of terms and robots: executed only if the user names it."""
 
-import ast
 import functools
 import hashlib
 import importlib.util
@@ -8,10 +7,13 @@ import os
 import sys
 import traceback
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Final, TypeVar
 
+from quadruped_env.control.control_config import COMMANDS, Command
+from quadruped_env.control.observations import OBSERVATIONS, ObservationField
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.description import description_problem
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -28,6 +30,35 @@ TASK_FILE: Final = "task_file"
 """Field of a config's plain values that names the user's file of terms."""
 KEPT_FILE: Final = "task.py"
 """Copy of the user's file in a run, as data."""
+
+
+@dataclass(frozen=True)
+class Terms:
+    """Parts of a policy that are not stored in its file: its robot, fields of the observation, commands."""
+
+    observations: tuple[ObservationField, ...] = OBSERVATIONS
+    commands: tuple[Command, ...] = COMMANDS
+    robot: Robot = MINI_QUADRUPED
+    file: TaskFile | None = None
+    """File that defines what is not built in."""
+
+
+def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -> Terms:
+    """The built-in robot, observations and commands, with those of a user's file added to them or replacing them.
+
+    An observation whose name the file sets to None is left out.
+
+    Raises:
+        QuadrupedError: as `execute` and `robot_in`.
+    """
+    file, module = execute(path, expected)
+    values = list(vars(module).values())
+    return Terms(
+        merged(kept(OBSERVATIONS, module), [value for value in values if isinstance(value, ObservationField)]),
+        merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
+        robot_in(module) or MINI_QUADRUPED,
+        file,
+    )
 
 
 def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
@@ -47,16 +78,16 @@ def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
     return TaskFile(str(recorded["name"]), str(recorded["sha256"]))
 
 
-def recorded_terms(recorded: Mapping[str, Plain]) -> dict[str, list[str]] | None:
-    """Names of what the user's file that a config names defines, by kind; None in configs of earlier versions."""
+def recorded_terms(recorded: Mapping[str, Plain]) -> dict[str, list[str]]:
+    """Names of what the user's file that a config names defines, by kind; empty in configs of early versions."""
     terms = recorded.get("terms")
     if not isinstance(terms, dict) or not all(isinstance(names, list) for names in terms.values()):
-        return None
+        return {}
     return {kind: list(map(str, names)) for kind, names in terms.items()}
 
 
 class TaskFileError(QuadrupedError):
-    """The code of a user's file is needed, or another version of it."""
+    """The code of a user's file is needed."""
 
 
 def needs_file(what: str, file: TaskFile) -> TaskFileError:
@@ -65,69 +96,6 @@ def needs_file(what: str, file: TaskFile) -> TaskFileError:
         f"{what} from {short(file.name)}, which is not executed automatically: check the file, then name it with "
         f"--task FILE, or task_file=... in Python; --trust-task, or trust_task=True, executes the copy that a run keeps"
     )
-
-
-def changed_definitions(old: bytes, new: bytes) -> tuple[str, ...] | None:
-    """Names that two versions of a file define differently at the top level, and all that use such names.
-
-    Comments, docstrings, layout, and what the decorators of terms say (but for `mirror`) do not count: the config and
-    the observation layout have it. Nor do modules that the file imports. No code is executed. None if a version cannot
-    be parsed.
-    """
-    try:
-        before, after = _definitions(old), _definitions(new)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return None
-    every = {**before, **after}
-    changed = {name for name in every if before.get(name) != after.get(name)}
-    size = -1
-    while len(changed) > size:
-        size = len(changed)
-        entries = [version[name] for version in (before, after) for name in changed & version.keys()]
-        affected = frozenset().union(*(defined for _, defined, _ in entries))
-        changed |= {name for name, (_, _, used) in every.items() if affected & used}
-    return tuple(name for name in every if name in changed)
-
-
-_Definition = tuple[str, frozenset[str], frozenset[str]]
-"""Code without what does not count, names at the top level that it defines or changes, and names that it uses."""
-
-
-def _definitions(content: bytes) -> dict[str, _Definition]:
-    """Name of each top-level statement and imported name, and what counts of it; statements of one name are joined."""
-    tree = ast.parse(content)
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
-            node.body = node.body[ast.get_docstring(node) is not None :]
-        if isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
-            calls = [entry for entry in node.decorator_list if isinstance(entry, ast.Call)]
-            node.decorator_list = [word.value for call in calls for word in call.keywords if word.arg == "mirror"]
-    found: dict[str, _Definition] = {}
-    for statement in tree.body:
-        for name, code, defined in _parts(statement):
-            codes, names, used = found.get(name, ("", frozenset(), frozenset()))
-            found[name] = (codes + code, names | defined, used | _identifiers(statement))
-    return found
-
-
-def _parts(statement: ast.stmt) -> list[tuple[str, str, frozenset[str]]]:
-    """A name, the code and the names that it defines or changes, of a statement or of each name that it imports."""
-    if isinstance(statement, (ast.Import, ast.ImportFrom)):
-        module = getattr(statement, "module", "")
-        names = [(alias.asname or alias.name.partition(".")[0], alias.name) for alias in statement.names]
-        return [(name, f"{module}.{source}", frozenset({name})) for name, source in names]
-    if isinstance(statement, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
-        return [(statement.name, ast.dump(statement), frozenset({statement.name}))]
-    stored = [node for node in ast.walk(statement) if isinstance(getattr(node, "ctx", None), (ast.Store, ast.Del))]
-    defined = frozenset().union(*map(_identifiers, stored))
-    if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call):
-        # Such as `TABLE.append(1)`.
-        defined |= _identifiers(getattr(statement.value.func, "value", ast.Pass()))
-    return [(", ".join(sorted(defined)) or short(ast.unparse(statement)), ast.dump(statement), defined)]
-
-
-def _identifiers(node: ast.AST) -> frozenset[str]:
-    return frozenset(entry.id for entry in ast.walk(node) if isinstance(entry, ast.Name))
 
 
 def names_of(term: Plain) -> tuple[str, ...]:

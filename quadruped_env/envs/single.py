@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _ENV_IDS = np.zeros(1, dtype=np.intp)
 
 
-@with_tables()
+@with_tables
 class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """A small four-legged robot that follows velocity commands.
 

@@ -141,7 +141,7 @@ def report_path(path: Path) -> Path:
 
 def check_target(path: Path, overwrite: bool) -> None:
     """Raise a QuadrupedError if `Baseline.save` could not write there."""
-    saving.check(path, saving.WriteOptions(overwrite=overwrite))
+    saving.check(path, overwrite)
     check_free([report_path(path)], overwrite)
 
 

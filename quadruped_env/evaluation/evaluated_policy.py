@@ -6,17 +6,18 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.hub_policies import is_on_hub
-from quadruped_env.control.kept_task_file import kept_content
-from quadruped_env.control.policy_files import (
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.files import (
     DEFAULT,
     SHIPPED,
     finished_directory,
     is_code,
+    kept_content,
     policy_directory,
     shipped_directory,
+    trained_with,
 )
-from quadruped_env.policies import Policy, load_policy, trained_with
+from quadruped_env.policies.hub import is_on_hub
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
 from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import check_no_links
@@ -72,8 +73,8 @@ class EvaluatedPolicy:
     @property
     def task_file(self) -> TaskFile | None:
         """The user's file that the policy was trained with, with the content of the copy that the run keeps."""
-        file = trained_with(self.policy)
-        return None if file is None else replace(file, content=kept_content(self.directory, file) or b"")
+        file = trained_with(self.policy.task)
+        return None if file is None else replace(file, content=kept_content(self.directory, file))
 
     @property
     def progress_file(self) -> Path | None:

@@ -42,7 +42,7 @@ _ACTIVATIONS: Final = {
     "sigmoid": "1.0f / (1.0f + expf(-x))",
     "mish": "x * tanhf((x < 0.0f ? 0.0f : x) + log1pf(expf(-fabsf(x))))",
 }
-"""Activation functions of policies, equal to those of `control.activations`."""
+"""Activation functions of policies, equal to those of `policies.activations`."""
 _KEYWORDS: Final = frozenset(
     """auto bool break case char class const continue default delete do double else enum extern float for goto if inline
     int long new operator private public register restrict return short signed sizeof static struct switch template this

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
@@ -29,6 +28,7 @@ from quadruped_env.export.manifest import (
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.reporting.films.video import prepare_video, save_film
 from quadruped_env.reporting.pages.page import METRICS_FILE, without_nan
 from quadruped_env.reporting.pages.pictures import filmed

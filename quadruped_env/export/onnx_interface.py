@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from quadruped_env.control import observations
 from quadruped_env.control.clock import Frequency
 from quadruped_env.control.observations import Field, ObservationLayout
-from quadruped_env.control.policy import Policy
 from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait, joint_phases
+from quadruped_env.policies.policy import Policy
 
 Floats = NDArray[np.float64]
 

@@ -20,7 +20,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_presets import (
@@ -39,10 +39,8 @@ from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.utils.arrays import frozen
+from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.plain import plain
-
-Floats = NDArray[np.float64]
 
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
@@ -105,7 +103,7 @@ class SinusoidalGait:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
         """
         if name in COMMANDED:
-            return CommandedGait.preset(name, robot).at((0.4 * scale_of("m/s", robot), 0.0))
+            return CommandedGait.preset(name, robot).straight_ahead
         if name not in _PRESETS:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
@@ -400,6 +398,11 @@ class CommandedGait:
         """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
         waves = self.waves(np.asarray(command, dtype=np.float64))
         return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *waves)
+
+    @property
+    def straight_ahead(self) -> SinusoidalGait:
+        """The sinusoidal gait straight ahead at 0.4 m/s, in proportion to the robot's size."""
+        return self.at((0.4 * scale_of("m/s", self.robot), 0.0))
 
     def at(self, command: tuple[float, float]) -> SinusoidalGait:
         """The sinusoidal gait for one command."""

@@ -1,6 +1,11 @@
-"""Trained policies together with their tasks, and controllers that need no policy."""
+"""Trained policies, and controllers that need no policy.
 
-from quadruped_env.control.by_name import ControllerSpec
+A robot's controller loads policies as data, with modules of this package that need no task; the rest is imported when
+it is first used.
+"""
+
+from typing import TYPE_CHECKING, Any
+
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import (
     CommandedGaitController,
@@ -9,20 +14,13 @@ from quadruped_env.control.controllers import (
     TrajectoryController,
     ZeroController,
 )
-from quadruped_env.control.policy import Agent, Policy
-from quadruped_env.control.policy_files import DEFAULT, SHIPPED
-from quadruped_env.policies.code_policies import as_policy
-from quadruped_env.policies.policy_loading import (
-    at_checkpoint,
-    find_controller,
-    find_controllers,
-    kept_definition,
-    load_policy,
-    task_differences,
-    task_of,
-    trained_with,
-)
-from quadruped_env.policies.policy_task import with_task
+from quadruped_env.policies.by_name import ControllerSpec, find_controller
+from quadruped_env.policies.files import DEFAULT, SHIPPED
+from quadruped_env.policies.policy_data import PolicyData
+
+if TYPE_CHECKING:
+    from quadruped_env.policies.choices import find_controllers
+    from quadruped_env.policies.policy import Agent, Policy, as_policy, at_checkpoint, load_policy, task_note, task_of
 
 __all__ = [
     "DEFAULT",
@@ -34,16 +32,23 @@ __all__ = [
     "GaitController",
     "Policy",
     "PolicyController",
+    "PolicyData",
     "TrajectoryController",
     "ZeroController",
     "as_policy",
     "at_checkpoint",
     "find_controller",
     "find_controllers",
-    "kept_definition",
     "load_policy",
-    "task_differences",
+    "task_note",
     "task_of",
-    "trained_with",
-    "with_task",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Names that need the task."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from quadruped_env.policies import choices, policy
+
+    return getattr(choices if name == "find_controllers" else policy, name)

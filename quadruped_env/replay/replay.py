@@ -278,8 +278,8 @@ class Replay:
         check_free(replay_files(directory), overwrite)
         links = self.link_poses()
         titles = [f"{name}.{column}" for name in links for column in _POSE_COLUMNS]
-        table = np.concatenate([part for pose in links.values() for part in pose], axis=1)
-        write_table(directory / POSES_FILE, self.played.stamps, titles, table, overwrite, progress)
+        poses = [part for pose in links.values() for part in pose]
+        write_table(directory / POSES_FILE, self.played.stamps, titles, poses, overwrite, progress)
         if self.mode == "dynamic":
             self.played.save(directory / JOINTS_FILE, overwrite, robot=self.robot)
         comparison = {"comparison": self.comparison.report()} if compare else {}
@@ -289,7 +289,6 @@ class Replay:
 def replay(
     trajectory: JointTrajectory,
     mode: str = "dynamic",
-    clip: bool = False,
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
     measured: JointTrajectory | None = None,
@@ -299,11 +298,10 @@ def replay(
     """Play a recording.
 
     Args:
-        trajectory: all joints of the robot, in any order.
+        trajectory: all joints of the robot, in any order. Positions outside the joint limits are played at the limit.
         mode: `kinematic` sets the joints to the recorded positions, without forces and ground. `dynamic` interpolates
             the positions linearly at 50 Hz as motor targets, with gravity and ground; the robot starts at rest on its
             feet in the first position.
-        clip: True to move positions outside the joint limits to the limit.
         progress: called with the fraction done, in dynamic mode.
         motors: motors to use instead of the robot's, in dynamic mode.
         measured: recording of the real robot on the same clock, for the comparison.
@@ -311,14 +309,13 @@ def replay(
         terrain: a terrain, or the name of a built-in one, in dynamic mode; None is level ground.
 
     Raises:
-        QuadrupedError: if a joint is missing, a position is outside its joint's limits and `clip` is
-            false (or so far outside that it is corrupt), the mode or the terrain is unknown, or a kinematic replay is
-            given a terrain.
+        QuadrupedError: if a joint is missing, a position is so far outside its joint's limits that it is corrupt, the
+            mode or the terrain is unknown, or a kinematic replay is given a terrain.
     """
     if mode not in MODES:
         raise QuadrupedError(f"replay: unknown mode {mode!r}; valid modes are {', '.join(MODES)}")
     recorded = trajectory.in_joint_order(robot)
-    playable, clipped = _within_limits(robot, recorded, clip)
+    playable, clipped = _within_limits(robot, recorded)
     motors = motors or robot.motors
     measured = None if measured is None else measured.in_joint_order(robot)
     if mode == "kinematic":
@@ -334,21 +331,20 @@ def replay_files(directory: Path) -> list[Path]:
     return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
-def _within_limits(robot: Robot, trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajectory, NDArray[np.intp]]:
+def _within_limits(robot: Robot, trajectory: JointTrajectory) -> tuple[JointTrajectory, NDArray[np.intp]]:
     """The trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
     positions, low, high = trajectory.positions, robot.joint_position_low, robot.joint_position_high
     excess = np.maximum(low - positions, positions - high)
     beyond = excess > LIMIT_TOLERANCE
     if not beyond.any():
         return trajectory, beyond.sum(axis=0)
-    damaged = excess > MAX_CLIP
-    if not clip or damaged.any():
-        row, column = np.argwhere(damaged if clip else beyond)[0]
-        cure = "too far to clip: fix the value" if clip else "clip (--clip) to play at the limit, or fix the recording"
+    corrupt = np.argwhere(excess > MAX_CLIP)
+    if len(corrupt):
+        row, column = corrupt[0]
         raise QuadrupedError(
             f"{trajectory.source.row(row)}, position.{robot.joint_names[column]}: {positions[row, column]:g} rad at "
-            f"{trajectory.times[row]:g} s is outside {low[column]:g} to "
-            f"{high[column]:g} rad; values outside: {beyond.sum()}; {cure}"
+            f"{trajectory.times[row]:g} s is far outside {low[column]:g} to {high[column]:g} rad; fix the value, or "
+            f"leave the row out"
         )
     within = positions.clip(low, high)
     return JointTrajectory(trajectory.stamps, robot.joint_names, within, source=trajectory.source), beyond.sum(axis=0)

@@ -6,12 +6,10 @@ from typing import Final, Self
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 _FOOT_VECTORS: Final = ("foot_position", "foot_velocity", "foot_angular_velocity")
 

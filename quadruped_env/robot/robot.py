@@ -14,11 +14,10 @@ from xml.etree import ElementTree
 
 import mujoco
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot import link_transforms, resting_pose
-from quadruped_env.robot.link_transforms import Transform
+from quadruped_env.robot.kinematics import Kinematics
 from quadruped_env.robot.model_completion import (
     add_sensors,
     check_structure,
@@ -28,12 +27,10 @@ from quadruped_env.robot.model_completion import (
     read_model,
 )
 from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
-from quadruped_env.robot.skeleton import Pose, Skeleton
-from quadruped_env.utils.arrays import frozen
+from quadruped_env.robot.skeleton import Skeleton
+from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
-
-Floats = NDArray[np.float64]
 
 _PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
 _RESTATED = (
@@ -61,7 +58,7 @@ _OF_THE_MODEL: Any = None
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Robot:
+class Robot(Kinematics):
     """A legged robot as a value: names, stance, symmetry, motors, and its model as text.
 
     Arrays are read-only and in the order of `joint_names` or `leg_names`, which is the order of the model. Masses and
@@ -225,11 +222,6 @@ class Robot:
     def num_velocities(self) -> int:
         """Length of MuJoCo's `qvel`: the base's linear (3,) and angular (3,) velocity, then the joints."""
         return 6 + self.num_joints
-
-    @property
-    def total_mass(self) -> float:
-        """Mass of the whole robot, kg."""
-        return self.skeleton.total_mass
 
     @functools.cached_property
     def model(self) -> mujoco.MjModel:
@@ -438,83 +430,6 @@ class Robot:
             raise self._error(f"foot_radius does not follow from the shapes at the feet ({short(radii)} m); give it")
         yield self.foot_radius if np.isnan(radii).any() else float(radii[0])
         yield self.foot_radius - float(self._skeleton.foot_centres(self.stance)[:, 2].min())
-
-    def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
-        """Pose of every link, computed with MuJoCo's kinematics.
-
-        Args:
-            positions: joint positions in rad, shape (..., J).
-            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7); without it the
-                poses are in the frame of the base. Leading axes of both arguments broadcast.
-
-        Returns:
-            Position (..., 3) in m and quaternion wxyz (..., 4) of each link by name, in the order of `link_names`.
-
-        Raises:
-            QuadrupedError: if the last axis is not J (or 7), the other axes do not broadcast, a value is not finite, or
-                a quaternion is zero.
-        """
-        return self.skeleton.forward_kinematics(positions, base_pose)
-
-    def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
-        """Centres of the foot balls (..., L, 3) in m, in the order of `leg_names`.
-
-        Arguments and errors are those of `forward_kinematics`.
-        """
-        return self.skeleton.foot_centres(positions, base_pose)
-
-    def sole_heights(self, positions: ArrayLike, base_pose: ArrayLike) -> Floats:
-        """Height of each foot's lowest point above the ground (..., L) in m; arguments as in `forward_kinematics`."""
-        return self.foot_centres(positions, base_pose)[..., 2] - self.foot_radius
-
-    def foot_jacobians(self, positions: ArrayLike) -> Floats:
-        """Derivatives of the foot centres in the base frame by the joint positions (L, 3, J), m/rad, at (J,) in rad."""
-        return self.skeleton.foot_jacobians(positions)
-
-    def centre_of_mass(self, positions: ArrayLike) -> Floats:
-        """Centre of mass of the robot (3,) in the base frame, m, for joint positions (J,) in rad."""
-        return self.skeleton.centre_of_mass(positions)
-
-    def resting_pose(self, positions: ArrayLike) -> Floats:
-        """Pose (7,) of the base with the robot resting on its feet, above the origin and facing along x.
-
-        The three feet whose support triangle contains the centre of mass touch the ground; every other foot touches it
-        or is in the air. If no three feet can carry the robot, its base is level. If another part would penetrate the
-        ground, the robot is raised until that part rests on the ground.
-
-        Args:
-            positions: joint positions in rad (J,).
-
-        Returns:
-            Position in m and quaternion wxyz.
-
-        Raises:
-            QuadrupedError: as `forward_kinematics`.
-        """
-        return resting_pose.resting_pose(self.skeleton, positions)
-
-    def joint_transforms(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
-        """Transforms that `robot_state_publisher` sends on `/tf`: one per moving joint, from parent to child link.
-
-        Args:
-            positions: joint positions in rad, shape (..., J).
-            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7). With it the first
-                transform is that of the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
-
-        Returns:
-            Transforms with leading axes (...), in the order of `joint_names`.
-
-        Raises:
-            QuadrupedError: if a shape is wrong or a value is not finite.
-        """
-        return link_transforms.joint_transforms(self.skeleton, positions, base_pose)
-
-    def fixed_transforms(self) -> tuple[Transform, ...]:
-        """Transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
-
-        If every link has a joint, the result is empty; the publisher then sends an empty message.
-        """
-        return link_transforms.fixed_transforms(self.skeleton)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""

@@ -9,7 +9,8 @@ import numpy as np
 from quadruped_env.errors import QuadrupedError, did_you_mean, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.simulation.terrain import ROUNDING, START, Floats, Grid, Terrain, Tiles, terrain
+from quadruped_env.simulation.terrain import ROUNDING, START, Grid, Terrain, Tiles, terrain
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import Parameter
 
 HIGHEST: Final = 0.055

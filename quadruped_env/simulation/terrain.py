@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import Parameter, described, parameters_of, stay_importable
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
-
-Floats = NDArray[np.float64]
 
 SIZE: Final = 40.0
 """Default side length of the square around the start, m; the ground is level beyond it."""

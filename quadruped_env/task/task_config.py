@@ -160,43 +160,30 @@ def _defaults(definition: TaskDefinition) -> dict[str, Plain]:
     return flat({section: {name: entry.default for name, entry in schema.items()} for section, schema in schemas})
 
 
-def _own_defaults(definition: TaskDefinition) -> dict[str, Plain]:
-    """The same of what a user's file defines."""
-    built_in = _defaults(BUILT_IN.with_robot(definition.robot))
-    return {path: value for path, value in _defaults(definition).items() if built_in.get(path, flat) != value}
+def known_values(values: Mapping[str, Plain], definition: TaskDefinition) -> dict[str, Plain]:
+    """Plain values of a config without the user's file that they name, and without terms that a definition lacks.
 
+    So a run's numbers count with any version of its file, or without the file.
 
-def for_definition(values: Mapping[str, Plain], definition: TaskDefinition) -> dict[str, Plain]:
-    """Plain values of a config for another version of the user's file that they name, or for the built-in terms.
-
-    What the user changed stays. What had its default by that file gets the present default, and what the definition
-    does not have is left out.
+    Raises:
+        QuadrupedError: if the values name a terrain of the file, and the definition lacks it.
     """
-    file = recorded_file(values.get(TASK_FILE))
-    recorded = {} if file is None else values[TASK_FILE]
-    own_terrains = (recorded_terms(recorded) or {}).get("terrains", [])
+    file, present = recorded_file(values.get(TASK_FILE)), definition.file
+    if file is None or (present is not None and present.sha256 == file.sha256):
+        return {name: value for name, value in values.items() if name != TASK_FILE}
+    terrains = [entry.name for entry in definition.terrains]
     for name in _terrain_names(values.get("terrain")):
-        if file is not None and name in own_terrains and name not in [entry.name for entry in definition.terrains]:
+        if name in recorded_terms(values[TASK_FILE]).get("terrains", []) and name not in terrains:
             raise needs_file(f"this task has the terrain {short(name)}", file)
-    before, known, own = recorded.get("defaults"), _defaults(definition), _own_defaults(definition)
-    built_in = _defaults(BUILT_IN.with_robot(definition.robot))
-    old = before if isinstance(before, dict) else {}
-
-    def stays(path: str, value: Plain) -> bool:
-        if path not in known:
-            return False
-        if path not in old and path not in own:
-            return True
-        return isinstance(before, dict) and plain(value) != plain(old.get(path, built_in.get(path)))
+    known, schemas = _defaults(definition), _schemas(definition)
 
     def kept(section: Mapping[str, Plain], path: str) -> dict[str, Plain]:
         return {
             name: kept(value, f"{path}.{name}") if isinstance(value, Mapping) else value
             for name, value in section.items()
-            if isinstance(value, Mapping) or stays(f"{path}.{name}", value)
+            if isinstance(value, Mapping) or f"{path}.{name}" in known
         }
 
-    schemas = _schemas(definition)
     return {
         name: kept(value, name) if name in schemas and isinstance(value, Mapping) else value
         for name, value in values.items()
@@ -209,27 +196,6 @@ def flat(values: Mapping[str, Plain], path: str = "") -> dict[str, Plain]:
     found: dict[str, Plain] = {}
     for name, value in values.items():
         found |= flat(value, f"{path}{name}.") if isinstance(value, Mapping) else {f"{path}{name}": value}
-    return found
-
-
-def config_differences(values: Mapping[str, Plain], config: "TaskConfig") -> list[str]:
-    """Differences of a config from the plain values of another one in its sections of terms, in words."""
-    recorded, terms = recorded_terms(values.get(TASK_FILE) or {}) or {}, config.definition.own_terms()
-    found = []
-    for kind, new in terms.items():
-        if kind == "privileged":  # which no policy observes
-            continue
-        old = recorded.get(kind, [])
-        found += [f"{kind.removesuffix('s')} {name} left out" for name in old if name not in new]
-        found += [f"{kind.removesuffix('s')} {name} added" for name in new if name not in old]
-    sections = _sections(config.definition)
-    then, now = (
-        flat({name: section for name in sections if isinstance(section := entry.get(name), Mapping)})
-        for entry in (plain(dict(values)), plain(config.to_dict()))
-    )
-    for path in now if recorded else {**then, **now}:
-        if (path in then or not recorded) and then.get(path) != now.get(path):
-            found.append(f"{path} {now.get(path)} (the run: {then.get(path)})")
     return found
 
 
@@ -466,8 +432,7 @@ class TaskConfig(PlainFields):
                 values[entry.name] = value.to_dict()
             elif isinstance(value, TaskDefinition):
                 if value.file is not None:
-                    own = {"terms": value.own_terms(), "defaults": _own_defaults(value)}
-                    values[TASK_FILE] = {**value.file.to_dict(), **own}
+                    values[TASK_FILE] = {**value.file.to_dict(), "terms": value.own_terms()}
                 terrain_file = self.ground.file
                 if terrain_file is not None and terrain_file != value.file:
                     values[TERRAIN_FILE] = terrain_file.to_dict()
@@ -491,17 +456,13 @@ class TaskConfig(PlainFields):
             QuadrupedError: if a field is unknown or a value has the wrong type (the message names the field and what
                 is valid), or if the values name a file of terms or of the terrain and the definition has none, or they
                 name another robot than the definition's.
-
-        With another version of the file, `for_definition` says what counts.
         """
         values = plain(values)
         if isinstance(values, dict):
             file = recorded_file(values.get(TASK_FILE))
             if file is not None and definition.file is None:
                 raise needs_file("this task has terms", file)
-            if file is not None and definition.file is not None and file.sha256 != definition.file.sha256:
-                values = for_definition(values, definition)
-            values = {name: value for name, value in values.items() if name != TASK_FILE}
+            values = known_values(values, definition)
             terrain_file = values.pop(TERRAIN_FILE, None)
             check_same_robot(values.pop(ROBOT, None), definition.robot)
             if terrain_file is not None:

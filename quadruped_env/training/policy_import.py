@@ -6,11 +6,11 @@ import zipfile
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.policy_argument import SB3_MEMBERS, not_a_policy
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.policies import Policy
-from quadruped_env.policies.sb3_policies import was_normalized
+from quadruped_env.policies.not_a_policy import SB3_MEMBERS, not_a_policy
+from quadruped_env.policies.sb3 import was_normalized
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.sb3_models import algorithm_class
 from quadruped_env.utils.documents import check_regular

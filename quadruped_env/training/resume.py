@@ -10,14 +10,13 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
-from quadruped_env.control.kept_task_file import code_changes
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_argument import not_a_policy
-from quadruped_env.control.policy_files import finished_directory
-from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_file, recorded_terms
+from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_terms
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.policies import Policy, load_policy, task_differences
+from quadruped_env.policies import Policy, load_policy, task_note
+from quadruped_env.policies.files import finished_directory
+from quadruped_env.policies.not_a_policy import not_a_policy
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.task.task_config import flat
@@ -82,7 +81,7 @@ class Parent:
     user_code: Any = None
     """Files of the user's own algorithm and policy class, as the run recorded them"""
     task_changes: str = ""
-    """Differences of the task's terms from those that it was trained with, because its file changed; in words."""
+    """A sentence if its task file is another version than the one that it was trained with; else empty."""
 
     @property
     def name(self) -> str:
@@ -114,7 +113,6 @@ class Parent:
             warnings.simplefilter("ignore", QuadrupedWarning)  # it says the same as `task_changes`
             policy, path = load_policy(directory, definition.path), directory / CARD_FILE
         card = policy.card
-        differences = task_differences(policy)
         if config.asymmetric_critic and TASK_FILE in policy.task:
             _check_privileged(policy)
         timesteps = _number(path, "card", card, "timesteps", whole=True)
@@ -128,7 +126,7 @@ class Parent:
             _read_curve(directory / PROGRESS_FILE, int(timesteps)),
             definition,
             card.get(RECORDED),
-            differences,
+            task_note(policy),
         )
 
     def resumed(self, changes: Mapping[str, Any], whole: Mapping[str, str] = NO_SECTIONS) -> TrainConfig:
@@ -250,13 +248,9 @@ def _difference(asked: Any, kept: Any, path: str = "") -> tuple[str, Any, Any] |
 def _check_privileged(policy: Policy) -> None:
     """Refuse another version of a task file whose privileged readings are not those that the run's critic observes."""
     recorded, definition = policy.task[TASK_FILE], policy.config.definition
-    old, new = (recorded_terms(recorded) or {}).get("privileged", []), definition.own_terms()["privileged"]
-    file = recorded_file(recorded)
-    assert file is not None
-    assert definition.file is not None
-    code = code_changes(Path(policy.source).parent, file, definition.file)
-    other = sorted({*old} ^ {*new} | {name for name in old if code is None or name in code})
-    if other:
+    old, new = recorded_terms(recorded).get("privileged", []), definition.own_terms()["privileged"]
+    if other := sorted({*old} ^ {*new}):
+        assert definition.file is not None
         raise QuadrupedError(
             f"--task: {definition.file.name} has another privileged reading {', '.join(other)} than the run, whose "
             f"critic observes it; name the run's version of the file, or start a new training without --resume"

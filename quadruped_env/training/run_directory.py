@@ -12,9 +12,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.training import user_classes
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.files import LATEST, unwritable, write_whole

@@ -18,7 +18,7 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
-from quadruped_env.policies.sb3_policies import MODULES
+from quadruped_env.policies.sb3 import MODULES
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RESUME_FILE

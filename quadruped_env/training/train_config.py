@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final, Literal
 
-from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.policies.activations import ACTIVATIONS
 from quadruped_env.training.algorithms import algorithm
 from quadruped_env.training.recipes import recipe
 from quadruped_env.training.user_classes import is_user_class

@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 import quadruped_env.training.sb3_models  # noqa: F401
 
 # isort: split
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
+from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.schedules import Scheduled

@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.by_name import RUNS
 from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.policies import Agent, find_controllers, kept_definition
+from quadruped_env.policies import Agent, find_controllers
+from quadruped_env.policies.choices import RUNS
+from quadruped_env.policies.policy import task_definition
 from quadruped_env.simulation import Terrain, find_terrain
 from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.training.run_directory import CONFIG_FILE
@@ -176,7 +177,7 @@ def open_show(
     if trust_task:
         asked = asked or [str(RUNS / LATEST)]
         run = next((source for source in map(str, asked) if os.path.exists(Path(source, CONFIG_FILE))), None)
-        definition = BUILT_IN if run is None else kept_definition(run)
+        definition = BUILT_IN if run is None else task_definition(run, trust_task=True)
     ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
     sources, chosen = find_controllers(asked, task_file=task_file, trust_task=trust_task, robot=definition.robot)
     randomized = {None: "off", "none": START}.get(randomization, randomization)

@@ -13,11 +13,11 @@ import numpy as np
 
 from quadruped_env._version import __version__
 from quadruped_env.control.observations import OBSERVATIONS
-from quadruped_env.control.policy import Policy
 from quadruped_env.control.steering import key_steps
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.export.onnx_graph import Graph
 from quadruped_env.export.onnx_interface import PolicyInterface
+from quadruped_env.policies.policy import Policy
 from quadruped_env.reporting.palette import leg_colours
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.robot.readings import sensor_columns

@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.policy import Policy
+from quadruped_env.policies.policy import Policy
 from quadruped_env.utils.files import write_whole
 from quadruped_env.walking_page.document import page_document
 

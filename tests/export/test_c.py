@@ -22,7 +22,7 @@ from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.c_source import FOLDER, HEADER_FILE, c_files, readings_of
 from quadruped_env.export.golden_trace import golden_trace
 from quadruped_env.export.onnx_graph import policy_graph
-from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies import load_policy
 
 pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
 pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="there is no C compiler: install gcc")
@@ -88,7 +88,7 @@ class Compiled:
 def without_clock(policy):
     kept = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
     weights = (policy.weights[0][: 3 * 31], policy.weights[1])
-    return Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot, "tanh")
+    return dataclasses.replace(policy, weights=weights, fields=kept, output="tanh")
 
 
 @pytest.mark.parametrize("name", [*POLICIES, "own fields", "no clock, tanh"])

@@ -1,6 +1,7 @@
 """The golden trace against formulas, and its check: right runtimes pass, planted bugs are named with step and field."""
 
 import csv
+import dataclasses
 import functools
 import os
 import re
@@ -19,7 +20,7 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_poli
 from quadruped_env.export import runtime
 from quadruped_env.export.folder import export_policy
 from quadruped_env.export.trace_check import ExportedTrace
-from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies import load_policy
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
 pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
@@ -31,9 +32,7 @@ def blind():
     """A policy that observes neither command nor clock, without a history."""
     policy = random_policy("position", observation_history=1)
     fields = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
-    return Policy(
-        (policy.weights[0][:30], *policy.weights[1:]), policy.biases, "tanh", policy.control, fields, policy.task, {}
-    )
+    return dataclasses.replace(policy, weights=(policy.weights[0][:30], *policy.weights[1:]), fields=fields)
 
 
 POLICIES = {

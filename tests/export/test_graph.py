@@ -1,5 +1,6 @@
 """The ONNX graph of a policy on ONNX Runtime: equal to the policy by NumPy and by torch, alone and in an env."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -10,13 +11,13 @@ from policies import make_policy
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control import CommandedFrequency
-from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.manifest import metadata
 from quadruped_env.export.onnx_graph import OPSET, policy_graph
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.policies.sb3_policies import MODULES
+from quadruped_env.policies.activations import ACTIVATIONS
+from quadruped_env.policies.sb3 import MODULES
 from quadruped_env.robot.readings import Readings
 from quadruped_env.task import ActionConfig, TaskConfig, load_task_file
 
@@ -285,7 +286,7 @@ def test_policy_without_clock_and_gait_needs_neither_command_nor_phase(tmp_path)
     policy = own_policy(tmp_path, TERMS)
     kept = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
     weights = (policy.weights[0][: 3 * 31], policy.weights[1])
-    blind = Policy(weights, policy.biases, "tanh", policy.control, kept, policy.task, {}, policy.robot)
+    blind = dataclasses.replace(policy, weights=weights, fields=kept)
     interface = PolicyInterface(blind)
     assert {entry.name for entry in interface.inputs} == {entry.name for entry in kept} | {"observation_history"}
     assert [entry.name for entry in interface.outputs] == ["action", "joint_target", "next_observation_history"]

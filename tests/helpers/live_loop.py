@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.live_controller import LiveController, Measurement
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
+from quadruped_env.policies.by_name import find_controller
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain
 

@@ -10,8 +10,8 @@ import pytest
 from paths import ROOT
 from waiting import DEADLINE, wait_until
 
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE

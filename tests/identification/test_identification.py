@@ -212,7 +212,7 @@ class TestRefusals:
     @pytest.mark.parametrize(
         ("lie", "message"),
         [
-            ("q[100, 2] -= 2.0", r"jump away and back .* RF_hip_joint, .*\(row 100\).*--despike"),
+            ("q[100, 2] -= 2.0", r"jump away and back .* RF_hip_joint, .*\(row 100\).*--repair despike"),
             ("q[:, 0] = q[0, 0]", r"positions freeze .* in LF_hip_joint"),
             ("v *= 180 / np.pi", r"velocities .* 5\d.* times"),
             ("e[:] = 0.0", r"efforts .* are 0 in every row"),
@@ -467,35 +467,32 @@ class TestProgram:
         assert "motors.json: exists already" in capsys.readouterr().err
 
     def test_targets_and_measured_joints_in_one_log(self, tmp_path, monkeypatch):
-        """Positions in rad, targets of the same joints in degrees: by the same map, or by one of their own."""
+        """By the same map of joints, in the same file or in a file of their own."""
         monkeypatch.chdir(tmp_path)
         rng = np.random.default_rng(0)
         targets, positions = rng.uniform(-0.5, 0.5, (2, 30, 8))
         titles = ["time", *(f"q_des_{i}" for i in range(8)), *(f"q_{i}" for i in range(8))]
-        table = np.column_stack([np.arange(30) * 0.02, np.degrees(targets), positions])
+        table = np.column_stack([np.arange(30) * 0.02, targets, positions])
         lines = [",".join(titles), *(",".join(map(repr, row)) for row in table.tolist())]
         Path("log.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
-        def column_map(file, columns, unit):
-            rules = "".join(
-                f"[joints.{name}]\nsource = 'q_{i}'\nunit = '{unit}'\n" for i, name in enumerate(JOINT_NAMES)
-            )
+        rules = "".join(f"[joints.{name}]\nsource = 'q_{i}'\n" for i, name in enumerate(JOINT_NAMES))
+        measured = [f"q_{i}" for i in range(8)]
+        told = "{ " + ", ".join(f"q_{i} = 'q_des_{i}'" for i in range(8)) + " }"
+        for file, columns in (("q.toml", measured), ("des.toml", told)):
             Path(file).write_text(f"[columns]\nstamp = 'time'\npositions = {columns}\n{rules}", encoding="utf-8")
 
-        column_map("q.toml", [f"q_{i}" for i in range(8)], "rad")
-        column_map("des.toml", "{ " + ", ".join(f"q_{i} = 'q_des_{i}'" for i in range(8)) + " }", "deg")
-
-        def stop(measured, commands, *_):
+        def stop(measured, commands, *_, **__):
             found.append((measured.positions, commands.positions))
             raise QuadrupedError("seen")
 
         found = []
         monkeypatch.setattr("quadruped_env.identification.identify", stop)
         options = ["identify", "log.csv", "--columns", "q.toml", "--map", "q.toml", "--commands-columns", "des.toml"]
-        assert main([*options, "--commands-map", "des.toml"]) == 2
+        assert main(options) == 2
         np.testing.assert_allclose(found[0], [positions, targets])
-        assert main([*options, "--commands", "log.csv", "--radians"]) == 2
-        np.testing.assert_allclose(found[1], [positions, np.degrees(targets)])
+        assert main([*options, "--commands", "log.csv"]) == 2
+        np.testing.assert_allclose(found[1], [positions, targets])
 
     def test_joints_to_leave_out_may_be_named_one_by_one_or_together(self):
         parser = argparse.ArgumentParser()

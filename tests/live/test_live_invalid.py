@@ -18,13 +18,10 @@ from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.joint_command import INVALID_TIMEOUT, LIMP, MAX_TARGET, TargetGate, limited
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode
 from quadruped_env.control.observations import ObservationLayout
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_files import read_policy
 from quadruped_env.live.command_publisher import CommandPublisher
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.joint_messages import JointReader, read_target
@@ -40,6 +37,9 @@ from quadruped_env.live.motor_swing import MotorSwing
 from quadruped_env.live.nodes import controller as controller_node
 from quadruped_env.live.nodes.gait import AdjustableGait
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.activations import ACTIVATIONS
+from quadruped_env.policies.files import read_policy
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 

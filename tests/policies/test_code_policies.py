@@ -6,12 +6,12 @@ import pytest
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.control.live_controller import LiveController
-from quadruped_env.control.policy_files import read_policy
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.export.folder import export_policy
 from quadruped_env.policies import PolicyController, as_policy, find_controllers, load_policy
+from quadruped_env.policies.files import read_policy
 from quadruped_env.viewer.viewed_robot import TaskRobot
 
 FILE = """

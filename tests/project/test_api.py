@@ -29,6 +29,7 @@ def test_training_has_the_settings_of_the_recipe_as_on_the_command_line(recipe, 
         train(tmp_path, timestep=1)
 
 
+@pytest.mark.slow
 def test_evaluation_writes_and_shows_what_it_measured(tmp_path, capsys):
     found = evaluate("flat", tmp_path / "out", seeds=2, seconds=2.0, with_video=False)
     numbers = json.loads(found.numbers.read_text(encoding="utf-8"))

@@ -134,6 +134,7 @@ def test_the_exercise_of_the_tutorials_page_runs(capsys):
     np.testing.assert_allclose(names["faster"].positions(0.5)[1::2], expected)
 
 
+@pytest.mark.slow
 def test_the_code_of_the_page_about_other_algorithms_runs(tmp_path, monkeypatch, capsys):
     contrib = pytest.importorskip("sb3_contrib", reason="sb3-contrib is not installed: pip install -e '.[contrib]'")
     monkeypatch.chdir(tmp_path)

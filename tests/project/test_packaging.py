@@ -87,7 +87,7 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
     assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"quadruped_env"}
     for part in (
         "assets/mini_quadruped/scene.xml",
-        "control/shipped/flat/policy.safetensors",
+        "policies/shipped/flat/policy.safetensors",
         "export/firmware/firmware.ino",
         "walking_page/assets/mujoco.wasm.gz",
         "walking_page/assets/worker.js.gz",

@@ -9,10 +9,7 @@ PACKAGE = ROOT / "quadruped_env"
 
 ENTRY_POINTS = {
     "__init__.py": "public names of the built-in robot",
-    "control/by_name.py": "default of a public function",
     "control/live_controller.py": "robot of controllers that are not policies",
-    "control/policy.py": "policies that name no robot",
-    "control/policy_files.py": "default of a public function; policies that name no robot",
     "control/task_file.py": "robot of a task file without one; the built-in robot may be imported by a task file",
     "envs/specification.py": "tables in the docstring of the environment",
     "evaluation/baseline.py": "default of a public function",
@@ -22,6 +19,8 @@ ENTRY_POINTS = {
     "identification/identify.py": "default of a public function",
     "live/nodes/controller.py": "the order of joints in its help",
     "live/simulated.py": "default of a public class",
+    "policies/by_name.py": "default of a public function",
+    "policies/files.py": "policies that name no robot",
     "replay/motors_file.py": "default of a public function",
     "replay/replay.py": "default of a public function",
     "simulation/batch_simulation.py": "default of a public class",

@@ -11,12 +11,12 @@ from paths import ROOT
 from PIL import Image
 
 from quadruped_env import JointTrajectory, QuadrupedError
-from quadruped_env.control.policy_files import shipped_directory
 from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies.files import shipped_directory
 from quadruped_env.replay.replay import replay
 from quadruped_env.reporting.films import film, overlay, video
 from quadruped_env.reporting.films.film import Camera, Clip

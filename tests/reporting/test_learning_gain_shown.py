@@ -8,9 +8,9 @@ import pytest
 from comparisons import random_policy, write_comparison
 from report_page import Page
 
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain, reward_in_words
+from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.reporting.pages import run_comparison
 from quadruped_env.reporting.pages.learning import half_way, learning_clips, zero_return
 from quadruped_env.reporting.plots import learning_curve

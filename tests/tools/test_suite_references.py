@@ -12,12 +12,12 @@ from comparisons import random_policy
 import suite_references
 from benchmarks import shipping
 from quadruped_env import QuadrupedError
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import COMPONENTS, read_references, run_suite
 from quadruped_env.evaluation.suite.suite_definition import quick_suite
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.files import SHIPPED
 
 
 def result_of(measured, suite, progress=None, zero_action=False):

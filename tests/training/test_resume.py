@@ -15,10 +15,10 @@ from trainings import ENDLESS, STEPS, assert_complete, command, learn, progress,
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.files import CHECKPOINTS
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent, _difference
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE

@@ -9,7 +9,7 @@ import pytest
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli import train as cli
-from quadruped_env.control.policy import CARD_FILE
+from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.run_directory import CONFIG_FILE
 

@@ -14,9 +14,9 @@ from trainings import ENDLESS, TINY, assert_complete, command, progress, running
 from waiting import output_of
 
 import quadruped_env
-from quadruped_env.control.policy import TENSORS_FILE
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy_data import TENSORS_FILE
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig

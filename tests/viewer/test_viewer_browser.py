@@ -8,8 +8,8 @@ from viewer_page import choose, shot, still, tab, until, visit
 from viewing import showing
 
 from quadruped_env import JOINT_NAMES, JointTrajectory
-from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy_data import CARD_FILE
 
 pytest.importorskip("viser")
 pytest.importorskip("mjviser")

@@ -9,9 +9,9 @@ import pytest
 from viewing import DT, now, robot
 
 from quadruped_env import QuadrupedError, SinusoidalGait
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import COMMANDED
+from quadruped_env.policies.files import SHIPPED
 from quadruped_env.reporting import palette
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain, flat

@@ -7,11 +7,11 @@ import pytest
 from viewing import DT, joint_targets, now, robot
 
 from quadruped_env import JointTrajectory, QuadrupedError, SinusoidalGait
-from quadruped_env.control.policy import CARD_FILE
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies import find_controllers, load_policy
+from quadruped_env.policies.files import SHIPPED
+from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
 
 

@@ -15,12 +15,12 @@ from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.control.observations import observation
-from quadruped_env.control.policy_files import SHOWN
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.onnx_graph import Graph, policy_graph
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.activations import ACTIVATIONS
+from quadruped_env.policies.files import SHOWN
 from quadruped_env.robot.motors import MOTOR_PRESETS
 from quadruped_env.simulation import SingleSimulation, flat
 from quadruped_env.task import BUILT_IN, Task

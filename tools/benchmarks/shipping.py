@@ -10,13 +10,13 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.control.policy_files import finished_directory, shipped_directory
 from quadruped_env.evaluation.comparison import MOTIONS, compare
 from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Controller, Policy, PolicyController, load_policy
+from quadruped_env.policies.files import finished_directory, shipped_directory
 from quadruped_env.reporting.pages.page import without_nan
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.files import write_whole

@@ -28,11 +28,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.by_name import find_controller
 from quadruped_env.control.joint_command import LIMP
-from quadruped_env.control.kept_task_file import kept_file
 from quadruped_env.control.live_controller import JointCommand, LiveController, Mode
-from quadruped_env.control.policy_files import DEFAULT, SHIPPED, Terms, load_terms, policy_directory, read_policy
+from quadruped_env.control.task_file import Terms, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.command_publisher import CommandPublisher
@@ -45,6 +43,8 @@ from quadruped_env.live.middleware.topics import CLOCK, ESTOP, IMU, JOINT_COMMAN
 from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.live.single_publisher import SinglePublisherGuard
+from quadruped_env.policies.by_name import find_controller
+from quadruped_env.policies.files import DEFAULT, SHIPPED, kept_file, read_policy
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
@@ -217,7 +217,7 @@ def _terms(arguments: argparse.Namespace) -> Terms:
         return Terms() if arguments.task is None else load_terms(arguments.task)
     if arguments.task is not None:
         raise QuadrupedError(f"--trust-task: found next to --task {arguments.task}; give one of them")
-    kept = kept_file(policy_directory(arguments.policy))
+    kept = kept_file(arguments.policy)
     return Terms() if kept is None else load_terms(*kept)
 
 

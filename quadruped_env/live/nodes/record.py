@@ -5,7 +5,7 @@
 
 The bag (rosbag2, MCAP) contains the received bytes with their arrival times, and the QoS that each topic's publishers
 offer. Ctrl-C completes it. During recording it is in `my_bag.part/my_bag`; if the recorder is killed it stays there,
-and `--salvage` recovers it. The recorded motion and the recorded joint targets can be replayed:
+and `--repair salvage` recovers it. The recorded motion and the recorded joint targets can be replayed:
 
     mini-quadruped replay my_bag
     mini-quadruped replay my_bag --topic /joint_commands

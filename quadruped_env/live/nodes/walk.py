@@ -9,7 +9,6 @@ Steer it with the keys of `teleop`, or with the arrow keys in the browser.
 import argparse
 import sys
 
-from quadruped_env.control.policy_files import DEFAULT
 from quadruped_env.live.node_launch import launch
 from quadruped_env.live.node_options import (
     COMMON,
@@ -19,6 +18,7 @@ from quadruped_env.live.node_options import (
     chosen_terrain,
     passed_on,
 )
+from quadruped_env.policies.files import DEFAULT
 from quadruped_env.viewer import PORT
 from quadruped_env.viewer.server import add_allow_host
 

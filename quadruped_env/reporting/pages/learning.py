@@ -4,8 +4,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.policy import CARD_FILE
-from quadruped_env.control.policy_files import CHECKPOINTS
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.evaluation.comparison import Command, Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
@@ -13,6 +11,8 @@ from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, Lear
 from quadruped_env.evaluation.metrics import START_UP
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Controller, PolicyController, ZeroController, at_checkpoint
+from quadruped_env.policies.files import CHECKPOINTS
+from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.documents import read_json

@@ -13,7 +13,7 @@ from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
-from quadruped_env.policies import task_differences
+from quadruped_env.policies import task_note
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.plots.canvas import label
 from quadruped_env.reporting.report_directory import REPORT_FILE
@@ -104,7 +104,7 @@ def task_of(evaluated: EvaluatedPolicy) -> dict[str, Any] | None:
     if file is None:
         return None
     text = file.content.decode(errors="replace")
-    return {**file.to_dict(), "text": text, "differences": task_differences(evaluated.policy)}
+    return {**file.to_dict(), "text": text, "differences": task_note(evaluated.policy)}
 
 
 def provenance(command_line: str) -> dict[str, Any]:

@@ -12,13 +12,13 @@ from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.ros.robot_messages import RawJointState, read_recorded, ros1_digest
-from quadruped_env.trajectory.file_reading import KEEP, Reading
 from quadruped_env.trajectory.formats import salvage
-from quadruped_env.trajectory.formats.echo_text import yaml_module
+from quadruped_env.trajectory.formats.echo_text import safe_yaml
 from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.formats.salvage import DIRECTORY, ROS1, choose_topics
 from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC, Message, zstd, zstd_has_checksum
 from quadruped_env.trajectory.formats.salvage.sqlite3_scanner import unapplied
+from quadruped_env.trajectory.reading import KEEP, Reading
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import MAX_DEPTH
 
@@ -41,20 +41,19 @@ def read(reading: Reading, storage: str) -> Iterator[Rows]:
 def _messages(reading: Reading, storage: str) -> Iterator[tuple[int, list[RawJointState]]]:
     """Number in the bag, and joint states of the messages."""
     reading.row_name = "message"
-    header = reading.options.stamps != "log"
+    header, salvages = reading.options.stamps != "log", reading.repairs("salvage")
     number = 0
-    by_index = storage == ROS1 or not (reading.options.salvage or _irregular(reading, storage))
+    by_index = storage == ROS1 or not (salvages or _irregular(reading, storage))
     for found in (_indexed if by_index else salvage.messages)(reading, storage):
         try:
             states = read_recorded(_plain(found.data), found.message_type, found.time, header, storage == ROS1)
         except QuadrupedError as error:
-            if not reading.options.salvage:
-                raise reading.error(number, f"{error}; leave damaged messages out (--salvage)") from error
-            reading.leave_out("the message is damaged")
+            if not salvages:
+                raise reading.error(number, f"{error}; leave damaged messages out (--repair salvage)") from error
+            reading.left_out["the message is damaged"] += 1
             reading.rows += 1
         else:
-            if reading.options.salvage and not (found.checked or zstd_has_checksum(found.data)):
-                reading.mark_unchecked(number)
+            reading.unchecked += salvages and not (found.checked or zstd_has_checksum(found.data))
             yield number, states
         number += 1
     if not number:
@@ -169,34 +168,26 @@ def _named_files(path: Path) -> tuple[list[str], bool]:
     Raises:
         QuadrupedError: if they would keep rosbags busy for long, or make it read a file twice.
     """
-    yaml = yaml_module()
     names: list[str] = []
-    depth, deepest, valid = 0, 0, True
+    valid, problem = True, ""
     try:
         text = path.read_text(encoding="utf-8")
-        if len(text) <= _MAX_METADATA:
-            for event in yaml.parse(text, yaml.CSafeLoader):
-                depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-                deepest = max(deepest, depth)
-                if depth > MAX_DEPTH:
-                    break  # the parser takes quadratic time for what is deep
-            metadata = yaml.load(text, yaml.CBaseLoader) if deepest <= MAX_DEPTH else None
-            section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
-            paths = section.get("relative_file_paths") if isinstance(section, dict) else None
-            names = [PurePath(one).name for one in paths if isinstance(one, str)] if isinstance(paths, list) else []
-            valid = not isinstance(section, dict) or _has_valid_qos(section)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError):
+        if len(text) > _MAX_METADATA:
+            problem = f"over {_MAX_METADATA} characters"
+        metadata = safe_yaml(text, MAX_DEPTH) if not problem else None
+        section = metadata.get("rosbag2_bagfile_information") if isinstance(metadata, dict) else None
+        paths = section.get("relative_file_paths") if isinstance(section, dict) else None
+        names = [PurePath(one).name for one in paths if isinstance(one, str)] if isinstance(paths, list) else []
+        valid = not isinstance(section, dict) or _has_valid_qos(section)
+    except ValueError as error:  # also for bytes that are no text
+        problem = str(error) if "nested" in str(error) else ""
+    except OSError:
         return [], True
-    repeated = next((name for name, count in Counter(names).items() if count > 1), "")
-    for problem, wrong in (
-        (f"over {_MAX_METADATA} characters", len(text) > _MAX_METADATA),
-        (f"nested deeper than {MAX_DEPTH} levels", deepest > MAX_DEPTH),
-        (f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times", repeated != ""),
-    ):
-        if wrong:
-            raise QuadrupedError(
-                f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or {KEEP}"
-            )
+    repeated = next((name for name, count in Counter(names).items() if count > 1), None)
+    if repeated is not None:
+        problem = f"relative_file_paths: names {short(repeated)} {names.count(repeated)} times"
+    if problem:
+        raise QuadrupedError(f"{path}: {problem}, which no bag's metadata are; name the storage file itself, or {KEEP}")
     return names, valid
 
 

@@ -15,9 +15,9 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros.robot_messages import JOINT_STATE, RECORDED_TYPES
-from quadruped_env.trajectory.file_reading import KEEP, Reading
 from quadruped_env.trajectory.formats.salvage import mcap_scanner, sqlite3_scanner
 from quadruped_env.trajectory.formats.salvage.records import Message, Topic, zstd, zstd_has_checksum
+from quadruped_env.trajectory.reading import KEEP, Reading
 
 DIRECTORY: Final = "dir"
 MCAP: Final = ".mcap"
@@ -52,7 +52,7 @@ def messages(reading: Reading, storage: str) -> Iterator[Message]:
 
 def first_damage(reading: Reading, storage: str) -> str:
     """Place of the first damage in a bag that cannot be opened, as seen without its index; "" if none is seen."""
-    looking = Reading(reading.path, replace(reading.options, salvage=True))
+    looking = Reading(reading.path, replace(reading.options, repair=("salvage",)))
     try:
         for _ in _scan(looking, storage):
             if looking.notes:
@@ -84,8 +84,9 @@ def choose_topics(types: Mapping[str, str], reading: Reading) -> dict[str, str]:
             raise reading.error(
                 None, f"no topic {missing!r} of type {' or '.join(map(_short_name, RECORDED_TYPES))}; it has {found}"
             )
-        if len(names) > 1 and not reading.options.merge:
-            raise reading.error(None, f"topics {wanted}: several are read as one robot's if they are merged (--merge)")
+        if len(names) > 1 and not reading.repairs("merge"):
+            problem = "several are read as one robot's if they are merged (--repair merge)"
+            raise reading.error(None, f"topics {wanted}: {problem}")
         return {name: known[name] for name in names}
     if not known:
         found = ", ".join(sorted(set(types.values()))) or "none"
@@ -133,7 +134,7 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
                 problem = str(error)
             if problem is not None:
                 where = f"{path.name}, byte {source.tell()}: the compressed file is damaged: {problem}"
-                if not reading.options.salvage:
+                if not reading.repairs("salvage"):
                     raise reading.error(None, f"{where}; {KEEP}")
                 reading.note(where)
                 break

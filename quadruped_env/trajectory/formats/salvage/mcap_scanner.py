@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import BinaryIO, Final
 from zlib import crc32
 
-from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.salvage.records import Message, Topic, decompress
+from quadruped_env.trajectory.reading import Reading
 
 _MAGIC: Final = b"\x89MCAP0\r\n"
 _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 0x03, 0x04, 0x05, 0x06

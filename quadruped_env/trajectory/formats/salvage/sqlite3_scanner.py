@@ -12,16 +12,14 @@ import struct
 import tempfile
 from collections.abc import Iterator
 from contextlib import ExitStack, closing, suppress
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.salvage.records import Message, Topic
+from quadruped_env.trajectory.reading import Reading
 
 _SIDECARS: Final = ("-wal", "-journal")
-_LEAF: Final = b"\x0d"
-"""First byte of a page with rows of a table, https://www.sqlite.org/fileformat2.html."""
-
 _Row = tuple[Any, ...]
 
 
@@ -58,53 +56,40 @@ def _rows(path: Path, table: str, types: dict[str, type], page_size: int, readin
     """Id and columns of each row of a table that can be read, where the columns have these types."""
     query = f"SELECT rowid, {', '.join(types)} FROM {table} NOT INDEXED"  # noqa: S608
     last, problem = 0, ""
-
-    def is_whole(row: _Row) -> bool:
-        return row[0] > last and all(map(isinstance, row[1:], types.values()))
-
     with ExitStack() as stack:
         cut_page = path.stat().st_size % page_size > 0
         on_copy = cut_page or unapplied(path) is not None
         database = _opened(_copy(path, page_size, stack), stack, "") if on_copy else _opened(path, stack)
+
+        def is_whole(row: _Row) -> bool:
+            # A damaged tree may lead to a page twice, or to one of another table.
+            return row[0] > last and all(map(isinstance, row[1:], types.values()))
+
         try:
-            for row in database.execute(query):
-                # A damaged tree may lead to a page twice, or to one of another table.
+            for row in database.execute(f"{query} ORDER BY rowid"):
                 if not is_whole(row):
                     problem = "rows of other types, or in another order"
                     break
                 last = row[0]
                 yield row
+            else:
+                return
         except sqlite3.Error as error:
             problem = str(error)
-        if not problem:
-            return
         reading.damage(f"{path.name}: {table} are damaged behind row {last}: {problem}")
-        found = {row[0]: row for row in _page_by_page(path, table, query, page_size, stack) if is_whole(row)}
-        yield from found.values()
+        found: dict[int, _Row] = {}
+        # From the end backwards, and then between, where each row is looked up by its id.
+        with suppress(sqlite3.Error):
+            for row in takewhile(is_whole, database.execute(f"{query} ORDER BY rowid DESC")):
+                found[row[0]] = row
+        for key in range(last + 1, min(found, default=0)):
+            with suppress(sqlite3.Error):
+                found.update(
+                    (row[0], row) for row in database.execute(f"{query} WHERE rowid = ?", (key,)) if is_whole(row)
+                )
+        yield from (found[key] for key in sorted(found))
         if found and (missing := max(found) - last - len(found)):
             reading.damage(f"{path.name}: left out {missing} rows of {table} that cannot be read")
-
-
-def _page_by_page(path: Path, table: str, query: str, page_size: int, stack: ExitStack) -> Iterator[_Row]:
-    """Rows of all tables, in the order of the file.
-
-    Pages that lead to a page of rows may be damaged or missing. So each page of rows takes the place of the table's
-    root, in the schema of a copy, and SQLite reads it as if it were the whole table; 0.1 ms per page.
-    """
-    copy = _copy(path, page_size, stack)
-    database = _opened(copy, stack, "")
-    database.execute("PRAGMA wal_checkpoint")
-    database.execute("PRAGMA synchronous = OFF")
-    with copy.open("rb") as file:
-        for number in range(2, copy.stat().st_size // page_size + 1):
-            file.seek((number - 1) * page_size)
-            if file.read(1) != _LEAF:
-                continue
-            database.execute("PRAGMA writable_schema = ON")
-            database.execute("UPDATE sqlite_schema SET rootpage = ? WHERE name = ?", (number, table))
-            database.execute("PRAGMA writable_schema = RESET")
-            with suppress(sqlite3.Error):
-                yield from database.execute(query)
 
 
 def _copy(path: Path, page_size: int, stack: ExitStack) -> Path:

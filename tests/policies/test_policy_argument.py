@@ -7,8 +7,8 @@ from policies import make_policy
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.control.by_name import find_controller
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.by_name import find_controller
 
 PROGRAMS = (
     ("evaluate",),

@@ -13,8 +13,8 @@ from safetensors.numpy import load_file, save
 from tasks import OBSERVATION_WIDTH
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 
 POSITION = {"action": {"mode": "position"}}
 

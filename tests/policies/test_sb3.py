@@ -9,10 +9,10 @@ from stable_baselines3 import PPO, SAC, TD3
 from stable_baselines3.common.vec_env import DummyVecEnv, SubprocVecEnv, VecCheckNan, VecFrameStack, VecNormalize
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
-from quadruped_env.control.activations import ACTIVATIONS
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.policies.sb3_policies import MODULES, linear_layers
+from quadruped_env.policies.activations import ACTIVATIONS
+from quadruped_env.policies.sb3 import MODULES, linear_layers
 from quadruped_env.training.actor_critic import ActorCritic
 
 NN = torch.nn

@@ -1,25 +1,23 @@
-"""Models of Stable-Baselines3 and sb3-contrib as policies.
+"""Actors of Stable-Baselines3 and sb3-contrib as layers of a policy.
 
 Modules are recognized by the names of their classes, so that nothing here imports torch or Stable-Baselines3.
 """
 
 import warnings
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, Self
 
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.observations import ObservationLayout
-from quadruped_env.control.policy import Policy
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
+from quadruped_env.policies.layers import SAMPLES, Layer, Network, affine_before, check_same_actions
 from quadruped_env.task import Task, TaskConfig
-
-Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
-"""Weights (in, out) and biases (out,)"""
 
 MODULES: Final = MappingProxyType(
     {
@@ -56,9 +54,6 @@ _NEUTRAL: Final = (
     "Autoreset",
 )
 """Beginnings of the names of wrappers that change neither."""
-_SAMPLES: Final = 64
-_TOLERANCE: Final = 1e-3
-"""Largest difference of an action from the model's; more is not rounding."""
 PROTOCOL: Final = (
     "evaluate, compare, view and film it as it is with the protocol of two methods, reset and predict "
     "(docs/training.md#your-own-algorithm)"
@@ -75,36 +70,63 @@ def refused(reason: str) -> QuadrupedError:
     )
 
 
-def from_sb3(model: Any, card: dict[str, Any] | None = None) -> Policy:
-    """See `Policy.from_sb3`."""
-    if not hasattr(model, "get_env"):
-        raise QuadrupedError(f"Policy.from_sb3: expected a model of Stable-Baselines3; found {type(model).__name__}")
-    kind, venv = type(model).__name__, model.get_env()
-    if was_normalized(model) and model.get_vec_normalize_env() is None:
-        raise QuadrupedError(
-            f"Policy.from_sb3: this {kind} was trained in a VecNormalize, whose statistics are not in its zip, and its "
-            f"env has none, so its actions would be others; load it with {NORMALIZED_ENV}"
-        )
-    if venv is None:
-        raise QuadrupedError(
-            f"Policy.from_sb3: this {kind} has no env; if it was trained in a VecNormalize, load it with "
-            f"{NORMALIZED_ENV}; if it was not, with env=make_sb3_vec_env(1). Both take the action_mode of the training"
-        )
-    config = _task_of(venv)
-    layers, activation, output = actor_layers(model.policy)
-    inputs = config.control.observation_history * ObservationLayout(config.robot, config.definition.observations).width
-    if len(layers[0][0]) != inputs:
-        raise refused(f"its actor sees {len(layers[0][0])} columns, and the env's observation has {inputs}")
-    facts = {"algo": kind.lower(), "seed": model.seed, "timesteps": int(model.num_timesteps)}
-    normalization = _normalization(model, inputs)
-    if normalization is not None:
-        layers = [normalization.folded_into(layers[0]), *layers[1:]]
-    weights, biases = zip(*layers, strict=True)
-    policy = Policy.for_task(weights, biases, activation, config, facts if card is None else card, output)
-    _verify(policy, model, normalization)
-    if normalization is not None and np.isfinite(normalization.clip):
-        _check_clip(normalization, venv.observation_space)
-    return policy
+@dataclass(frozen=True)
+class Actor:
+    """The actor of a model, with the task of the model's env."""
+
+    model: Any
+    config: TaskConfig
+    network: Network
+    """Its layers, into which the normalization of the observations is folded, without its clipping"""
+    normalization: "_Normalization | None"
+
+    @classmethod
+    def of(cls, model: Any) -> Self:
+        """See `Policy.from_sb3`."""
+        if not hasattr(model, "get_env"):
+            raise QuadrupedError(
+                f"Policy.from_sb3: expected a model of Stable-Baselines3; found {type(model).__name__}"
+            )
+        kind, venv = type(model).__name__, model.get_env()
+        if was_normalized(model) and model.get_vec_normalize_env() is None:
+            raise QuadrupedError(
+                f"Policy.from_sb3: this {kind} was trained in a VecNormalize, whose statistics are not in its zip, and "
+                f"its env has none, so its actions would be others; load it with {NORMALIZED_ENV}"
+            )
+        if venv is None:
+            raise QuadrupedError(
+                f"Policy.from_sb3: this {kind} has no env; if it was trained in a VecNormalize, load it with "
+                f"{NORMALIZED_ENV}; if it was not, with env=make_sb3_vec_env(1). Both take the action_mode of the "
+                f"training"
+            )
+        config = _task_of(venv)
+        network = actor_network(model.policy)
+        layout = ObservationLayout(config.robot, config.definition.observations, config.control.observation_history)
+        inputs, found = layout.history * layout.width, len(network.layers[0][0])
+        if found != inputs:
+            raise refused(f"its actor sees {found} columns, and the env's observation has {inputs}")
+        normalization = _Normalization.of(model, inputs)
+        if normalization is not None:
+            mean, deviation, clip = normalization
+            first, *others = network.layers
+            network = network._replace(layers=[affine_before(first, 1.0 / deviation, -mean / deviation), *others])
+            if np.isfinite(clip):
+                _check_clip(normalization, venv.observation_space)
+        return cls(model, config, network, normalization)
+
+    def check(self, predict: Callable[[NDArray[np.float32]], NDArray[np.float32]]) -> None:
+        """Refuse a policy whose actions differ from the model's, such as that of a subclass with its own `forward`."""
+        inputs = len(self.network.layers[0][0])
+        limit = 2.0 if self.normalization is None else min(2.0, self.normalization.clip)
+        seen = np.random.default_rng(0).uniform(-limit, limit, (SAMPLES, inputs)).astype(np.float32)
+        raw = seen
+        if self.normalization is not None:
+            raw = (seen * self.normalization.deviation + self.normalization.mean).astype(np.float32)
+        # With the privileged readings, which the actor does not see.
+        wide = np.zeros((SAMPLES, self.model.policy.observation_space.shape[0]), np.float32)
+        wide[:, :inputs] = seen
+        expected, _ = self.model.predict(wide, deterministic=True)
+        check_same_actions(predict(raw), expected, refused, type(self.model.policy).__name__)
 
 
 def was_normalized(model: Any) -> bool:
@@ -156,8 +178,8 @@ def _check_wrappers(env: Any) -> None:
         env = env.env
 
 
-def actor_layers(policy: Any) -> tuple[list[Layer], str, str]:
-    """Layers of an SB3 policy's actor, the activation function between them, and the function of the output.
+def actor_network(policy: Any) -> Network:
+    """The network of an SB3 policy's actor.
 
     Raises:
         QuadrupedError: if a policy's file cannot hold it.
@@ -189,7 +211,7 @@ def actor_layers(policy: Any) -> tuple[list[Layer], str, str]:
     if clip_mean is not None:
         layers = _clipped(layers, activation, clip_mean)
     mirror = getattr(policy, "mirror", None)
-    return layers if actor is None or mirror is None else symmetrized(layers, mirror), activation, output
+    return Network(layers if actor is None or mirror is None else symmetrized(layers, mirror), activation, output)
 
 
 def _parts(module: Any) -> list[Any]:
@@ -214,10 +236,7 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
         if kind == "Linear" and activated:
             weight = _array(module.weight).T.copy()
             bias = np.zeros(weight.shape[1], np.float32) if module.bias is None else _array(module.bias).copy()
-            if renorm is not None:
-                scale, shift = renorm
-                weight, bias = scale[:, None] * weight, bias + shift @ weight
-            layers.append((weight, bias))
+            layers.append((weight, bias) if renorm is None else affine_before((weight, bias), *renorm))
             renorm, activated = None, False
         elif MODULES.get(kind, "") in {activation or MODULES.get(kind)} and not activated:
             for name, default in _ARGUMENTS.items():
@@ -264,26 +283,20 @@ def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
 
 
 class _Normalization(NamedTuple):
-    """Normalization of observations: (x - mean) / deviation, clipped to +-clip."""
+    """Normalization of the columns that an actor sees: (x - mean) / deviation, clipped to +-clip."""
 
     mean: NDArray[np.float64]
     deviation: NDArray[np.float64]
     clip: float
 
-    def folded_into(self, layer: Layer) -> Layer:
-        """The layer (in, out) for observations that are not normalized; without the clipping."""
-        weight, bias = (part.astype(np.float64) for part in layer)
-        weight = weight / self.deviation[:, None]
-        return weight.astype(np.float32), (bias - self.mean @ weight).astype(np.float32)
-
-
-def _normalization(model: Any, inputs: int) -> _Normalization | None:
-    """Normalization by the model's `VecNormalize` of the columns that the actor sees; None without one."""
-    normalize = model.get_vec_normalize_env()
-    if normalize is None or not normalize.norm_obs:
-        return None
-    mean, variance = normalize.obs_rms.mean[:inputs], normalize.obs_rms.var[:inputs]
-    return _Normalization(mean, np.sqrt(variance + normalize.epsilon), float(normalize.clip_obs))
+    @classmethod
+    def of(cls, model: Any, inputs: int) -> Self | None:
+        """Normalization by the model's `VecNormalize`; None without one."""
+        normalize = model.get_vec_normalize_env()
+        if normalize is None or not normalize.norm_obs:
+            return None
+        mean, variance = normalize.obs_rms.mean[:inputs], normalize.obs_rms.var[:inputs]
+        return cls(mean, np.sqrt(variance + normalize.epsilon), float(normalize.clip_obs))
 
 
 def _check_clip(normalization: _Normalization, space: Any) -> None:
@@ -299,21 +312,4 @@ def _check_clip(normalization: _Normalization, space: Any) -> None:
             f"clip there. A larger clip_obs in training avoids the difference",
             QuadrupedWarning,
             stacklevel=4,
-        )
-
-
-def _verify(policy: Policy, model: Any, normalization: _Normalization | None) -> None:
-    """Refuse a policy whose actions differ from the model's, such as that of a subclass with its own `forward`."""
-    limit = 2.0 if normalization is None else min(2.0, normalization.clip)
-    seen = np.random.default_rng(0).uniform(-limit, limit, (_SAMPLES, len(policy.weights[0]))).astype(np.float32)
-    raw = seen if normalization is None else (seen * normalization.deviation + normalization.mean).astype(np.float32)
-    width = model.policy.observation_space.shape[0]
-    wide = np.zeros((_SAMPLES, width), np.float32)  # with the privileged readings, which the actor does not see
-    wide[:, : seen.shape[1]] = seen
-    expected, _ = model.predict(wide, deterministic=True)
-    difference = float(np.abs(policy.predict(raw) - expected).max())
-    if difference > _TOLERANCE:  # a training that diverged, with NaN, is found when its policy is saved
-        raise refused(
-            f"{type(model.policy).__name__} computes its action in a way of its own: it differs from that of its "
-            f"layers by up to {difference:.2g}"
         )

@@ -24,14 +24,14 @@ import sys
 import warnings
 import numpy as np
 from quadruped_env import QuadrupedError
-from quadruped_env.control import hub_policies
+from quadruped_env.policies import hub
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.policies import find_controllers, load_policy
 
 warnings.simplefilter("always")
-hub_policies._PAUSE = 0.0
+hub._PAUSE = 0.0
 for address in sys.argv[2:]:
-    hub_policies.TIMEOUT = 0.5 if "hangs" in address else 10.0
+    hub.TIMEOUT = 0.5 if "hangs" in address else 10.0
     try:
         policy = load_policy(address)
     except QuadrupedError as error:

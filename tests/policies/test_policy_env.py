@@ -9,10 +9,10 @@ from policies import TASK, make_policy
 from quadruped_env import QuadrupedError
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.live_controller import LiveController
-from quadruped_env.control.policy_files import SHIPPED
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, PolicyController, load_policy
+from quadruped_env.policies.files import SHIPPED
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import Task, TaskConfig, load_task_file
 
@@ -164,7 +164,7 @@ def test_live_controller_with_another_meaning_of_actions_is_refused_before_the_r
 
 def test_task_that_differs_without_changing_actions_is_accepted():
     values = TASK.to_dict() | {"randomization": {"payload": (0.0, 1.0)}, "motor": {"delay": 0.01}}
-    make_policy().check_task(TaskConfig.from_dict(values))
+    make_policy().check_env(make(ENV_ID, config=values))
 
 
 def test_check_env_of_another_environment_is_refused():

@@ -14,9 +14,9 @@ from policies import TASK, make_policy, observations
 from tasks import ACTION_WIDTH, FRAME_WIDTH, OBSERVATION_WIDTH
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
-from quadruped_env.control.policy_files import CHECKPOINTS, SHIPPED
 from quadruped_env.policies import load_policy
+from quadruped_env.policies.files import CHECKPOINTS, SHIPPED
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 
 # --- saving and loading ---
 

@@ -8,10 +8,10 @@ import zipfile
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.hub_policies import SCHEME
-from quadruped_env.control.policy import CARD_FILE
 from quadruped_env.errors import short
 from quadruped_env.gait import PRESETS
+from quadruped_env.policies.hub import SCHEME
+from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.robot.description import description_problem
 from quadruped_env.utils.interpreter import program_command
 

@@ -8,8 +8,8 @@ import warnings
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.control.policy import CARD_FILE, TENSORS_FILE
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning, short
+from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 
 SCHEME: Final = "hf://"
 TIMEOUT: Final = 10.0

@@ -1,0 +1,49 @@
+"""Layers of networks that other libraries trained, as a policy's file holds them."""
+
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quadruped_env.errors import QuadrupedError
+
+Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
+"""Weights (in, out) and biases (out,)"""
+SAMPLES: Final = 64
+"""Observations on which a policy is compared with its origin."""
+_TOLERANCE: Final = 1e-3
+"""Largest difference of an action; more is not rounding."""
+
+
+class Network(NamedTuple):
+    """A multilayer perceptron."""
+
+    layers: list[Layer]
+    activation: str
+    """Activation function between the layers, a key of `ACTIVATIONS`"""
+    output: str
+    """Function of the last layer's values, a key of `OUTPUTS`"""
+
+
+def affine_before(layer: Layer, scale: NDArray[Any], shift: NDArray[Any]) -> Layer:
+    """The layer for inputs x (in,) where `layer` gets scale * x + shift, computed in float64."""
+    weight, bias = (part.astype(np.float64) for part in layer)
+    folded = scale[:, None] * weight, bias + shift @ weight
+    return folded[0].astype(np.float32), folded[1].astype(np.float32)
+
+
+def check_same_actions(found: NDArray[Any], expected: NDArray[Any], refuse: Any, what: str) -> None:
+    """Raise an error if actions differ by more than rounding; NaN passes, and is refused where a policy is saved.
+
+    Args:
+        found: actions of the policy.
+        expected: actions of the model that it was made from.
+        refuse: makes the error from its reason.
+        what: the model's class or file.
+    """
+    difference = float(np.abs(found - expected).max())
+    if difference > _TOLERANCE:
+        error: QuadrupedError = refuse(
+            f"{what} computes its action in a way of its own: it differs from its layers by up to {difference:.2g}"
+        )
+        raise error
