@@ -1,18 +1,17 @@
 """Options that several commands have in common: the same name and meaning in each."""
 
 import argparse
+import math
 import shlex
-from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import fields
 from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, compare
-from quadruped_env.evaluation.learning_gain import LearningGain, gain_beside
+from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
-from quadruped_env.policies import Policy
 from quadruped_env.policies.files import DEFAULT, SHIPPED
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES, save_film
@@ -20,7 +19,7 @@ from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_ter
 from quadruped_env.simulation.terrain import LEVELS, Terrain
 from quadruped_env.task import PRESETS
 from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-from quadruped_env.trajectory.read_options import FLAGS
+from quadruped_env.trajectory.reading import REPAIRS, UNITS, ReadOptions
 from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.program import Extras
 from quadruped_env.utils.progress import Progress
@@ -96,13 +95,16 @@ def add_robot_file(parser: argparse.ArgumentParser, terrain: bool = False) -> No
     )
 
 
-def add_terrain(parser: argparse.ArgumentParser, default: str) -> None:
-    """Add `--terrain` and `--level`; `default` is the ground without them, in words."""
+def add_terrain(parser: argparse.ArgumentParser, default: str, level: bool = True) -> None:
+    """Add `--terrain` and, unless `level` is false, `--level`; `default` is the ground without them, in words."""
     parser.add_argument(
         "--terrain",
         metavar="NAME",
         help=f"the ground: {NAMES} (docs/environment.md), or one from --task's file (default: {default})",
     )
+    if not level:
+        parser.set_defaults(level=None)
+        return
     parser.add_argument(
         "--level",
         type=int,
@@ -176,40 +178,64 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
     add_task_file(parser)
     add_terrain(parser, "that of the policy's task")
     add_randomization(parser, "none")
-    parser.add_argument("--no-video", action="store_true", help="write the report without a video")
-    add_video(parser)
-    add_overwrite(parser, "replace files that exist, such as that of --video")
     add_output(parser, "DIR", f"directory of the report (default: {default_output})")
 
 
-def compared(policies: Policy | Mapping[str, Policy], arguments: argparse.Namespace) -> Comparison:
-    """Run an evaluation with these options."""
-    return compare(
-        policies,
-        arguments.seeds,
-        arguments.seconds,
-        progress=ProgressLine("running"),
-        terrain=named_terrain(arguments),
-        randomization=arguments.randomization or "none",
-    )
-
-
-def gain_of(policy: Policy, arguments: argparse.Namespace) -> LearningGain:
-    """The policy against the zero action, with these options."""
-    return gain_beside(policy, arguments.seeds, arguments.seconds, ProgressLine("measuring what it learned"))
+_READING: Final[Mapping[str, Mapping[str, Any]]] = {
+    "--topic": {"metavar": "A[,B,...]", "help": "topic of the joint states, for a bag or JSON lines that have several"},
+    "--columns": {"metavar": "MAP.toml", "help": "map of the columns of a CSV: table [columns]"},
+    "--map": {
+        "dest": "joint_map",
+        "metavar": "MAP.toml",
+        "help": "map of another robot's joints to this one's: tables [joints.<joint>]",
+    },
+    "--names": {
+        "metavar": "A,B,...",
+        "type": lambda text: text.split(","),
+        "help": "names of the joints in their order, for messages without names; of a CSV, the names of its columns of "
+        "positions",
+    },
+    "--unit": {
+        "choices": UNITS,
+        "help": "of positions and velocities: deg converts them, rad takes them as they are, even if they look like "
+        "degrees",
+    },
+    "--stamps": {
+        "metavar": "header|log|S",
+        "help": "timestamps: those of the headers, the times at which a bag recorded the messages, or none of them but "
+        "this time in s from row to row; default: header",
+    },
+    "--ignore": {
+        "metavar": "KIND[,KIND]",
+        "type": lambda text: text.split(","),
+        "help": "do not read these values: velocity, effort",
+    },
+    "--unwrap": {
+        "type": float,
+        "nargs": "?",
+        "const": 2.0 * math.pi,
+        "metavar": "RAD",
+        "help": "undo the jumps of encoders that begin again after this angle (default of the angle: a turn)",
+    },
+    "--repair": {
+        "metavar": "WHAT[,WHAT...]",
+        "type": lambda text: text.split(","),
+        "help": "; ".join(f"{name}: {text}" for name, text in REPAIRS.items()),
+    },
+}
+"""Flag -> arguments of argparse's `add_argument`; the destination is a field of `ReadOptions`."""
 
 
 def add_reading_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options to a parser; `reading_options` takes them from the parsed arguments."""
+    """Add the options of `ReadOptions` to a parser; `reading_options` takes them from the parsed arguments."""
     group = parser.add_argument_group("reading")
-    exclusive: defaultdict[str, Any] = defaultdict(group.add_mutually_exclusive_group)
-    for flag, arguments in FLAGS.items():
-        exclusive[arguments["dest"]].add_argument(flag, default=None, **arguments)
+    for flag, arguments in _READING.items():
+        group.add_argument(flag, **arguments)
 
 
 def reading_options(args: argparse.Namespace) -> dict[str, Any]:
     """Keyword arguments of `JointTrajectory.load`: the options that were given."""
-    given = {arguments["dest"]: getattr(args, arguments["dest"]) for arguments in FLAGS.values()}
+    given = {field.name: getattr(args, field.name) for field in fields(ReadOptions)}
     return {name: value for name, value in given.items() if value is not None}
 
 

@@ -11,9 +11,7 @@ The format of OUT follows from its name:
     NAME.mcap, NAME.db3     the bare storage file of such a bag
 
 Nothing is guessed: for invalid input the error names the file, the message, the value and the option that fixes it, and
-what no robot can have done is reported with the option that repairs it. Recordings of any length need little memory,
-unless an option changes them as a whole (--sort, --unwrap, --despike, --rate, --start, --stop, --differentiate,
---map-back).
+what no robot can have done is reported with the option that repairs it.
 
     mini-quadruped convert recorded_bag walk.csv
     mini-quadruped convert results/baseline-tuned.csv walk_bag
@@ -22,30 +20,25 @@ unless an option changes them as a whole (--sort, --unwrap, --despike, --rate, -
 
 import argparse
 from pathlib import Path
+from typing import Final
 
-from quadruped_env.cli.common_options import (
-    add_output,
-    add_overwrite,
-    add_reading_options,
-    add_robot_file,
-    reading_options,
-)
+import numpy as np
+
+from quadruped_env.cli.common_options import add_overwrite, add_reading_options, add_robot_file, load_with
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.trajectory.file_conversion import convert
-from quadruped_env.trajectory.read_options import ReadOptions
-from quadruped_env.trajectory.saving import WriteOptions
+from quadruped_env.trajectory import JointTrajectory, saving
+from quadruped_env.trajectory.formats.bag_writer import STORAGES
+
+_GAPS_SHOWN: Final = 5
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add both files, how the recording is read and changed, and how it is written."""
     parser.add_argument("source", type=Path, metavar="IN", help="the recording")
-    parser.add_argument(
-        "target", type=Path, nargs="?", metavar="OUT", help="file or bag to write; -o OUT does the same"
-    )
+    parser.add_argument("target", type=Path, metavar="OUT", help="file or bag to write")
     add_reading_options(parser)
     group = parser.add_argument_group("changing")
     group.add_argument(
@@ -70,49 +63,43 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="write the joints of the robot that the map describes, in its units, from this robot's joints",
     )
     group = parser.add_argument_group("writing")
-    group.add_argument(
-        "--storage", choices=["mcap", "sqlite3"], help="format of the storage in a bag's directory (default: mcap)"
-    )
-    group.add_argument(
-        "--tf-rate",
-        type=float,
-        default=20.0,
-        metavar="HZ",
-        help="rate of /tf in a bag; 0 leaves it out (default: %(default)g)",
-    )
-    group.add_argument("--compress", action="store_true", help="compress a bag with zstd")
+    group.add_argument("--storage", choices=STORAGES, help="format of the storage in a bag's directory (default: mcap)")
     add_robot_file(parser)
-    add_output(parser, "OUT", argparse.SUPPRESS)
     add_overwrite(parser, "replace OUT if it exists")
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Convert, and print what was read and written."""
-    if (arguments.target is None) == (arguments.output is None):
-        raise QuadrupedError("expected one place to write to, OUT or -o OUT; name it once")
-    target = arguments.target or arguments.output
-
-    def change(trajectory: JointTrajectory) -> JointTrajectory:
-        """Apply the options to the whole recording."""
-        if arguments.start is not None or arguments.stop is not None:
-            trajectory = trajectory.slice(arguments.start, arguments.stop)
-        if arguments.rate is not None:
-            trajectory = trajectory.resample(arguments.rate)
-        if arguments.differentiate is not None:
-            trajectory = trajectory.differentiate(arguments.differentiate)
-        return trajectory if arguments.map_back is None else trajectory.retarget(arguments.map_back, back=True)
-
-    changing = (arguments.start, arguments.stop, arguments.rate, arguments.differentiate, arguments.map_back)
-    account = convert(
-        arguments.source,
-        target,
-        ReadOptions.of(**reading_options(arguments)),
-        WriteOptions(
-            arguments.storage, arguments.tf_rate, arguments.compress, arguments.overwrite, load_robot(arguments.task)
-        ),
-        change if any(value is not None for value in changing) else None,
-        ProgressLine("converting"),
-    )
-    print(account.text())
+    source, target = arguments.source, arguments.target
+    saving.check(target, arguments.overwrite, arguments.storage)
+    if target.exists() and source.exists() and target.samefile(source):
+        raise QuadrupedError(f"{target}: is the file that is read; name another place")
+    trajectory = load_with(source, arguments, ProgressLine("reading"))
+    notes = trajectory.source.notes
+    if arguments.start is not None or arguments.stop is not None:
+        trajectory = trajectory.slice(arguments.start, arguments.stop)
+    if arguments.rate is not None:
+        trajectory = trajectory.resample(arguments.rate)
+    if arguments.differentiate is not None:
+        trajectory = trajectory.differentiate(arguments.differentiate)
+    if arguments.map_back is not None:
+        trajectory = trajectory.retarget(arguments.map_back, back=True)
+    trajectory.save(target, arguments.overwrite, storage=arguments.storage, robot=load_robot(arguments.task))
+    print("\n".join([*_content(trajectory), *notes]))
     print(f"\nwritten: {target}")
     return 0
+
+
+def _content(trajectory: JointTrajectory) -> list[str]:
+    """The content of a recording as text, one fact per line."""
+    rate = 1.0 / float(np.median(np.diff(trajectory.times))) if len(trajectory) > 1 else float("nan")
+    found = [
+        f"{len(trajectory)} rows over {trajectory.duration:.3f} s, usually at {rate:.4g} Hz: "
+        f"{', '.join(trajectory.kinds)}",
+        f"{len(trajectory.names)} joints: {', '.join(trajectory.names)}",
+    ]
+    gaps = trajectory.gaps()
+    found += [f"gap of {gap.seconds:.3f} s at {gap.start:.3f} s" for gap in gaps[:_GAPS_SHOWN]]
+    if len(gaps) > _GAPS_SHOWN:
+        found.append(f"... {len(gaps)} gaps in all, the longest {max(gap.seconds for gap in gaps):.3f} s")
+    return found

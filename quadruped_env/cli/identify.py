@@ -42,6 +42,7 @@ from quadruped_env.cli.common_options import (
 )
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.identification import BASES, FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import check_free, free_path
@@ -59,9 +60,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="MAP.toml",
         help="map of the columns of the joint targets, in the file of --commands or in FILE (default: --columns). For "
         'the same --map they bear the names of the measured joints: positions = { q_0 = "q_des_0" }',
-    )
-    parser.add_argument(
-        "--commands-map", type=Path, metavar="MAP.toml", help="map of the joints of the targets (default: --map)"
     )
     parser.add_argument(
         "--base",
@@ -87,12 +85,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="joints to leave out, which need not be in the files: they are then at rest in the stance",
     )
     parser.add_argument("--start", type=Path, metavar="MOTORS.json", help="motors to start from (default: the robot's)")
-    parser.add_argument(
-        "--share", type=float, default=0.7, help="fraction of the time that is used for the fit (default: %(default)g)"
-    )
-    parser.add_argument(
-        "--timestep", type=float, metavar="S", help="physics time step, s (default: the environment's, 0.005)"
-    )
     add_robot_file(parser)
     add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
     add_overwrite(parser)
@@ -114,7 +106,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Fit, write the results, and print them."""
     from quadruped_env.control.task_file import load_robot
-    from quadruped_env.identification import find_commands, identify
+    from quadruped_env.identification import identify
     from quadruped_env.identification.identification_report import (
         check_report_extra,
         identification_files,
@@ -130,13 +122,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     robot = load_robot(arguments.task)
     start = None if arguments.start is None else read_motors(arguments.start, robot)
     measured = load_with(arguments.file, arguments, ProgressLine("reading"))
-    others = {
-        "topic": arguments.commands_topic,
-        "columns": arguments.commands_columns,
-        "joint_map": arguments.commands_map,
-    }
+    others = {"topic": arguments.commands_topic, "columns": arguments.commands_columns}
     given = {name: value for name, value in others.items() if value is not None}
-    file = arguments.commands or (arguments.file if given else find_commands(arguments.file))
+    file = arguments.commands or (arguments.file if given else _commands_beside(arguments.file))
     commands = JointTrajectory.load(file, **reading_options(arguments) | given)
     found = identify(
         measured,
@@ -144,11 +132,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.base,
         start,
         arguments.fit,
-        arguments.share,
-        arguments.timestep,
-        arguments.without,
-        ProgressLine("fitting"),
-        robot,
+        without=arguments.without,
+        progress=ProgressLine("fitting"),
+        robot=robot,
     )
     document = save_numbers(found, output, invocation.line, arguments.overwrite)
     print(found.text())
@@ -157,3 +143,14 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     with extras.part(REPORT_FILE):
         print(f"report: {write_report(found, output, document)}")
     return extras.status
+
+
+def _commands_beside(measured: Path) -> Path:
+    """Path of the file of joint targets next to the measurements, named as by `mini-quadruped baseline`."""
+    path = measured.with_name(f"{measured.stem}-commands.csv")
+    if not path.is_file():
+        raise QuadrupedError(
+            f"{measured}: no joint targets: there is no {path.name} next to it; name the file (--commands), the topic "
+            f"in the bag (--commands-topic), or the columns of the targets in {measured.name} (--commands-columns)"
+        )
+    return path

@@ -38,11 +38,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("file", type=Path, metavar="FILE", help="a recording of joint states")
     parser.add_argument("--mode", choices=MODES, default="dynamic", help="as above (default: %(default)s)")
     parser.add_argument(
-        "--clip",
-        action="store_true",
-        help="move positions outside the joint limits to the limit; without it they are an error",
-    )
-    parser.add_argument(
         "--compare",
         type=Path,
         nargs="?",
@@ -55,14 +50,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--motors", type=Path, metavar="MOTORS.json", help="motors of the robot, a result of `identify`"
     )
     options.add_robot_file(parser, terrain=True)
-    options.add_terrain(parser, "flat")
+    options.add_terrain(parser, "flat", level=False)
     options.add_output(parser, "DIR", f"directory of the results (default: results/replay-FILE, {options.NEXT_FREE})")
-    parser.add_argument("--no-report", action="store_true", help="write no report.html, which needs the report extra")
     options.add_video(parser)
     options.add_overwrite(parser)
     add_reading_options(parser)
     of_reading, others = ("--columns", "--map"), ("--task", "--terrain", "--output", "--video")
-    shorten_help(parser, "--mode", "--clip", "--compare", "--motors", *of_reading, *others)
+    shorten_help(parser, "--mode", "--compare", "--motors", *of_reading, *others)
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -82,7 +76,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     result = replay(
         load_with(arguments.file, arguments, ProgressLine("reading")),
         arguments.mode,
-        arguments.clip,
         ProgressLine("playing"),
         None if arguments.motors is None else read_motors(arguments.motors, robot),
         load_with(arguments.compare, arguments) if isinstance(arguments.compare, Path) else None,
@@ -94,9 +87,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     written = "joints and tracking errors" if arguments.mode == "dynamic" else "tracking errors"
     print(f"\nlink poses, {written}: {output}")
     extras = Extras()
-    if not arguments.no_report:
-        with extras.part(REPORT_FILE):
-            write_replay_report(result, output, invocation.line, compare)
-            print(f"report:  {output / REPORT_FILE}")
+    with extras.part(REPORT_FILE):
+        write_replay_report(result, output, invocation.line, compare)
+        print(f"report:  {output / REPORT_FILE}")
     options.save_video(arguments.video, lambda: [result.film()], extras)
     return extras.status

@@ -207,15 +207,16 @@ class ControlInterface:
         return present if layout.history == 1 else self._stacked(present)
 
     def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
-        """The present observations (N, width) and those of the steps before."""
+        """The present observations (N, width) and the steps before, stacked (N, history * width)."""
         past, steps = self._past, self.steps
-        advanced = np.flatnonzero(steps != self._observed_step)
-        if len(advanced) == len(steps):
+        advanced = steps != self._observed_step
+        if np.count_nonzero(advanced) == len(steps):
             past[:, 1:] = past[:, :-1]
         else:
             past[advanced, 1:] = past[advanced, :-1]
         past[:, 0] = present
-        if len(first := np.flatnonzero(steps == 0)):
+        if np.count_nonzero(steps) < len(steps):
+            first = steps == 0
             past[first] = present[first, None]
         self._observed_step[:] = steps
         return past.reshape(len(steps), -1).copy()

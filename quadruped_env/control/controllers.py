@@ -1,6 +1,7 @@
 """Controllers, which compute joint targets from observations."""
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,13 +11,13 @@ from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.utils.arrays import Floats
 
 if TYPE_CHECKING:
     from quadruped_env.policies.policy_data import PolicyData
     from quadruped_env.trajectory import JointTrajectory
-
-Floats = NDArray[np.float64]
 
 
 class ZeroController:
@@ -38,64 +39,100 @@ class ZeroController:
 
 
 class GaitController:
-    """A scripted gait as a function of the time since the reset; it ignores the command.
+    """A scripted gait, whose settings can be changed at any time without a jump in its phase.
 
-    It has no part in the task's gait clock, so the reward's terms of the clock say nothing about it.
-    """
-
-    action_mode = "position"
-    follows_command = False
-
-    def __init__(self, gait: SinusoidalGait, name: str) -> None:
-        self.gait = gait
-        self.name = name
-
-    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
-        """See `Controller.act`."""
-        return self.gait.positions(control.time)
-
-
-class CommandedGaitController:
-    """The searched gait, adapted to each env's command.
-
-    It steps with the task's gait clock, as the gait of `residual` mode does. A clock of another frequency it cannot
-    follow: its phase is then that of its own frequency since the reset.
+    A gait that follows the command steps with the task's gait clock, as in `residual` mode, if the clock has
+    its frequency. Every other gait has a phase of its own, which begins at 0 with the episode.
 
     Args:
-        gait: the gait; None: the tuned one of the robot that is controlled.
+        gait: the gait; None: the tuned one of the robot that is controlled, which follows the command.
         name: name in reports.
     """
 
     action_mode = "position"
-    follows_command = True
 
-    def __init__(self, gait: CommandedGait | None = None, name: str = "tuned") -> None:
+    def __init__(self, gait: SinusoidalGait | CommandedGait | None = None, name: str = "tuned") -> None:
+        self.gait = gait
         self.name = name
-        self._gait = gait
+        self.follows_command = not isinstance(gait, SinusoidalGait)
+        self._settings: GaitSettings | None = None
+        self._phase = 0.0
+        """Phase of the gait of env 0, rad."""
+        self._command: tuple[float, float] | None = None
+
+    @property
+    def settings(self) -> GaitSettings:
+        """Current settings. Once they are changed, only one robot can be controlled."""
+        return self._settings or GaitSettings.of(self._preset())
+
+    @settings.setter
+    def settings(self, settings: GaitSettings) -> None:
+        self._settings = settings
+
+    def complaints(self) -> list[str]:
+        """Messages about joint limits that the gait exceeds; empty if there are none."""
+        return self._current().violations()
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""
-        gait = self._gait or CommandedGait.tuned(control.robot)
-        clock = control.config.clock_frequency
-        shared = not isinstance(clock, CommandedFrequency) and math.isclose(math.tau * clock, gait.angular_frequency)
-        phase = control.phase if shared else gait.angular_frequency * control.time
+        if self.gait is None:
+            self.gait = CommandedGait.tuned(control.robot)
+        gait, clock = self.gait, control.config.clock_frequency
+        self._command = float(control.command[0, 0]), float(control.command[0, 1])
+        phase = gait.angular_frequency * control.time
+        if (
+            isinstance(gait, CommandedGait)
+            and not isinstance(clock, CommandedFrequency)
+            and math.isclose(math.tau * clock, gait.angular_frequency)
+        ):
+            phase = control.phase
+        if self._settings is None or control.time[0] == 0.0:
+            self._phase = float(phase[0])
+        else:
+            self._phase += math.tau * self._settings.frequency * control.config.timestep
+        if self._settings is not None:
+            changed = self._current()
+            return changed.positions(np.array([self._phase / changed.angular_frequency]))
+        if isinstance(gait, SinusoidalGait):
+            return gait.positions(control.time)
         return gait.positions(phase, control.command)
+
+    def _preset(self) -> SinusoidalGait:
+        """The gait with its own settings, straight ahead."""
+        assert self.gait is not None, "a gait that follows from the robot is known after the first step"
+        return self.gait if isinstance(self.gait, SinusoidalGait) else self.gait.straight_ahead
+
+    def _current(self) -> SinusoidalGait:
+        """The gait of env 0 at the present command and settings."""
+        gait, preset = self.gait, self._preset()
+        now = gait.at(self._command) if isinstance(gait, CommandedGait) and self._command else preset
+        if self._settings is None:
+            return now
+        # The hips' phases depend on the command; the settings are the preset's, so its phases are subtracted.
+        phases = zip(GaitSettings.of(now).phases, self._settings.phases, GaitSettings.of(preset).phases, strict=True)
+        shifted = tuple((phase + setting - base) % 1.0 for phase, setting, base in phases)
+        return edited(now, replace(self._settings, phases=shifted))
+
+
+CommandedGaitController = GaitController
 
 
 class TrajectoryController:
-    """Plays recorded joint positions back as joint targets, and holds the last ones at the end.
+    """Plays recorded joint positions back as joint targets.
 
     Args:
         trajectory: the recording; time 0 is its first timestamp.
         name: name in reports.
+        loop: begin again at the end, one control step after the last row; otherwise the last positions are held.
     """
 
     action_mode = "position"
     follows_command = False
 
-    def __init__(self, trajectory: "JointTrajectory", name: str = "recording") -> None:
+    def __init__(self, trajectory: "JointTrajectory", name: str = "recording", loop: bool = False) -> None:
         self.trajectory = trajectory
         self.name = name
+        self._loop = loop
         self._ordered: tuple[Robot, JointTrajectory] | None = None
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
@@ -104,23 +141,12 @@ class TrajectoryController:
         Raises:
             QuadrupedError: if the recording lacks a joint of the robot.
         """
-        return self.positions_at(control.robot, control.time)
-
-    def positions_at(self, robot: Robot, seconds: Floats) -> Floats:
-        """Recorded positions of a robot's joints (N, J) in rad at times (N,) in s."""
+        robot, time = control.robot, control.time
         if self._ordered is None or self._ordered[0] is not robot:
             self._ordered = robot, self.trajectory.in_joint_order(robot)
-        return self._ordered[1].positions_at(seconds)
-
-
-class LoopController(TrajectoryController):
-    """Plays a recording from its beginning again when it ends."""
-
-    def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
-        """See `Controller.act`."""
-        # One control step lies between the last sample and the first.
-        period = self.trajectory.duration + control.config.timestep
-        return self.positions_at(control.robot, control.time % period)
+        if self._loop:
+            time = time % (self.trajectory.duration + control.config.timestep)
+        return self._ordered[1].positions_at(time)
 
 
 class PolicyController:

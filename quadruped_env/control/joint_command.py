@@ -5,15 +5,15 @@ from collections.abc import Callable, Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import Floats
 
 LIMP: Final = None
-"""Value in place of joint targets that disables the motors."""
+"""Value that is sent instead of joint targets to disable the motors."""
 
-Target = NDArray[np.float64] | None
+Target = Floats | None
 """Joint targets (J,) in rad, or `LIMP`."""
 
 MAX_TARGET: Final = 1e12
@@ -43,7 +43,7 @@ class TargetGate:
         self._joints, self._say = joints, say
         self._since = self._latest = -math.inf
 
-    def passes(self, target: NDArray[np.float64], now: float) -> bool:
+    def passes(self, target: Floats, now: float) -> bool:
         """True if joint targets (J,) may be sent; otherwise, send the last valid ones again. `now` is in s.
 
         Raises:
@@ -64,9 +64,7 @@ class TargetGate:
         return False
 
 
-def limited(
-    robot: Robot, target: NDArray[np.float64], last: NDArray[np.float64], seconds: float
-) -> NDArray[np.float64]:
+def limited(robot: Robot, target: Floats, last: Floats, seconds: float) -> Floats:
     """Joint targets within the joints' ranges that change no faster than the robot's velocity limit.
 
     They are finite whatever the arguments are: a joint whose target is NaN keeps its last one, and one whose last one

@@ -21,7 +21,6 @@ from enum import Enum
 from typing import Final, NamedTuple, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface, Controller
@@ -37,6 +36,7 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import rotate_inverse
 
 _ENV_IDS: Final = np.zeros(1, dtype=np.intp)
@@ -101,13 +101,13 @@ class Measurement(NamedTuple):
 
     stamp: int
     """Timestamp, ns."""
-    positions: NDArray[np.float64]
+    positions: Floats
     """Joint positions (J,), rad."""
-    velocities: NDArray[np.float64]
+    velocities: Floats
     """Joint velocities (J,), rad/s; NaN where unknown, if the controller does not need them."""
-    orientation: NDArray[np.float64]
+    orientation: Floats
     """Unit quaternion wxyz of the base (4,)."""
-    angular_velocity: NDArray[np.float64]
+    angular_velocity: Floats
     """Angular velocity in the base frame (3,), rad/s."""
 
 
@@ -124,10 +124,10 @@ class LiveController:
 
     Args:
         controller: computes the joint targets while walking.
-        config: time step, clock and commands. None: those of the policy, or the defaults for other controllers.
+        config: time step, clock and commands. None: the policy's, or the defaults for other controllers.
         safety: conditions for moving and stopping. None: the defaults.
         say: called with a line of text at every change of mode, and when a command is clipped.
-        robot: the robot that is driven. None: that of the policy, or the built-in one for other controllers.
+        robot: the robot that is driven. None: the policy's, or the built-in one for other controllers.
 
     Raises:
         QuadrupedError: if the controller's policy is for another robot, its actions have another meaning with this
@@ -403,7 +403,7 @@ class LiveController:
         self._last = limited(self.robot, target, self._last, self.period)
         return JointCommand(self._stamp, self._last)
 
-    def _follow(self, velocity: NDArray[np.float64]) -> None:
+    def _follow(self, velocity: Floats) -> None:
         """Set a velocity command (2,), in m/s and rad/s, if it has changed."""
         if not np.array_equal(velocity, self._control.requested[0]):
             command = np.concatenate([velocity, self._defaults[VELOCITY:]])
@@ -448,7 +448,7 @@ class LiveController:
                     f"velocities, attitude and angular velocity; train a policy without {name}"
                 )
 
-    def _ramp(self) -> NDArray[np.float64]:
+    def _ramp(self) -> Floats:
         self._stand_up_time += self.period
         if self._stand_up_time >= self._stand_up.duration + self.safety.settle - _ROUNDING:
             self._control.reset(_ENV_IDS)

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import Final, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import Floats
 
 UPRIGHT: Final = 0.6
 """Maximum angle between the trunk's vertical and a leg that can carry load, rad; larger angles are rare in walking."""
@@ -26,13 +26,13 @@ class StandUp:
     the trunk stays level as it goes up.
     """
 
-    points: NDArray[np.float64]
+    points: Floats
     """Joint positions at the waypoints (K, J), rad."""
-    times: NDArray[np.float64]
+    times: Floats
     """Times of the waypoints (K,), s."""
 
     @classmethod
-    def plan(cls, robot: Robot, start: NDArray[np.float64], speed: float, min_time: float) -> Self:
+    def plan(cls, robot: Robot, start: Floats, speed: float, min_time: float) -> Self:
         """Trajectory from the current joint positions.
 
         Args:
@@ -61,7 +61,7 @@ class StandUp:
         """Time until the stance is reached, s."""
         return float(self.times[-1])
 
-    def positions(self, elapsed: float) -> NDArray[np.float64]:
+    def positions(self, elapsed: float) -> Floats:
         """Joint targets (J,) in rad at a time in s after the start."""
         now = min(max(elapsed, 0.0), self.duration)
         after = max(1, int(np.searchsorted(self.times, now)))

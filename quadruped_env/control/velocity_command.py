@@ -4,12 +4,12 @@ from collections.abc import Iterable, Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import Command
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
+from quadruped_env.utils.arrays import Floats
 
 VELOCITY: Final = 2
 """Number of components of the velocity command, which come first in every command."""
@@ -18,12 +18,12 @@ _MOVING_THRESHOLD: Final = 0.02
 """Maximum of both velocities of a command that means standing, in m/s and rad/s, for the built-in robot."""
 
 
-def moving_threshold(robot: Robot) -> NDArray[np.float64]:
+def moving_threshold(robot: Robot) -> Floats:
     """Maximum of both velocities of a command that means standing (2,), in m/s and rad/s."""
     return np.array([scaled(_MOVING_THRESHOLD, scale_of(unit, robot)) for unit in ("m/s", "rad/s")])
 
 
-def check_command(command: Sequence[float] | NDArray[np.float64], commands: Sequence[Command]) -> NDArray[np.float64]:
+def check_command(command: Sequence[float] | Floats, commands: Sequence[Command]) -> Floats:
     """Convert a fixed command to an array (C,).
 
     Args:

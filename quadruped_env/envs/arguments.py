@@ -16,6 +16,7 @@ from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.task_definition import BUILT_IN, load_task_file
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.plain import whole_number
 
 RENDER_MODES: Final = ("human", "rgb_array")
@@ -37,11 +38,11 @@ def task_config(
     """The task's config from an environment's arguments.
 
     Args:
-        action_mode: action mode that replaces that of the config; None keeps it.
+        action_mode: action mode that replaces the config's; None keeps it.
         config: changes to the default config, or a complete one; None: the defaults.
-        task_file: user's file of terms, which is executed; None: the built-in terms, or those of a given TaskConfig.
-        robot: robot, its design, or the result of `Robot.to_dict`; None: that of the file or of a given TaskConfig.
-        terrain: name of a terrain that replaces that of the config; None keeps it.
+        task_file: user's file of terms, which is executed; None: the built-in terms, or a given TaskConfig's.
+        robot: robot, its design, or the result of `Robot.to_dict`; None: that in the file or the TaskConfig.
+        terrain: name of a terrain that replaces the config's; None keeps it.
         defaults: changes to the default config that apply where the given changes do not; a complete config has none.
 
     Raises:
@@ -104,16 +105,14 @@ def frame_size(width: int, height: int) -> tuple[int, int]:
 
 
 def autoreset_mode(mode: AutoresetMode | str) -> AutoresetMode:
-    """Gymnasium's autoreset mode from an `AutoresetMode`, its value or its name.
-
-    Raises:
-        QuadrupedError: if there is no such mode.
-    """
-    for valid in AutoresetMode:
-        if mode is valid or mode in (valid.value, valid.name):
-            return valid
-    names = ", ".join(repr(valid.value) for valid in AutoresetMode)
-    raise QuadrupedError(f"autoreset_mode: {mode!r} is unknown; valid modes are {names}, or gymnasium's AutoresetMode")
+    """Gymnasium's autoreset mode from an `AutoresetMode` or its value. Raises a QuadrupedError if there is none."""
+    try:
+        return AutoresetMode(mode)
+    except ValueError:
+        names = ", ".join(repr(valid.value) for valid in AutoresetMode)
+        raise QuadrupedError(
+            f"autoreset_mode: {mode!r} is unknown; valid modes are {names}, or gymnasium's AutoresetMode"
+        ) from None
 
 
 def seed(value: int | None, name: str = "seed") -> int | None:
@@ -139,7 +138,7 @@ def seeds(value: int | Sequence[int | None] | NDArray[np.integer] | None, num_en
 
 def reset_options(
     options: dict[str, Any] | None, config: TaskConfig, num_envs: int | None = None
-) -> tuple[NDArray[np.float64] | None, NDArray[np.bool_] | None]:
+) -> tuple[Floats | None, NDArray[np.bool_] | None]:
     """Command and mask from `reset(options=...)`.
 
     Args:

@@ -10,7 +10,7 @@ from gymnasium.vector import AutoresetMode
 from numpy.typing import NDArray
 
 from quadruped_env.envs.spaces_and_info import observation_space
-from quadruped_env.envs.vector import MemberEnv, MiniQuadrupedVectorEnv
+from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 
 try:
@@ -134,8 +134,8 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
         return self.env.render() or [None] * self.num_envs
 
     def get_attr(self, attr_name: str, indices: VecEnvIndices = None) -> list[Any]:
-        """An attribute of each env, or of the vector environment, which all envs share."""
-        return [getattr(MemberEnv(self.env, index), attr_name) for index in self._get_indices(indices)]
+        """An attribute of the vector environment, which all envs share, once per env."""
+        return [getattr(self.env, attr_name)] * len(list(self._get_indices(indices)))
 
     def set_attr(self, attr_name: str, value: Any, indices: VecEnvIndices = None) -> None:
         """Not supported: the envs are not separate objects."""

@@ -13,6 +13,7 @@ from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.envs.arguments import RENDER_MODES
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.plain import plain
 
 _READINGS: Final = {
@@ -114,6 +115,6 @@ class Info:
         info["foot_contact"] = info["foot_force"] > task.context.contact_threshold
         return info
 
-    def step_results(self, diverged: NDArray[np.bool_], terms: NDArray[np.float64]) -> dict[str, NDArray[Any]]:
+    def step_results(self, diverged: NDArray[np.bool_], terms: Floats) -> dict[str, NDArray[Any]]:
         """Entries that only a step has, (N,) each: `diverged`, and the weighted reward terms (N, T)."""
         return {"diverged": diverged, **dict(zip(self._task.reward_keys, terms.T, strict=True))}

@@ -1,6 +1,6 @@
 """Tables in the environment's docstring, generated from the terms that they describe."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any, TypeVar
 
 from quadruped_env.control.observations import ObservationLayout
@@ -11,26 +11,18 @@ from quadruped_env.task import BUILT_IN, TerrainConfig
 Class = TypeVar("Class", bound=type)
 
 
-def with_tables(indent: int = 4) -> Callable[[Class], Class]:
-    """Decorator that inserts the tables in place of `{observations}`, `{rewards}`, `{terminations}` and `{terrains}`.
-
-    Args:
-        indent: number of spaces before each line.
-    """
+def with_tables(cls: Class) -> Class:
+    """Replace `{observations}`, `{rewards}`, `{terminations}` and `{terrains}` in a docstring by tables."""
     tables = {
         "observations": observation_table(),
         "rewards": reward_table(),
         "terminations": termination_list(),
         "terrains": terrain_table(),
     }
-
-    def decorate(cls: Class) -> Class:
-        if cls.__doc__ is not None:  # None with python -OO
-            for name, lines in tables.items():
-                cls.__doc__ = cls.__doc__.replace(f"{{{name}}}", f"\n{' ' * indent}".join(lines))
-        return cls
-
-    return decorate
+    if cls.__doc__ is not None:  # None with python -OO
+        for name, lines in tables.items():
+            cls.__doc__ = cls.__doc__.replace(f"{{{name}}}", "\n    ".join(lines))
+    return cls
 
 
 def observation_table() -> list[str]:

@@ -2,14 +2,13 @@
 
 import functools
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import mujoco
 import numpy as np
-from gymnasium.envs.registration import EnvSpec
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
@@ -20,6 +19,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig, Transition
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.plain import whole_number
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ class MiniQuadrupedVectorEnv(
 
     def step(
         self, actions: NDArray[np.float32]
-    ) -> tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
+    ) -> tuple[NDArray[np.float32], Floats, NDArray[np.bool_], NDArray[np.bool_], dict[str, Any]]:
         """Advance every env by one control step, and reset finished ones according to `autoreset_mode`."""
         restart = None
         if self.autoreset_mode is not AutoresetMode.SAME_STEP and self.task.finished.any():
@@ -155,7 +155,7 @@ class MiniQuadrupedVectorEnv(
         final = self._info.readings(only=done)
         final |= self._info.step_results(_only(diverged, env_ids), _only(terms, env_ids))
         task.reset(env_ids)
-        # The info of a finished env is that of its reset, as in SyncVectorEnv.
+        # A finished env has the info of its reset, as in SyncVectorEnv.
         diverged[env_ids], terms[env_ids] = False, 0.0
         info = self._step_info(transition, ~done)
         info["final_obs"], info["_final_obs"] = final_obs, done
@@ -184,37 +184,6 @@ class MiniQuadrupedVectorEnv(
         assert frame is not None
         return frame
 
-    def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
-        """An attribute of every env (N,), or the results of calling a method of every env, as in `SyncVectorEnv`.
-
-        Raises:
-            QuadrupedError: if the envs have no such attribute; it is also an AttributeError.
-        """
-        values = (getattr(MemberEnv(self, index), name) for index in range(self.num_envs))
-        return tuple(value(*args, **kwargs) if callable(value) else value for value in values)
-
-    def get_attr(self, name: str) -> tuple[Any, ...]:
-        """An attribute of every env (N,).
-
-        Raises:
-            QuadrupedError: as `call`.
-        """
-        return self.call(name)
-
-    def set_attr(self, name: str, values: Sequence[Any] | Any) -> None:
-        """Set an attribute, with one value for all envs, or a list or tuple of one value per env.
-
-        Raises:
-            QuadrupedError: if the envs share the attribute; it is also an AttributeError.
-        """
-        listed = list(values) if isinstance(values, (list, tuple)) else [values] * self.num_envs
-        if len(listed) != self.num_envs:
-            raise QuadrupedError(
-                f"set_attr({name!r}): expected {self.num_envs} values, one per env; found {len(listed)}"
-            )
-        for index, value in enumerate(listed):
-            setattr(MemberEnv(self, index), name, value)
-
     def get_state(self) -> list[dict[str, Any]]:
         """Complete state of the environment, one dict per env."""
         return [self.task.get_state(env_id) for env_id in range(self.num_envs)]
@@ -239,94 +208,6 @@ class MiniQuadrupedRoughVectorEnv(MiniQuadrupedVectorEnv):
     """N copies of `MiniQuadrupedRoughEnv`; see `MiniQuadrupedVectorEnv`."""
 
     default_config = MappingProxyType(arguments.ROUGH_CONFIG)
-
-
-class UnknownAttributeError(QuadrupedError, AttributeError):
-    """Raised if the envs of a native vector environment have no such attribute."""
-
-
-class MemberEnv:
-    """Attributes of env `index` of a native vector environment, named as in the single environment.
-
-    Other names refer to attributes of the vector environment, which all its envs share.
-    """
-
-    def __init__(self, env: MiniQuadrupedVectorEnv, index: int) -> None:
-        self._env = env
-        self._index = index
-
-    @property
-    def action_space(self) -> gymnasium.Space[NDArray[np.float32]]:
-        """Space of one env."""
-        return self._env.single_action_space
-
-    @property
-    def observation_space(self) -> gymnasium.Space[NDArray[np.float32]]:
-        """Space of one env."""
-        return self._env.single_observation_space
-
-    @property
-    def spec(self) -> EnvSpec | None:
-        """Specification of the vector environment."""
-        return self._env.spec
-
-    @property
-    def dt(self) -> float:
-        """Time between actions, s."""
-        return self._env.task.config.control_timestep
-
-    @property
-    def model(self) -> mujoco.MjModel:
-        """MuJoCo model that all envs share, without the values that differ between envs."""
-        return self._env.task.simulation.model
-
-    @property
-    def data(self) -> mujoco.MjData:
-        """Copy of the env's MuJoCo data."""
-        return self._env.env_data(self._index)
-
-    @property
-    def np_random(self) -> np.random.Generator:
-        """Random generator of the env."""
-        return self._env.task.generators[self._index]
-
-    @np_random.setter
-    def np_random(self, generator: np.random.Generator) -> None:
-        if not isinstance(generator, np.random.Generator):
-            raise QuadrupedError(f"set_attr('np_random'): expected a numpy.random.Generator; found {generator!r}")
-        self._env.task.generators[self._index] = generator
-        self._env.task.seeds[self._index] = -1
-
-    @property
-    def np_random_seed(self) -> int:
-        """Seed of the generator; -1 for a generator that the user assigned."""
-        return self._env.task.seeds[self._index]
-
-    def render(self) -> NDArray[np.uint8] | None:
-        """Image (height, width, 3), or None without a render mode."""
-        return None if self._env.render_mode is None else self._env.render_one(self._index)
-
-    def get_state(self) -> dict[str, Any]:
-        """Complete state of the env."""
-        return self._env.task.get_state(self._index)
-
-    def __getattr__(self, name: str) -> Any:
-        value = getattr(self._env, name, None)
-        if name.startswith("_") or not hasattr(self._env, name) or callable(value):
-            raise UnknownAttributeError(
-                f"{name!r}: the environments of a native vector environment have no such attribute of their own; each "
-                "has np_random, np_random_seed, action_space, observation_space, spec, dt, model, data, render and "
-                "get_state; with vectorization_mode='sync' they have all attributes"
-            )
-        return value
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name not in ("_env", "_index", "np_random"):
-            raise UnknownAttributeError(
-                f"set_attr({name!r}): the environments of a native vector environment share their attributes, and only "
-                "'np_random' can be set; with vectorization_mode='sync' every attribute can"
-            )
-        super().__setattr__(name, value)
 
 
 def _only(values: NDArray[Any], env_ids: NDArray[np.intp]) -> NDArray[Any]:

@@ -5,7 +5,7 @@ For each leg, with phase p of the joint and angular frequency w:
     hip  = hip_amplitude  * sin(w t + p) + hip_offset
     knee = knee_amplitude * cos(w t + p) + knee_offset
 
-The form is that of the ROS 2 tutorial, whose parameters are the preset `article`. `CommandedGait` adapts it to a
+The ROS 2 tutorial has this form; its parameters are the preset `article`. `CommandedGait` adapts it to a
 commanded forward velocity and yaw rate. Units: rad, rad/s, s.
 
 The other presets are for the built-in robot. On another robot with a hip and a knee per leg, the feet make the same
@@ -20,7 +20,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_presets import (
@@ -39,10 +39,8 @@ from quadruped_env.robot.corners import corners, half_track
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.utils.arrays import frozen
+from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.plain import plain
-
-Floats = NDArray[np.float64]
 
 _HIPS: Final = slice(0, None, 2)
 _KNEES: Final = slice(1, None, 2)
@@ -99,13 +97,13 @@ class SinusoidalGait:
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
         """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
 
-        `sinusoid`, `tuned`, `crouched`, `low` and `fast` are those of `CommandedGait` at 0.4 m/s straight ahead.
+        `sinusoid`, `tuned`, `crouched`, `low` and `fast` are the gaits of `CommandedGait` at 0.4 m/s straight ahead.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
         """
         if name in COMMANDED:
-            return CommandedGait.preset(name, robot).at((0.4 * scale_of("m/s", robot), 0.0))
+            return CommandedGait.preset(name, robot).straight_ahead
         if name not in _PRESETS:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
@@ -248,7 +246,7 @@ class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
     The parameters of a leg are interpolated in tables over forward velocity, one for the fore and one for the hind
-    legs. To those of the straight gait a yaw rate adds |r| times the columns of `turn` on all legs, and r times the
+    legs. To the straight gait's parameters a yaw rate adds |r| times the columns of `turn` on all legs, and r times the
     columns of `side` on the right, which it subtracts on the left; r is the yaw rate's `turn_size`. Towards a command
     of zero the gait fades into the stance.
 
@@ -345,7 +343,7 @@ class CommandedGait:
 
     @classmethod
     def sinusoid(cls, robot: Robot, frequency: float) -> "CommandedGait":
-        """The trot in closed form, whose strides are those of a gait clock.
+        """The trot in closed form, with the strides of a gait clock.
 
         Args:
             robot: robot that walks.
@@ -400,6 +398,11 @@ class CommandedGait:
         """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
         waves = self.waves(np.asarray(command, dtype=np.float64))
         return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *waves)
+
+    @property
+    def straight_ahead(self) -> SinusoidalGait:
+        """The sinusoidal gait straight ahead at 0.4 m/s, in proportion to the robot's size."""
+        return self.at((0.4 * scale_of("m/s", self.robot), 0.0))
 
     def at(self, command: tuple[float, float]) -> SinusoidalGait:
         """The sinusoidal gait for one command."""

@@ -7,14 +7,12 @@ import math
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.gait.gait_presets import LEG_PHASES, TUNED_ON
 from quadruped_env.robot.corners import check_bent_legs, corners, postures_with_feet_at
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 Waves = tuple[Floats, Floats, Floats]
 """Sine part, cosine part and offset of joint positions (..., J), rad."""

@@ -1,7 +1,6 @@
 """Refusal of recordings that would spoil a fit: implausible ones, and joints that contradict their commands."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -112,12 +111,11 @@ def _implausible(one: JointTrajectory, other: JointTrajectory, without: Sequence
     """Findings in the time that a recording has in common with another."""
     source = one.source
     inside = np.flatnonzero((one.stamps >= other.stamps[0]) & (one.stamps <= other.stamps[-1]))
-    numbers = np.arange(len(one)) + source.first_row if source.rows is None else source.rows
     place = f"commands {source.name}: " if commands_too else ""
     return [
         place + found.text
-        for found in findings(replace(one.to_rows(), numbers=numbers).take(inside), source.row_name)
-        if found.spoils and set(found.joints) - set(without)
+        for found in findings(one.to_rows().take(inside), source.row_name)
+        if set(found.joints) - set(without)
         if not commands_too or found.kind in {"timestamps", "wrap"}
     ]
 
@@ -171,7 +169,7 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
         if own.max() >= 0.8 and gain > _MAX_GAIN:
             problems.append(
                 f"{names[i]} moves {gain:.3g} times as far as it is commanded: the two have different units or scales "
-                f"(--degrees, or unit and scale in a map)"
+                f"(--unit deg, or unit and scale in a map)"
             )
         elif own.max() >= 0.8 and gain > _MIN_GAIN and abs(offset) > _MAX_OFFSET:
             problems.append(

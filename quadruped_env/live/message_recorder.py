@@ -22,7 +22,7 @@ class Recorder:
 
     The bag is written in a directory named `<path>.part` and moved to its place when it is complete. If the process is
     killed or the disk is full, it stays there;
-    `--salvage` recovers all but at most the last MB.
+    `--repair salvage` recovers all but at most the last MB.
 
     Args:
         path: the bag's directory.
@@ -40,7 +40,8 @@ class Recorder:
         if self._part.parent.exists():
             raise QuadrupedError(
                 f"{self._part.parent}: holds a recording that was cut short; read it back "
-                f"({program_command('convert', self._part, 'OUT', '--salvage')}) and remove it, or name another place"
+                f"({program_command('convert', self._part, 'OUT', '--repair', 'salvage')}) and remove it, or name "
+                f"another place"
             )
         self.count = 0
         """Number of messages written."""
@@ -105,5 +106,5 @@ class Recorder:
         if not self._part.exists():
             return unwritable(self.path, error)
         return QuadrupedError(
-            f"{unwritable(self.path, error)}; what was recorded until then is kept in {self._part} (--salvage)"
+            f"{unwritable(self.path, error)}; what was recorded until then is kept in {self._part} (--repair salvage)"
         )

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from quadruped_env.control.control_interface import Controller
-from quadruped_env.control.controllers import LoopController, PolicyController
-from quadruped_env.control.editable_gait import EditableGaitController
+from quadruped_env.control.controllers import GaitController, PolicyController, TrajectoryController
 from quadruped_env.errors import QuadrupedError, did_you_mean, short
-from quadruped_env.gait import PRESETS
+from quadruped_env.gait import COMMANDED, PRESETS, CommandedGait, SinusoidalGait
 from quadruped_env.policies.files import SHIPPED, is_code, read_policy, training_advice
 from quadruped_env.policies.hub import is_on_hub
 from quadruped_env.policies.not_a_policy import BAG_FILE, not_a_policy
@@ -40,9 +39,13 @@ def _recording(path: Path, robot: Robot) -> ControllerSpec:
     def make() -> Controller:
         from quadruped_env.trajectory import JointTrajectory
 
-        return LoopController(JointTrajectory.load(path).in_joint_order(robot), path.name)
+        return TrajectoryController(JointTrajectory.load(path).in_joint_order(robot), path.name, loop=True)
 
     return ControllerSpec(f"recording {path.name}", make)
+
+
+def _gait(preset: str, robot: Robot) -> SinusoidalGait | CommandedGait:
+    return CommandedGait.preset(preset, robot) if preset in COMMANDED else SinusoidalGait.preset(preset, robot)
 
 
 def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUADRUPED) -> ControllerSpec:
@@ -60,7 +63,7 @@ def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUA
     if text in SHIPPED:
         return policy_spec(f"policy {text}", text, load)
     if text in PRESETS:
-        return ControllerSpec(f"gait {text}", lambda: EditableGaitController(text, robot))
+        return ControllerSpec(f"gait {text}", lambda: GaitController(_gait(text, robot), text))
     path = Path(text)
     if is_code(text) or is_on_hub(text):
         return policy_spec(f"policy {path.name}", text, load)

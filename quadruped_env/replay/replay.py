@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.recorded_episode import Recording, play
 from quadruped_env.evaluation.trace import Trace
-from quadruped_env.replay.saturation import Saturation, saturation
-from quadruped_env.replay.signal_comparison import Signals, lags, side_by_side
+from quadruped_env.replay.saturation import saturation
+from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
 from quadruped_env.reporting.films.film import FRAME_RATE, Clip
 from quadruped_env.reporting.report_directory import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
@@ -76,11 +76,9 @@ class Replay:
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
     @cached_property
-    def saturation(self) -> Saturation | None:
-        """Requested torques, and where they exceed the motors' limits; None in kinematic mode, which has no motors."""
-        return (
-            None if self.motion is None else saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
-        )
+    def torques(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Requested torques and their part beyond the motors' limits in dynamic mode, N m, each (T, J)."""
+        return saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
 
     @cached_property
     def comparison(self) -> Signals:
@@ -107,14 +105,12 @@ class Replay:
     def report(self) -> dict[str, Any]:
         """The replay as JSON-serializable values; errors in rad, times in s."""
         error = self.tracking_error()
-        nothing: list[tuple[float | None, float | None]] = [(None, None)] * self.robot.num_joints
-        late = nothing if self.motion is None else lags(self.targets, self.played)
+        late = [None] * self.robot.num_joints if self.motion is None else lag(self.targets, self.played)
         joints = {
             name: {
                 **_summary(error[:, i]),
                 "max_at": float(self.played.times[np.argmax(np.abs(error[:, i]))]),
-                "lag": late[i][0],
-                "lag_repeats_after": late[i][1],
+                "lag": late[i],
             }
             for i, name in enumerate(self.robot.joint_names)
         }
@@ -154,24 +150,28 @@ class Replay:
         speeds = self.recorded.velocities
         if speeds is None and len(self.recorded) > 1:
             speeds = self.recorded.differentiate().velocities
-        found: dict[str, dict[str, Any]] = {
-            name: {
+        found: dict[str, dict[str, Any]] = {}
+        for i, name in enumerate(self.robot.joint_names):
+            found[name] = {
                 "positions_clipped": int(self.clipped[i]),
                 "fastest_recorded": None if speeds is None else float(np.abs(speeds[:, i]).max()),
                 "speed_limit": float(self.robot.velocity_limit[i]),
             }
-            for i, name in enumerate(self.robot.joint_names)
-        }
-        saturated = self.saturation
-        if saturated is not None:
+            if self.motion is None:
+                continue
             assert self.played.efforts is not None
             assert self.played.velocities is not None
-            for i, (name, entry) in enumerate(saturated.report().items()):
-                found[name] |= {
-                    "saturated": entry,
-                    "largest_torque": float(np.abs(self.played.efforts[:, i]).max()),
-                    "fastest": float(np.abs(self.played.velocities[:, i]).max()),
-                }
+            asked, excess = (torques[:, i] for torques in self.torques)
+            at_limit = np.flatnonzero(excess > 0.0)
+            found[name] |= {
+                "saturated": {
+                    "share": len(at_limit) / len(excess),
+                    "largest_torque_asked": float(np.abs(asked).max()),
+                    "first_at": float(self.played.times[at_limit[0]]) if len(at_limit) else None,
+                },
+                "largest_torque": float(np.abs(self.played.efforts[:, i]).max()),
+                "fastest": float(np.abs(self.played.velocities[:, i]).max()),
+            }
         return found
 
     def tables(self, compare: bool = False) -> list[Table]:
@@ -191,7 +191,7 @@ class Replay:
             ]
             + [["all", "", _shown(everything["rms"], 4), _shown(everything["max"], 4), "", ""]],
             "Played minus recorded position at the same time. The lag is the first time shift with about the smallest "
-            "error; of a motion that repeats, it is known up to whole periods.",
+            "error; in a motion that repeats, it is known up to whole periods.",
         )
         limits = Table(
             "Limits",
@@ -230,14 +230,12 @@ class Replay:
         remarks = list(self.recorded.source.notes)
         if self.clipped.any():
             names = ", ".join(name for name, count in zip(self.robot.joint_names, self.clipped, strict=True) if count)
-            remarks.append(f"{self.clipped.sum()} recorded positions were moved to a joint's limit: {names}.")
-        gaps = self.recorded.gaps()
-        if gaps:
-            longest = max(gaps, key=lambda gap: gap.seconds)
-            remarks.append(
-                f"{len(gaps)} gaps in the recording, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s; "
-                f"positions were interpolated linearly across them."
-            )
+            moved = np.abs(self.recorded.positions - self.targets.positions) > LIMIT_TOLERANCE
+            first = self.recorded.times[moved.any(axis=1).argmax()]
+            n = self.clipped.sum()
+            remarks.append(f"{n} recorded positions were moved to a joint's limit, first at {first:.2f} s: {names}.")
+        if gaps := self.recorded.gaps_in_words("the recording"):
+            remarks.append(f"{gaps}; positions were interpolated linearly across them.")
         fast = [
             name
             for name, entry in self._limits.items()
@@ -246,17 +244,6 @@ class Replay:
         if fast and self.motion is not None:
             limits = " or ".join(f"{limit:g}" for limit in np.unique(self.robot.velocity_limit))
             remarks.append(f"Recorded faster than the motors' {limits} rad/s: {', '.join(fast)}.")
-        repeated = {
-            name: error["lag_repeats_after"]
-            for name, error in self.report["tracking_error"]["joints"].items()
-            if error["lag_repeats_after"] is not None
-        }
-        if repeated:
-            after = dict.fromkeys(f"{end(repeated.values()):.2g}" for end in (min, max))
-            remarks.append(
-                f"The motion repeats, so a lag that is longer by {' to '.join(after)} s fits as well: "
-                f"{', '.join(repeated)}."
-            )
         if self.motion is not None:
             remarks.append(self.motion.outcome())
         return remarks
@@ -278,8 +265,8 @@ class Replay:
         check_free(replay_files(directory), overwrite)
         links = self.link_poses()
         titles = [f"{name}.{column}" for name in links for column in _POSE_COLUMNS]
-        table = np.concatenate([part for pose in links.values() for part in pose], axis=1)
-        write_table(directory / POSES_FILE, self.played.stamps, titles, table, overwrite, progress)
+        poses = [part for pose in links.values() for part in pose]
+        write_table(directory / POSES_FILE, self.played.stamps, titles, poses, overwrite, progress)
         if self.mode == "dynamic":
             self.played.save(directory / JOINTS_FILE, overwrite, robot=self.robot)
         comparison = {"comparison": self.comparison.report()} if compare else {}
@@ -289,7 +276,6 @@ class Replay:
 def replay(
     trajectory: JointTrajectory,
     mode: str = "dynamic",
-    clip: bool = False,
     progress: Progress | None = None,
     motors: MotorConfig | None = None,
     measured: JointTrajectory | None = None,
@@ -299,11 +285,10 @@ def replay(
     """Play a recording.
 
     Args:
-        trajectory: all joints of the robot, in any order.
+        trajectory: all joints of the robot, in any order. Positions outside the joint limits are played at the limit.
         mode: `kinematic` sets the joints to the recorded positions, without forces and ground. `dynamic` interpolates
             the positions linearly at 50 Hz as motor targets, with gravity and ground; the robot starts at rest on its
             feet in the first position.
-        clip: True to move positions outside the joint limits to the limit.
         progress: called with the fraction done, in dynamic mode.
         motors: motors to use instead of the robot's, in dynamic mode.
         measured: recording of the real robot on the same clock, for the comparison.
@@ -311,14 +296,13 @@ def replay(
         terrain: a terrain, or the name of a built-in one, in dynamic mode; None is level ground.
 
     Raises:
-        QuadrupedError: if a joint is missing, a position is outside its joint's limits and `clip` is
-            false (or so far outside that it is corrupt), the mode or the terrain is unknown, or a kinematic replay is
-            given a terrain.
+        QuadrupedError: if a joint is missing, a position is so far outside its joint's limits that it is corrupt, the
+            mode or the terrain is unknown, or a kinematic replay is given a terrain.
     """
     if mode not in MODES:
         raise QuadrupedError(f"replay: unknown mode {mode!r}; valid modes are {', '.join(MODES)}")
     recorded = trajectory.in_joint_order(robot)
-    playable, clipped = _within_limits(robot, recorded, clip)
+    playable, clipped = _within_limits(robot, recorded)
     motors = motors or robot.motors
     measured = None if measured is None else measured.in_joint_order(robot)
     if mode == "kinematic":
@@ -334,21 +318,20 @@ def replay_files(directory: Path) -> list[Path]:
     return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
-def _within_limits(robot: Robot, trajectory: JointTrajectory, clip: bool) -> tuple[JointTrajectory, NDArray[np.intp]]:
+def _within_limits(robot: Robot, trajectory: JointTrajectory) -> tuple[JointTrajectory, NDArray[np.intp]]:
     """The trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
     positions, low, high = trajectory.positions, robot.joint_position_low, robot.joint_position_high
     excess = np.maximum(low - positions, positions - high)
     beyond = excess > LIMIT_TOLERANCE
     if not beyond.any():
         return trajectory, beyond.sum(axis=0)
-    damaged = excess > MAX_CLIP
-    if not clip or damaged.any():
-        row, column = np.argwhere(damaged if clip else beyond)[0]
-        cure = "too far to clip: fix the value" if clip else "clip (--clip) to play at the limit, or fix the recording"
+    corrupt = np.argwhere(excess > MAX_CLIP)
+    if len(corrupt):
+        row, column = corrupt[0]
         raise QuadrupedError(
             f"{trajectory.source.row(row)}, position.{robot.joint_names[column]}: {positions[row, column]:g} rad at "
-            f"{trajectory.times[row]:g} s is outside {low[column]:g} to "
-            f"{high[column]:g} rad; values outside: {beyond.sum()}; {cure}"
+            f"{trajectory.times[row]:g} s is far outside {low[column]:g} to {high[column]:g} rad; fix the value, or "
+            f"leave the row out"
         )
     within = positions.clip(low, high)
     return JointTrajectory(trajectory.stamps, robot.joint_names, within, source=trajectory.source), beyond.sum(axis=0)

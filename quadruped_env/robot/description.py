@@ -1,9 +1,8 @@
 """Recognition of robot descriptions in XML, which no importer reads: a URDF, an MJCF, a xacro file or an SDF."""
 
-import codecs
 import os
-from typing import Any, Final
-from xml.etree import ElementTree
+import re
+from typing import Final
 
 from quadruped_env.errors import QuadrupedError
 
@@ -11,31 +10,20 @@ HEAD: Final = 1 << 16
 """Bytes at the beginning of a file from which it is recognised."""
 _KINDS: Final = {"robot": "a URDF", "mujoco": "an MJCF", "mujocoinclude": "an MJCF", "sdf": "an SDF"}
 """Root element -> kind of description."""
-_XACRO: Final = "xacro"
+_ROOT: Final = re.compile(
+    rb"(?:\xef\xbb\xbf)?\s*(?:<\?.*?\?>\s*|<!--.*?-->\s*)*<(robot|mujoco|mujocoinclude|sdf)\b([^>]*)>", re.DOTALL
+)
 
 
 def description_problem(content: bytes) -> str:
     """Kind of a robot's description in XML, and how a robot is given; empty for other content, or its beginning."""
-    text = content.removeprefix(codecs.BOM_UTF8).lstrip()
-    if not text.startswith(b"<"):
+    root = _ROOT.match(content)
+    if root is None:
         return ""
-    parser: Any = ElementTree.XMLPullParser(["start-ns", "start"])  # whose events typeshed does not tell apart
-    prefixes, kind = [], ""
-    try:
-        parser.feed(text)
-        for event, value in parser.read_events():
-            if event == "start":
-                kind = _KINDS.get(value.tag, "")
-                break
-            prefixes.append(value[0])
-    except (ElementTree.ParseError, LookupError, ValueError):  # the last two for encodings that it lacks
-        return ""
-    if not kind:
-        return ""
+    kind = "a xacro file" if b"xmlns:xacro" in root[2] else _KINDS[root[1].decode()]
     return (
-        f"this is {'a xacro file' if _XACRO in prefixes else kind} and cannot be imported; give the robot as a "
-        f"QuadrupedDesign or a Robot in a Python file, with --task FILE or task_file=... "
-        f"(docs/robots.md)"
+        f"this is {kind} and cannot be imported; give the robot as a QuadrupedDesign or a Robot in a Python file, with "
+        f"--task FILE or task_file=... (docs/robots.md)"
     )
 
 

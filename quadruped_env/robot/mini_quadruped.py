@@ -21,16 +21,9 @@ JOINT_NAMES: Final = MINI_QUADRUPED.joint_names
 def forward_kinematics(
     positions: ArrayLike, base_pose: ArrayLike | None = None, robot: Robot = MINI_QUADRUPED
 ) -> dict[str, Pose]:
-    """Pose of every link of a robot; see `Robot.forward_kinematics`.
+    """Pose of every link of a robot, by default the built-in one.
 
-    Args:
-        positions: joint positions in rad, shape (..., J).
-        base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7); without it the poses are
-            in the frame of the base. Leading axes of both arguments broadcast.
-        robot: the robot; the built-in one unless given.
-
-    Raises:
-        QuadrupedError: if the last axis is not J (or 7), the other axes do not broadcast, a value is not finite, or a
-            quaternion is zero.
+    Position (..., 3) in m and quaternion wxyz (..., 4) by link, for joint positions (..., J) in rad. Arguments and
+    errors are as in `Robot.forward_kinematics`.
     """
     return robot.forward_kinematics(positions, base_pose)

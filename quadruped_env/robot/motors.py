@@ -1,4 +1,4 @@
-"""Motor parameters: those of the model file, or those identified on a robot."""
+"""Motor parameters, of the model file or identified on a robot."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -8,9 +8,9 @@ from typing import Any, Final, Self
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
 from quadruped_env.utils.plain import PlainFields
 
@@ -76,7 +76,7 @@ class JointMotor(PlainFields):
         A data sheet gives the dead band in microseconds; most servos turn by 0.1 degrees in one. Arduino's
         `Servo.write` takes whole degrees, and a PCA9685 at 50 Hz has steps of 4.9 us.
 
-        No data sheet gives the rest, which is that of a Feetech STS3215 in proportion to torque and speed: for a stall
+        No data sheet gives the rest. A Feetech STS3215 has it, in proportion to torque and speed: for a stall
         torque of 3.35 N m, kp = 17.8, armature = 0.028 and dry friction 0.052 N m (joints_properties.xml of
         https://github.com/apirrone/Open_Duck_Playground). The backlash of 1 degree is assumed. The motor is driven by a
         voltage in proportion to the error, less a back-EMF in proportion to the speed: kd = stall torque / no-load
@@ -143,11 +143,11 @@ class MotorConfig(PlainFields):
         """The motor of each joint, for the kinds of the joints (`Robot.joint_kinds`)."""
         return [getattr(self, kind) for kind in kinds]
 
-    def joule_coefficients(self, kinds: Sequence[str]) -> NDArray[np.float64]:
+    def joule_coefficients(self, kinds: Sequence[str]) -> Floats:
         """Heat in each joint's winding per squared torque (J,), W/(N m)^2; `kinds` as in `of_joints`."""
         return np.array([motor.joule_coefficient for motor in self.of_joints(kinds)])
 
-    def servo_errors(self, kinds: Sequence[str]) -> list[NDArray[np.float64]]:
+    def servo_errors(self, kinds: Sequence[str]) -> list[Floats]:
         """The `SERVO_ERRORS` of each joint, (J,) each, rad; `kinds` as in `of_joints`."""
         return [np.array([getattr(motor, name) for motor in self.of_joints(kinds)]) for name in SERVO_ERRORS]
 
@@ -190,13 +190,13 @@ class MotorConfig(PlainFields):
 
 
 def servo_target(
-    target: NDArray[np.float64],
-    position: NDArray[np.float64],
-    play: NDArray[np.float64],
-    target_step: NDArray[np.float64],
-    backlash: NDArray[np.float64],
-    dead_band: NDArray[np.float64],
-) -> NDArray[np.float64]:
+    target: Floats,
+    position: Floats,
+    play: Floats,
+    target_step: Floats,
+    backlash: Floats,
+    dead_band: Floats,
+) -> Floats:
     """Position that a servo's gains pull to, for a joint target; all arrays (N, J) or broadcastable, in rad.
 
     The target is rounded to a multiple of the step. The joint's end of the gears follows it as a play operator: pushed
@@ -218,9 +218,7 @@ def servo_target(
     return play - np.minimum(np.maximum(error, -dead_band), dead_band)
 
 
-def fill_command_history(
-    model: mujoco.MjModel, history: NDArray[np.float64], joint_target: NDArray[np.float64]
-) -> None:
+def fill_command_history(model: mujoco.MjModel, history: Floats, joint_target: Floats) -> None:
     """Initialize the buffers of delayed motors as if the targets (N, 8) in rad had been constant before.
 
     Args:

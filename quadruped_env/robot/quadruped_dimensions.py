@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import PlainFields
 
@@ -132,18 +132,18 @@ class QuadrupedDimensions(PlainFields):
         return (x if leg[1] == "F" else -x, y if leg[0] == "L" else -y)
 
     @property
-    def base_inertia(self) -> NDArray[np.float64]:
+    def base_inertia(self) -> Floats:
         """Principal moments of inertia of the base, a homogeneous box, about its centre (3,), kg m^2."""
         x, y, z = self.base_size
         return self.base_mass / 12.0 * np.array([y * y + z * z, x * x + z * z, x * x + y * y])
 
     @property
-    def hip_inertia(self) -> NDArray[np.float64]:
+    def hip_inertia(self) -> Floats:
         """Principal moments of inertia of a hip, a homogeneous ball, about its centre (3,), kg m^2."""
         return np.full(3, 0.4 * self.hip_mass * self.hip_radius * self.hip_radius)
 
     @property
-    def leg_inertia(self) -> NDArray[np.float64]:
+    def leg_inertia(self) -> Floats:
         """Principal moments of inertia of a lower leg, a homogeneous cylinder, about its centre (3,), kg m^2."""
         mass, radius, length = self.leg_mass, self.leg_radius, self.leg_length
         transverse = mass / 12.0 * (3.0 * radius * radius + length * length)

@@ -14,11 +14,10 @@ from xml.etree import ElementTree
 
 import mujoco
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot import link_transforms, resting_pose
-from quadruped_env.robot.link_transforms import Transform
+from quadruped_env.robot.kinematics import Kinematics
 from quadruped_env.robot.model_completion import (
     add_sensors,
     check_structure,
@@ -28,12 +27,10 @@ from quadruped_env.robot.model_completion import (
     read_model,
 )
 from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
-from quadruped_env.robot.skeleton import Pose, Skeleton
-from quadruped_env.utils.arrays import frozen
+from quadruped_env.robot.skeleton import Skeleton
+from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
-
-Floats = NDArray[np.float64]
 
 _PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
 _RESTATED = (
@@ -53,7 +50,7 @@ _MIRROR_TOLERANCE = 1e-3
 _FOOTPRINT = 4.0 / 3.0
 """Footprint as a multiple of the distance of the farthest foot in the stance; at a start the legs deviate from it."""
 _SIX_DIGITS = 5e-6
-"""Difference between a value of the robot and that of its model, relative from 1 up: MuJoCo writes six digits."""
+"""Tolerance between a value of the robot and its model's, relative from 1 up: MuJoCo writes six digits."""
 ROBOT_FILE = "mini_quadruped.xml"
 """File that a scene includes: a robot's MJCF takes its place."""
 _OF_THE_MODEL: Any = None
@@ -61,7 +58,7 @@ _OF_THE_MODEL: Any = None
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Robot:
+class Robot(Kinematics):
     """A legged robot as a value: names, stance, symmetry, motors, and its model as text.
 
     Arrays are read-only and in the order of `joint_names` or `leg_names`, which is the order of the model. Masses and
@@ -69,7 +66,7 @@ class Robot:
     content is; comments and layout of the model files do not count.
 
     Fields with "None:" follow from the model or the motors where they are not given. A value that is given is compared
-    with that of the model, to six digits.
+    with the model's value, to six digits.
 
     Raises:
         QuadrupedError: if the fields contradict each other, or (at the first use of the model) the model.
@@ -82,13 +79,13 @@ class Robot:
     link_names: tuple[str, ...] = _OF_THE_MODEL
     """Names of the links, the base first. None: all bodies that are named, in the model's order."""
     joint_position_low: Floats = _OF_THE_MODEL
-    """Lower limits of the joint positions (J,), rad. None: those of the model."""
+    """Lower limits of the joint positions (J,), rad. None: the model's."""
     joint_position_high: Floats = _OF_THE_MODEL
-    """Upper limits of the joint positions (J,), rad. None: those of the model."""
+    """Upper limits of the joint positions (J,), rad. None: the model's."""
     velocity_limit: Floats = _OF_THE_MODEL
-    """Maximum joint speeds without load (J,), rad/s. None: those of `motors`."""
+    """Maximum joint speeds without load (J,), rad/s. None: by `motors`."""
     effort_limit: Floats = _OF_THE_MODEL
-    """Maximum joint torques at rest (J,), N m. None: those of `motors`."""
+    """Maximum joint torques at rest (J,), N m. None: by `motors`."""
     stance: Floats
     """Joint positions with each foot under its hip (J,), rad."""
     stance_height: float = _OF_THE_MODEL
@@ -104,7 +101,7 @@ class Robot:
     """Index of each foot's counterpart on the other side."""
     sensors: Mapping[str, tuple[str, ...]] = _OF_THE_MODEL
     """Sensors of the model for each field of `quadruped_env.robot.readings.Readings`, in order. None: the model gets
-    them, those of the base at its origin."""
+    them, with the base's sensors at its origin."""
     motors: MotorConfig
     """Motors of the joints. They are written into the model, whatever actuators it has."""
     mjcf: str
@@ -226,11 +223,6 @@ class Robot:
         """Length of MuJoCo's `qvel`: the base's linear (3,) and angular (3,) velocity, then the joints."""
         return 6 + self.num_joints
 
-    @property
-    def total_mass(self) -> float:
-        """Mass of the whole robot, kg."""
-        return self.skeleton.total_mass
-
     @functools.cached_property
     def model(self) -> mujoco.MjModel:
         """The robot alone, compiled once; it must not be changed."""
@@ -301,7 +293,7 @@ class Robot:
         """Factor from each joint's position to its counterpart's under the left/right mirror (J,), 1 or -1.
 
         It is `mirror_signs`, or follows from the axes in the stance: the mirror y -> -y turns the axis (x, y, z) of a
-        hinge into (-x, y, -z), and that of a slide into (x, -y, z).
+        hinge into (-x, y, -z), and the axis of a slide into (x, -y, z).
 
         Raises:
             QuadrupedError: if a joint's axis is not the mirror image of its counterpart's.
@@ -315,7 +307,7 @@ class Robot:
         if wrong.any():
             joint = int(wrong.argmax())
             raise self._error(
-                f"the axis of {self.joint_names[joint]} is not the mirror image of that of "
+                f"the axis of {self.joint_names[joint]} is not the mirror image of the axis of "
                 f"{self.joint_names[self.joint_mirror[joint]]}, its counterpart in joint_mirror; correct joint_mirror, "
                 f"or give mirror_signs"
             )
@@ -329,7 +321,7 @@ class Robot:
 
         Raises:
             QuadrupedError: if MuJoCo cannot read the MJCF, it has a ground or another geom of the world, or its joints
-                or actuators are not those of `joint_names`.
+                or actuators differ from `joint_names`.
         """
         spec = self._parsed(scene)
         make_servos(spec, self.joint_names)
@@ -421,7 +413,7 @@ class Robot:
                 given, value = (float(np.asarray(x)[wrong][0]) for x in (given, value))
                 owner = "its motors" if name in ("velocity_limit", "effort_limit") else "its model"
                 raise self._error(
-                    f"{name}{of} is {given:.6g}, and that of {owner} is {value:.6g}; correct it, "
+                    f"{name}{of} is {given:.6g}, but {value:.6g} in {owner}; correct it, "
                     f"or give {name}=None for the latter"
                 )
         self._set(_restated=True)
@@ -438,83 +430,6 @@ class Robot:
             raise self._error(f"foot_radius does not follow from the shapes at the feet ({short(radii)} m); give it")
         yield self.foot_radius if np.isnan(radii).any() else float(radii[0])
         yield self.foot_radius - float(self._skeleton.foot_centres(self.stance)[:, 2].min())
-
-    def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
-        """Pose of every link, computed with MuJoCo's kinematics.
-
-        Args:
-            positions: joint positions in rad, shape (..., J).
-            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7); without it the
-                poses are in the frame of the base. Leading axes of both arguments broadcast.
-
-        Returns:
-            Position (..., 3) in m and quaternion wxyz (..., 4) of each link by name, in the order of `link_names`.
-
-        Raises:
-            QuadrupedError: if the last axis is not J (or 7), the other axes do not broadcast, a value is not finite, or
-                a quaternion is zero.
-        """
-        return self.skeleton.forward_kinematics(positions, base_pose)
-
-    def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
-        """Centres of the foot balls (..., L, 3) in m, in the order of `leg_names`.
-
-        Arguments and errors are those of `forward_kinematics`.
-        """
-        return self.skeleton.foot_centres(positions, base_pose)
-
-    def sole_heights(self, positions: ArrayLike, base_pose: ArrayLike) -> Floats:
-        """Height of each foot's lowest point above the ground (..., L) in m; arguments as in `forward_kinematics`."""
-        return self.foot_centres(positions, base_pose)[..., 2] - self.foot_radius
-
-    def foot_jacobians(self, positions: ArrayLike) -> Floats:
-        """Derivatives of the foot centres in the base frame by the joint positions (L, 3, J), m/rad, at (J,) in rad."""
-        return self.skeleton.foot_jacobians(positions)
-
-    def centre_of_mass(self, positions: ArrayLike) -> Floats:
-        """Centre of mass of the robot (3,) in the base frame, m, for joint positions (J,) in rad."""
-        return self.skeleton.centre_of_mass(positions)
-
-    def resting_pose(self, positions: ArrayLike) -> Floats:
-        """Pose (7,) of the base with the robot resting on its feet, above the origin and facing along x.
-
-        The three feet whose support triangle contains the centre of mass touch the ground; every other foot touches it
-        or is in the air. If no three feet can carry the robot, its base is level. If another part would penetrate the
-        ground, the robot is raised until that part rests on the ground.
-
-        Args:
-            positions: joint positions in rad (J,).
-
-        Returns:
-            Position in m and quaternion wxyz.
-
-        Raises:
-            QuadrupedError: as `forward_kinematics`.
-        """
-        return resting_pose.resting_pose(self.skeleton, positions)
-
-    def joint_transforms(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
-        """Transforms that `robot_state_publisher` sends on `/tf`: one per moving joint, from parent to child link.
-
-        Args:
-            positions: joint positions in rad, shape (..., J).
-            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7). With it the first
-                transform is that of the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
-
-        Returns:
-            Transforms with leading axes (...), in the order of `joint_names`.
-
-        Raises:
-            QuadrupedError: if a shape is wrong or a value is not finite.
-        """
-        return link_transforms.joint_transforms(self.skeleton, positions, base_pose)
-
-    def fixed_transforms(self) -> tuple[Transform, ...]:
-        """Transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
-
-        If every link has a joint, the result is empty; the publisher then sends an empty message.
-        """
-        return link_transforms.fixed_transforms(self.skeleton)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""
@@ -582,18 +497,13 @@ class Robot:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Without the compiled models, which are many times larger and quickly compiled again.
-        return _made, (type(self), {entry.name: value for entry, value in self._content()})
+        return functools.partial(type(self), **{entry.name: value for entry, value in self._content()}), ()
 
     def _content(self) -> list[tuple[dataclasses.Field[Any], Any]]:
         return [(entry, getattr(self, entry.name)) for entry in fields(self)]
 
     def _error(self, message: str) -> QuadrupedError:
         return QuadrupedError(f"robot {self.name!r}: {message}")
-
-
-def _made(kind: type[Robot], values: dict[str, Any]) -> Robot:
-    """A robot from its fields, for pickling."""
-    return kind(**values)
 
 
 def _line(error: ValueError) -> str:

@@ -9,9 +9,8 @@ from mujoco.batch import Batch
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import rotate
-
-Floats = NDArray[np.float64]
 
 Pose = tuple[Floats, Floats]
 
@@ -74,7 +73,7 @@ class Skeleton:
         return tuple(int(joint) for joint in reversed(joints))
 
     def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
-        """See `Robot.forward_kinematics`."""
+        """See `Kinematics.forward_kinematics`."""
         num_joints, num_links = len(self.joint_names), len(self.link_names)
         joints = np.asarray(positions, dtype=np.float64)
         if joints.ndim == 0 or joints.shape[-1] != num_joints:
@@ -127,11 +126,11 @@ class Skeleton:
             xpos[block], xquat[block] = positions[:count, links], quaternions[:count, links]
 
     def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
-        """See `Robot.foot_centres`."""
+        """See `Kinematics.foot_centres`."""
         return self._points(self.feet, self.forward_kinematics(positions, base_pose))
 
     def foot_jacobians(self, positions: ArrayLike) -> Floats:
-        """See `Robot.foot_jacobians`."""
+        """See `Kinematics.foot_jacobians`."""
         data = self._data(positions)
         found = np.zeros((len(self.feet), 3, self.model.nv))
         for jacobian, (link, _), centre in zip(found, self.feet, self.foot_centres(positions), strict=True):
@@ -164,7 +163,7 @@ class Skeleton:
         return float((self._points(points, self.forward_kinematics(positions)) @ up - radii).min())
 
     def centre_of_mass(self, positions: ArrayLike) -> Floats:
-        """See `Robot.centre_of_mass`."""
+        """See `Kinematics.centre_of_mass`."""
         data = self._data(positions)
         return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
 

@@ -14,6 +14,7 @@ from quadruped_env.robot.readings import Readings, sensor_columns
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState
+from quadruped_env.utils.arrays import Floats
 
 _WARNING_COUNT = 1
 _DISABLE: Final = mujoco.mjtDisableBit
@@ -67,7 +68,7 @@ class BatchSimulation:
         self._force_columns, self._other_columns = _slices(forces), _slices(~forces)
         self.sensor_columns = sensor_columns(model, robot)
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
+    def step(self, joint_target: Floats, substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
         if substeps != len(self._recorded):
             self._record(substeps)
@@ -109,7 +110,7 @@ class BatchSimulation:
         for some in columns:
             self._sensordata[rows, some] = self._computed[rows, some]
 
-    def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
+    def reset(self, env_ids: NDArray[np.intp], qpos: Floats, qvel: Floats) -> None:
         """See `Simulation.reset`."""
         self._clear(env_ids)
         self._qpos[env_ids] = qpos
@@ -140,24 +141,24 @@ class BatchSimulation:
             return self._failed.copy()
         return self._warnings.any(axis=1) | self._failed
 
-    def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
+    def push(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
         """See `Simulation.push`."""
         self._qvel[env_ids, : velocity.shape[1]] += velocity
 
-    def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
+    def set_force(self, env_ids: NDArray[np.intp], force: Floats) -> None:
         """See `Simulation.set_force`."""
         self._external[env_ids, self._base, :3] = force
 
-    def model_field(self, name: str) -> NDArray[np.float64]:
+    def model_field(self, name: str) -> Floats:
         """See `Simulation.model_field`."""
         self._varied_fields.add(name)
         return self.batch.expand(name)
 
-    def compiled_field(self, name: str) -> NDArray[np.float64]:
+    def compiled_field(self, name: str) -> Floats:
         """See `Simulation.compiled_field`."""
         return getattr(self.model, name)
 
-    def field_values(self, name: str) -> NDArray[np.float64]:
+    def field_values(self, name: str) -> Floats:
         """See `Simulation.field_values`."""
         return self.batch.expand(name) if name in self._varied_fields else getattr(self.model, name)[None]
 
@@ -181,10 +182,10 @@ class BatchSimulation:
     def _restore(
         self,
         env_ids: NDArray[np.intp],
-        integration: NDArray[np.float64],
-        readings: NDArray[np.float64],
+        integration: Floats,
+        readings: Floats,
         diverged: NDArray[np.bool_],
-        model_fields: dict[str, NDArray[np.float64]],
+        model_fields: dict[str, Floats],
     ) -> None:
         for name, values in model_fields.items():
             self.model_field(name)[env_ids] = values

@@ -9,7 +9,8 @@ import numpy as np
 from quadruped_env.errors import QuadrupedError, did_you_mean, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.simulation.terrain import ROUNDING, START, Floats, Grid, Terrain, Tiles, terrain
+from quadruped_env.simulation.terrain import ROUNDING, START, Grid, Terrain, Tiles, terrain
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import Parameter
 
 HIGHEST: Final = 0.055
@@ -113,7 +114,7 @@ NAMES: Final = ", ".join(entry.name for entry in TERRAINS)
 
 
 def terrain_scale(terrain: Terrain, robot: Robot) -> float:
-    """Factor on a terrain's lengths for a robot: that of its legs; 1 for a user's terrain, whose lengths stay."""
+    """Factor on a terrain's lengths for a robot, by its leg length; 1 for a user's terrain, whose lengths stay."""
     return scale_of("m", robot) if any(terrain.function is entry.function for entry in TERRAINS) else 1.0
 
 

@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 GROUND: Final = "ground"
 """Name of the geom that is the ground: a plane or a height field."""

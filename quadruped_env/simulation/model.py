@@ -6,7 +6,6 @@ from typing import Final
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.robot.assets import asset_path
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
@@ -15,6 +14,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.built_in_terrains import flat
 from quadruped_env.simulation.height_field import GROUND, SURROUNDINGS
 from quadruped_env.simulation.terrain import Terrain
+from quadruped_env.utils.arrays import Floats
 
 _SCENE: Final = "scene.xml"
 _DROP: Final = 0.01
@@ -49,7 +49,7 @@ def build_model(
     The ground is the geom `ground`: a plane at height 0, or a height field with a plane around it, `surroundings`.
 
     Args:
-        timestep: physics time step, s. None: that of the robot's model.
+        timestep: physics time step, s. None: the robot model's.
         motors: motors that replace the robot's own.
         terrain: the ground; by default a plane.
         robot: the robot.
@@ -103,7 +103,7 @@ def scene(robot: Robot) -> mujoco.MjSpec:
     return robot.spec(asset_path(_SCENE).read_text(encoding="utf-8"))
 
 
-def lay_ground(spec: mujoco.MjSpec, heights: NDArray[np.float64], extent: tuple[float, float]) -> None:
+def lay_ground(spec: mujoco.MjSpec, heights: Floats, extent: tuple[float, float]) -> None:
     """Replace the plane by a height field of an extent along x and y, m, and put a plane around it."""
     lowest, span = float(heights.min()), float(np.ptp(heights))
     rows, columns = heights.shape

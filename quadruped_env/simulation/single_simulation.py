@@ -12,6 +12,7 @@ from quadruped_env.robot.readings import Readings, sensor_columns
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
+from quadruped_env.utils.arrays import Floats
 
 
 class SingleSimulation:
@@ -32,7 +33,7 @@ class SingleSimulation:
         self._failed = False
         self._settled = False
         """True if the first half of the next step has been computed. It is outdated after a push or a changed field."""
-        self._varied_fields: dict[str, NDArray[np.float64]] = {}
+        self._varied_fields: dict[str, Floats] = {}
         """Values of the fields before they were varied, by name."""
         self._base = model.body(robot.base_name).id
         self.sensor_columns = sensor_columns(model, robot)
@@ -50,7 +51,7 @@ class SingleSimulation:
         self._recorded = np.zeros((substeps, *self.sensordata.shape))
         self.substeps = Readings.from_sensordata(self.model, self._recorded, self.robot)
 
-    def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
+    def step(self, joint_target: Floats, substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
         """See `Simulation.step`."""
         if substeps != len(self._recorded):
             self._record(substeps)
@@ -71,7 +72,7 @@ class SingleSimulation:
         except mujoco.FatalError:
             self._failed = True
 
-    def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:
+    def reset(self, env_ids: NDArray[np.intp], qpos: Floats, qvel: Floats) -> None:
         """See `Simulation.reset`."""
         if not len(env_ids):
             return
@@ -101,33 +102,33 @@ class SingleSimulation:
             result[0] = True
         return result
 
-    def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
+    def push(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
         """See `Simulation.push`."""
         if not len(env_ids):
             return
         self.data.qvel[: velocity.shape[1]] += velocity[0]
         self._settled = False
 
-    def set_force(self, env_ids: NDArray[np.intp], force: NDArray[np.float64]) -> None:
+    def set_force(self, env_ids: NDArray[np.intp], force: Floats) -> None:
         """See `Simulation.set_force`."""
         if len(env_ids):
             self.data.xfrc_applied[self._base, :3] = force[0]
 
-    def model_field(self, name: str) -> NDArray[np.float64]:
+    def model_field(self, name: str) -> Floats:
         """See `Simulation.model_field`."""
-        values: NDArray[np.float64] = getattr(self.model, name)
+        values: Floats = getattr(self.model, name)
         if name not in self._varied_fields:
             self._varied_fields[name] = values.copy()
         self._settled = False
         return values[None]
 
-    def compiled_field(self, name: str) -> NDArray[np.float64]:
+    def compiled_field(self, name: str) -> Floats:
         """See `Simulation.compiled_field`."""
         return self._varied_fields.get(name, getattr(self.model, name))
 
-    def field_values(self, name: str) -> NDArray[np.float64]:
+    def field_values(self, name: str) -> Floats:
         """See `Simulation.field_values`."""
-        values: NDArray[np.float64] = getattr(self.model, name)
+        values: Floats = getattr(self.model, name)
         return values[None]
 
     def restore_model_fields(self, env_ids: NDArray[np.intp]) -> None:
@@ -168,7 +169,7 @@ class SingleSimulation:
         mujoco.mj_step1(self.model, self.data)
         self._keep_readings(readings)
 
-    def _keep_readings(self, readings: NDArray[np.float64]) -> None:
-        """Replace the readings of the first half of a step by those of before a push, if there was one."""
+    def _keep_readings(self, readings: Floats) -> None:
+        """Replace the readings of the first half of a step by those before a push, if there was one."""
         self.data.sensordata = readings
         self._settled = False

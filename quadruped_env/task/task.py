@@ -342,7 +342,7 @@ class Task:
             raise QuadrupedError(
                 f"{what}: expected shape {self.control.action.shape}, one value per joint; found {values.shape}"
             )
-        if not np.isfinite(values).all():
+        if np.count_nonzero(np.isfinite(values)) < values.size:
             env_id, column = np.argwhere(~np.isfinite(values))[0]
             raise QuadrupedError(
                 f"{what}: value {values[env_id, column]} for {self.control.robot.joint_names[column]} in env {env_id} "
@@ -370,7 +370,7 @@ class Task:
 
     def _resample_commands(self, running: EnvIds | None) -> None:
         due = (self.control.steps >= self._randomizer.command_due) & ~self._fixed
-        if due.any():
+        if np.count_nonzero(due):
             env_ids = np.flatnonzero(due)
             if running is not None:
                 env_ids = np.intersect1d(env_ids, running)

@@ -10,12 +10,10 @@ if TYPE_CHECKING:
     from quadruped_env.trajectory.interpolation import Gap
     from quadruped_env.trajectory.joint_trajectory import JointTrajectory
     from quadruped_env.trajectory.maps import ColumnMap, JointMap, JointRule
+    from quadruped_env.trajectory.reading import ReadOptions
     from quadruped_env.trajectory.rows import JointState
 
-    load = JointTrajectory.load
-    save = JointTrajectory.save
-
-__all__ = ["ColumnMap", "Gap", "JointMap", "JointRule", "JointState", "JointTrajectory", "load", "save"]
+__all__ = ["ColumnMap", "Gap", "JointMap", "JointRule", "JointState", "JointTrajectory", "ReadOptions"]
 
 _DEFINED_IN: Final = {
     "ColumnMap": "maps",
@@ -24,12 +22,11 @@ _DEFINED_IN: Final = {
     "JointRule": "maps",
     "JointState": "rows",
     "JointTrajectory": "joint_trajectory",
+    "ReadOptions": "reading",
 }
 
 
 def __getattr__(name: str) -> Any:
-    if name in ("load", "save"):
-        return getattr(__getattr__("JointTrajectory"), name)
     if name in _DEFINED_IN:
         return getattr(importlib.import_module(f"{__name__}.{_DEFINED_IN[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,6 +1,5 @@
 """`JointTrajectory`: joint states over time, from memory or from a file."""
 
-import builtins
 import operator
 import warnings
 from collections.abc import Iterator, Sequence
@@ -15,15 +14,14 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
-from quadruped_env.trajectory import row_conversion, saving
+from quadruped_env.trajectory import saving
 from quadruped_env.trajectory.interpolation import Gap, derivative, even_stamps, find_gaps, interpolate, nanoseconds_of
-from quadruped_env.trajectory.loading import Stream
-from quadruped_env.trajectory.maps import ColumnMap, JointMap
-from quadruped_env.trajectory.read_options import ReadOptions
-from quadruped_env.trajectory.rows import ARRAYS, JointState, Rows
+from quadruped_env.trajectory.loading import read
+from quadruped_env.trajectory.maps import JointMap
+from quadruped_env.trajectory.reading import Reading, ReadOptions
+from quadruped_env.trajectory.rows import ARRAYS, JointState, Rows, Source
 from quadruped_env.trajectory.validation import (
     IN_MEMORY,
-    Source,
     check_finite,
     checked_names,
     checked_stamps,
@@ -75,55 +73,11 @@ class JointTrajectory:
         for kind, name in ARRAYS.items():
             if values[name] is not None:
                 check_finite(kind, values[name], joints, source)
-        self._set(stamps=times, names=joints, source=source, **values)
-
-    def _set(self, **values: Any) -> None:
-        for name, value in values.items():
+        for name, value in {"stamps": times, "names": joints, "source": source, **values}.items():
             object.__setattr__(self, name, value)
 
     @classmethod
-    def from_stream(cls, stream: Stream) -> Self:
-        """The trajectory in a recording, whose rows the stream has validated.
-
-        Raises:
-            QuadrupedError: if something in the recording is invalid; see `load`.
-        """
-        rows = stream.collect()
-        arrays = {name: rows.values.get(kind) for kind, name in ARRAYS.items()}
-        trajectory = cls.__new__(cls)
-        trajectory._set(stamps=rows.stamps, names=rows.names, source=stream.source, **arrays)
-        return trajectory
-
-    def to_rows(self, base_pose: NDArray[np.float64] | None = None) -> Rows:
-        """The rows, numbered from 0; the arrays are shared.
-
-        Args:
-            base_pose: position in m and quaternion wxyz of `base_link` in `odom` (T, 7).
-        """
-        arrays = self._arrays()
-        values = {kind: arrays[name] for kind, name in ARRAYS.items() if name in arrays}
-        return Rows(np.arange(len(self)), self.stamps, self.names, values, base_pose)
-
-    @classmethod
-    def load(
-        cls,
-        path: str | Path,
-        *,
-        topic: str | None = None,
-        columns: ColumnMap | str | Path | None = None,
-        joint_map: JointMap | str | Path | None = None,
-        names: Sequence[str] | None = None,
-        degrees: bool | None = None,
-        stamps: str | float = "header",
-        ignore: Sequence[str] = (),
-        unwrap: float | None = None,
-        despike: bool = False,
-        merge: bool = False,
-        sort: bool = False,
-        drop: bool = False,
-        salvage: bool = False,
-        progress: Progress | None = None,
-    ) -> Self:
+    def load(cls, path: str | Path, *, progress: Progress | None = None, **options: Any) -> Self:
         """Read a trajectory from a file or bag, whose format is recognised by its content.
 
         Formats: this project's CSV (`quadruped_env.trajectory.formats.project_csv`), any CSV with a column map, CSVs
@@ -135,25 +89,8 @@ class JointTrajectory:
 
         Args:
             path: of the file, or of a bag's directory.
-            topic: topic of the joint states, for a bag or JSON lines that have several; with `merge`, several with
-                commas between.
-            columns: map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`).
-            joint_map: map of another robot's joints to this one's, or the path of its TOML file (in the same module).
-            names: names of the joints in their order, for messages without names; of a CSV without a
-                map, the columns of the positions (default: the built-in robot's joints).
-            degrees: True converts positions and velocities from degrees and degrees/s. False takes them as rad and
-                rad/s. None does too, but raises an error if they look like degrees.
-            stamps: source of a message's timestamp: `header`, or `log` for the time of recording, for publishers that
-                leave the header's at 0. A number is the time from row to row in s, and replaces all timestamps.
-            ignore: `velocity`, `effort` or both: values that are not read.
-            unwrap: angle in rad, such as 2 pi, after which encoders begin again: positions go on there.
-            despike: leave out rows in which a joint is elsewhere, if it is for five rows or fewer.
-            merge: make one row of messages that hold some of the robot's joints each, once all have come again.
-            sort: sort the rows by timestamp; otherwise decreasing timestamps are an error.
-            drop: leave out rows that cannot be used; otherwise they are an error. These are timestamps that do not
-                increase, numbers that are not finite, messages with other joints or unequal lengths.
-            salvage: keep the readable part of a damaged file; otherwise damage is an error.
             progress: called with the fraction read.
+            options: fields of `quadruped_env.trajectory.ReadOptions`.
 
         Returns:
             The trajectory; `source.notes` lists what was left out.
@@ -163,8 +100,8 @@ class JointTrajectory:
                 line or message, the field, the value and the fix.
             MissingExtraError: if the format needs libraries that are not installed.
         """
-        given = {name: value for name, value in locals().items() if name not in {"cls", "path", "progress"}}
-        return cls.from_stream(Stream(path, ReadOptions.of(**given), progress))
+        rows, source = read(Reading(Path(path), ReadOptions(**options), progress))
+        return cls(rows.stamps, rows.names, source=source, **_arrays_of(rows))
 
     def save(
         self,
@@ -172,11 +109,8 @@ class JointTrajectory:
         overwrite: bool = False,
         *,
         storage: str | None = None,
-        tf_rate: float = 20.0,
-        compress: bool = False,
         base_pose: ArrayLike | None = None,
         robot: Robot = MINI_QUADRUPED,
-        progress: Progress | None = None,
     ) -> None:
         """Write the trajectory to a file or bag, in full or not at all; `load` reads it back to the last bit.
 
@@ -186,19 +120,21 @@ class JointTrajectory:
                 `/joint_states` and, for the robot's joints, `/robot_description`, `/tf` and `/tf_static`.
             overwrite: replace an existing file or bag.
             storage: of a bag in a directory: `mcap` (default) or `sqlite3`.
-            tf_rate: rate of `/tf` in Hz, at multiples of its period; 0 leaves it out.
-            compress: compress a bag with zstd.
             base_pose: position in m and quaternion wxyz of the base in `odom` (T, 7), to be part of `/tf`.
             robot: robot that a bag describes.
-            progress: called with the fraction written.
 
         Raises:
             QuadrupedError: if the file exists and must not be overwritten, or cannot be written.
             MissingExtraError: if a bag is to be written and the libraries for it are not installed.
         """
         base = None if base_pose is None else checked_values("base_pose", base_pose, (len(self), 7), self.source)
-        options = saving.WriteOptions(storage, tf_rate, compress, overwrite, robot)
-        saving.save(saving.in_pieces(self.to_rows(base), progress), Path(path), options)
+        saving.save(self.to_rows(), Path(path), robot, storage, base, overwrite)
+
+    def to_rows(self) -> Rows:
+        """The rows, with their numbers in the source; the arrays are shared."""
+        arrays, numbers = self._arrays(), self.source.numbers
+        values = {kind: arrays[name] for kind, name in ARRAYS.items() if name in arrays}
+        return Rows(np.arange(len(self)) if numbers is None else numbers, self.stamps, self.names, values)
 
     def __repr__(self) -> str:
         return (
@@ -239,9 +175,14 @@ class JointTrajectory:
 
     def select(self, names: Sequence[str]) -> "JointTrajectory":
         """The trajectory with these joints only, in this order. Raises a QuadrupedError if a joint is missing."""
-        if tuple(names) == self.names:
-            return self
-        return self._of_rows(row_conversion.select(self.to_rows(), names, self.source.name))
+        for name in names:
+            if name not in self.names:
+                raise QuadrupedError(
+                    f"{self.source.name}: joint {name!r} is missing; all {len(names)} are needed, and it has "
+                    f"{', '.join(self.names)}; add its positions, or map another robot's joints (--map)"
+                )
+        order = [self.names.index(name) for name in names]
+        return self._changed(names=tuple(names), **{kind: array[:, order] for kind, array in self._arrays().items()})
 
     def in_joint_order(self, robot: Robot = MINI_QUADRUPED) -> "JointTrajectory":
         """The trajectory with a robot's joints in their order.
@@ -332,19 +273,9 @@ class JointTrajectory:
             raise QuadrupedError(
                 f"{self.source.name}: slice: no row between {start} and {stop} s; it lasts {self.duration:g} s"
             )
-        return self.rows(np.s_[first:last])
-
-    def rows(self, rows: builtins.slice) -> "JointTrajectory":
-        """Consecutive rows, by a slice of their indices.
-
-        Raises:
-            QuadrupedError: if the slice is empty or has a step.
-        """
-        start, stop, step = rows.indices(len(self))
-        if step != 1 or start >= stop:
-            raise QuadrupedError(f"{self.source.name}: rows: expected one row or more, and no step; found {rows}")
-        arrays = {kind: array[start:stop] for kind, array in self._arrays().items()}
-        return self._changed(stamps=self.stamps[start:stop], source=self.source.part(start, stop), **arrays)
+        arrays = {kind: array[first:last] for kind, array in self._arrays().items()}
+        source = replace(self.source, numbers=self.to_rows().numbers[first:last])
+        return self._changed(stamps=self.stamps[first:last], source=source, **arrays)
 
     def differentiate(self, window: float = 0.05) -> "JointTrajectory":
         """The trajectory with velocities computed from its positions, filtered without delay.
@@ -372,19 +303,25 @@ class JointTrajectory:
         Raises:
             QuadrupedError: if the map is invalid, or a joint is missing.
         """
+        rules, rows = JointMap.of(joint_map), self.to_rows()
         if back:
-            found = JointMap.of(joint_map)
-            rows = row_conversion.select(self.to_rows(), tuple(found.rules), self.source.name)
-            return self._of_rows(replace(rows, names=found.sources, values=found.to_sources(rows.values)))
-        return self._of_rows(row_conversion.retarget(self.to_rows(), JointMap.of(joint_map), self.source.name))
-
-    def from_degrees(self) -> "JointTrajectory":
-        """The trajectory in rad and rad/s, for one in degrees and degrees/s."""
-        return self._of_rows(row_conversion.from_degrees(self.to_rows()))
+            rows = self.select(tuple(rules.rules)).to_rows()
+            rows = replace(rows, names=rules.sources, values=rules.to_sources(rows.values))
+        else:
+            rows = rules.retarget(rows, self.source.name)
+        return self._changed(names=rows.names, **_arrays_of(rows))
 
     def gaps(self, factor: float = 3.0) -> tuple[Gap, ...]:
         """Times between rows longer than `factor` times the median."""
         return find_gaps(self.stamps, factor)
+
+    def gaps_in_words(self, name: str) -> str:
+        """The gaps in words, without a full stop, with the recording's name; empty without gaps."""
+        gaps = self.gaps()
+        if not gaps:
+            return ""
+        longest = max(gaps, key=lambda gap: gap.seconds)
+        return f"{len(gaps)} gaps in {name}, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s"
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -400,7 +337,7 @@ class JointTrajectory:
         """The trajectory with other values of some fields, validated."""
         return JointTrajectory(**({field.name: getattr(self, field.name) for field in fields(self)} | changes))
 
-    def _of_rows(self, rows: Rows) -> "JointTrajectory":
-        """The trajectory with the values of other rows at the same timestamps, validated."""
-        arrays = {name: rows.values.get(kind) for kind, name in ARRAYS.items()}
-        return self._changed(names=rows.names, **arrays)
+
+def _arrays_of(rows: Rows) -> dict[str, Any]:
+    """Name of an array -> its values, None if they were not recorded."""
+    return {name: rows.values.get(kind) for kind, name in ARRAYS.items()}

@@ -62,7 +62,7 @@ import json
 import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Final, Self
@@ -71,7 +71,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.trajectory.rows import ARRAYS, TORQUE_ONLY
+from quadruped_env.trajectory.rows import ARRAYS, TORQUE_ONLY, Rows
 from quadruped_env.utils.documents import read_toml
 from quadruped_env.utils.parameters import is_quantity
 
@@ -416,6 +416,10 @@ class JointMap:
         if "position" in found:
             found["position"] = found["position"] + self._offsets
         return found
+
+    def retarget(self, rows: Rows, recording: str) -> Rows:
+        """Another robot's rows on the joints of the map; see `to_joints`."""
+        return replace(rows, names=tuple(self.rules), values=self.to_joints(rows.names, rows.values, recording))
 
     def to_sources(self, values: Mapping[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
         """Values of the other robot's joints, from those of this robot's: the inverse of `to_joints`.

@@ -7,14 +7,15 @@ from what legs do, so that a motion is never called impossible: real logs reach 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
-from quadruped_env.trajectory.rows import Rows, joined
-from quadruped_env.trajectory.steps import MAX_AWAY, MAX_SPEED, Steps, clock_jumps, frozen, within_reach
+from quadruped_env.trajectory.rows import Rows
+from quadruped_env.trajectory.steps import MAX_AWAY, MAX_SPEED, Steps, clock_jumps, frozen
 
 TURN: Final = 2.0 * np.pi
 
@@ -27,8 +28,6 @@ _PERIODS: Final = (5e-5, 1.0)
 """Shortest and longest time between rows of a robot's log, s."""
 _MIN_MOTION: Final = 0.02
 """Root mean square motion within 0.1 s from which on a joint counts as moving, rad."""
-_MAX_DELAY: Final = 0.1
-"""Largest delay of velocities that is looked for, s."""
 _MAX_TORQUE: Final = 500.0
 """N m; no leg that fits this package has more."""
 _FACTORS: Final = {
@@ -41,6 +40,8 @@ _FACTORS: Final = {
     "timestamps in another unit, or velocities in 1/ms": 1e-3,
 }
 """Usual cause -> velocity over rate of change of the position."""
+_KINDS: Final = {"spike": "jump", "impossible": "jump", "speed": "velocity"}
+"""Kind of place -> kind of finding, where they differ."""
 _IGNORE_VELOCITY: Final = "leave them out (--ignore velocity), or compute them (convert --differentiate)"
 _PERIOD: Final = "give the time from row to row in s (--stamps 0.01)"
 _CUT: Final = "cut there (convert --start, --stop), or leave the joint out"
@@ -51,17 +52,11 @@ class Finding:
     """Something in a recording that cannot be."""
 
     kind: str
-    """`timestamps`, `wrap`, `spike`, `jump`, `impossible`, `frozen`, `speed`, `velocity`, `effort`, `copy` or
-    `repeats`"""
+    """`timestamps`, `wrap`, `jump`, `frozen`, `velocity` or `effort`"""
     text: str
     """Description with place, magnitude and repair"""
     joints: tuple[str, ...]
     """Joints concerned; all of them if the timestamps are"""
-
-    @property
-    def spoils(self) -> bool:
-        """True if a fit to the recording would be wrong."""
-        return self.kind != "repeats"
 
 
 @dataclass
@@ -76,84 +71,51 @@ class _Events:
     """Magnitude of the largest one, and the time over which it happens, s"""
     smallest: float = np.inf
 
-    def add(self, columns: list[int], first: tuple[int, float, int], sizes: list[float], times: list[float]) -> None:
-        """Add later places: their columns, the first one, magnitudes and durations."""
-        self.first = self.first if self.counts else first
-        self.counts.update(columns)
-        self.largest = max(self.largest, *zip(sizes, times, strict=True))
-        self.smallest = min(self.smallest, *sizes)
-
 
 def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN,)) -> tuple[Finding, ...]:
-    """The findings in rows that are all in memory."""
-    check = Plausibility(periods)
-    for _ in check.watch([rows]):
-        pass
-    return check.findings(row_name)
-
-
-class Plausibility:
-    """Collects what is implausible in the pieces of a recording; memory does not grow with its length.
+    """The findings in rows whose timestamps increase.
 
     Args:
+        rows: of a recording.
+        row_name: a row in words.
         periods: angles after which an encoder may begin again, rad.
     """
+    if len(rows) < _MIN_ROWS:
+        return ()
+    with np.errstate(all="ignore"):
+        return tuple(_Check(rows, row_name, periods).findings())
 
-    def __init__(self, periods: Sequence[float] = (TURN,)) -> None:
-        self._row_name = "row"
-        self._periods = tuple(periods)
-        self._names: tuple[str, ...] = ()
-        self._first_stamp = 0
-        self._period = 0.0
-        self._count = 0
+
+class _Check:
+    """Collects what is implausible, in blocks, since the checks take many times the memory of the rows."""
+
+    def __init__(self, rows: Rows, row_name: str, periods: Sequence[float]) -> None:
+        self._rows = rows
+        self._row_name = row_name
+        self._names = rows.names
+        self._count = len(rows)
+        self._period = float(np.median(np.diff(rows.stamps[: _BLOCK + 1]))) / NS_PER_SECOND
         self._places: defaultdict[str, _Events] = defaultdict(_Events)
         self._sums: defaultdict[str, Any] = defaultdict(float)
-        self._equal: dict[tuple[str, str], bool] = {}
-        """Pair of kinds or of joints -> whether their numbers are equal in all rows"""
-
-    def watch(self, pieces: Iterable[Rows]) -> Iterator[Rows]:
-        """The same pieces, each checked after it was used."""
-        buffer: Rows | None = None
+        self._sums |= {name: np.zeros(len(rows.names)) for name in ("windows", "motion")}
         begin = 0
-        for piece in pieces:
-            yield piece
-            for start in range(0, len(piece), _BLOCK):
-                part = piece.take(np.s_[start : start + _BLOCK])
-                buffer = part if buffer is None else joined([buffer, part])
-                if len(buffer) >= _BLOCK:
-                    end = len(buffer) - _MARGIN
-                    self._add(buffer, begin, end)
-                    buffer, begin = buffer.take(np.s_[end - _MARGIN :]), _MARGIN
-        if buffer is not None:
-            self._add(buffer, begin, len(buffer))
-
-    def _add(self, rows: Rows, begin: int, end: int) -> None:
-        """Check the rows from `begin` on and before `end`; the others are their context."""
-        if not self._names:
-            self._names, self._first_stamp = rows.names, int(rows.stamps[0])
-            self._period = float(np.median(np.diff(rows.stamps))) / NS_PER_SECOND if len(rows) > 1 else 0.0
-            self._sums |= {name: np.zeros(len(rows.names)) for name in ("windows", "motion")}
-        self._count += end - begin
-        if len(rows) < _MIN_ROWS:
-            return
-        with np.errstate(all="ignore"):
-            steps = Steps(rows, self._periods)
+        while begin < len(rows):
+            # Not a few rows alone at the end, which show nothing.
+            end = begin + _BLOCK if begin + _BLOCK + _MIN_ROWS <= len(rows) else len(rows)
+            first = max(begin - _MARGIN, 0)
+            part = rows.take(np.s_[first : end + _MARGIN])
+            steps = Steps(part, periods)
             if self._has_time:
-                self._add_places(rows, steps, begin, end)
-            self._add_sums(rows, steps, begin, end)
-        pairs = {(a, b): (rows.values[a], rows.values[b]) for a in rows.values for b in rows.values if a < b}
-        # Joints may have the same targets, but never exactly the same measurements.
-        if "effort" in rows.values:
-            joints = dict(zip(rows.names, rows.values["position"].T, strict=True))
-            pairs |= {(a, b): (joints[a], joints[b]) for a in joints for b in joints if a < b}
-        self._equal = {pair: self._equal.get(pair, True) and np.array_equal(*both) for pair, both in pairs.items()}
+                self._add_places(part, steps, begin - first, end - first)
+            self._add_sums(part, steps, begin - first, end - first)
+            begin = end
 
     @property
     def _has_time(self) -> bool:
         return _PERIODS[0] <= self._period <= _PERIODS[1]
 
     def _add_places(self, rows: Rows, steps: Steps, begin: int, end: int) -> None:
-        times = (rows.stamps - self._first_stamp) / NS_PER_SECOND
+        times = (rows.stamps - self._rows.stamps[0]) / NS_PER_SECOND
 
         def add(name: str, mask: NDArray[np.bool_], sizes: NDArray[np.float64], after: int = 1) -> None:
             """Add steps, each at the row before or after it."""
@@ -162,8 +124,11 @@ class Plausibility:
             found, columns = found[inside], columns[inside]
             if len(found):
                 first = int(rows.numbers[found[0] + after]), float(times[found[0] + after]), int(columns[0])
-                size, duration = sizes[found, columns], steps.time[found]
-                self._places[name].add(columns.tolist(), first, size.tolist(), duration.tolist())
+                events, size = self._places[name], sizes[found, columns]
+                events.first = events.first if events.counts else first
+                events.counts.update(columns.tolist())
+                events.largest = max(events.largest, *zip(size.tolist(), steps.time[found].tolist(), strict=True))
+                events.smallest = min(events.smallest, size.min())
 
         size = np.abs(steps.change)
         add("wrap", steps.wrapped != 0.0, np.abs(steps.wrapped))
@@ -179,10 +144,6 @@ class Plausibility:
         short = duration < 0.2 * np.sort(duration)[: len(duration) * 99 // 100].mean()
         for name, mask in (("short", short), ("long", ~short)):
             self._sums[name] += np.array([mask.sum(), motion[mask].sum()])
-        repeats = np.logical_and.reduce([(np.diff(array, axis=0) == 0.0).all(axis=1) for array in rows.values.values()])
-        moving = within_reach(size.max(axis=1) > 0.01, 10)
-        self._sums["moving"] += moving[inside].sum()
-        self._sums["repeated"] += (moving & repeats)[inside].sum()
 
     def _add_sums(self, rows: Rows, steps: Steps, begin: int, end: int) -> None:
         """Sums over windows of 0.1 s: motion, integrated velocity, and their products; range of the efforts."""
@@ -211,25 +172,17 @@ class Plausibility:
             speed = np.where(whole, windows(integral), 0.0)
             sums["speed"] += (speed**2).sum(axis=0)
             sums["product"] += motion.T @ speed
-            for shift in range(1, min(_MARGIN, int(_MAX_DELAY / max(self._period, 1e-3))) + 1):
-                late = np.where(whole, motion * windows(np.roll(integral, -shift, axis=0)), 0.0)
-                sums[f"late {shift}"] += late.sum(axis=0)
         if "effort" in rows.values:
             effort = rows.values["effort"][begin : end - 1]
             sums["least"] = np.fmin(sums.get("least", np.inf), np.nan_to_num(effort, nan=np.inf).min(axis=0))
             sums["most"] = np.fmax(sums.get("most", -np.inf), np.nan_to_num(effort, nan=-np.inf).max(axis=0))
 
-    def findings(self, row_name: str) -> tuple[Finding, ...]:
-        """The findings in everything that was watched, those that spoil a fit first; `row_name` is a row in words."""
-        self._row_name = row_name
-        if self._count < _MIN_ROWS:
-            return ()
-        with np.errstate(all="ignore"):
-            velocities = list(self._of_velocities())
-            for name in (name for finding in velocities for name in finding.joints):
-                self._places["speed"].counts.pop(self._names.index(name), None)
-            found = [*self._of_timestamps(), *self._of_places(), *velocities, *self._of_efforts(), *self._of_copies()]
-        return tuple(sorted(found, key=lambda one: not one.spoils))
+    def findings(self) -> Iterator[Finding]:
+        """The findings, by kind."""
+        velocities = list(self._of_velocities())
+        for name in (name for finding in velocities for name in finding.joints):
+            self._places["speed"].counts.pop(self._names.index(name), None)
+        yield from (*self._of_timestamps(), *self._of_places(), *velocities, *self._of_efforts(), *self._of_copies())
 
     def _finding(self, kind: str, text: str, joints: Iterable[int] | None = None) -> Finding:
         return Finding(kind, text, self._names if joints is None else tuple(self._names[int(i)] for i in joints))
@@ -260,14 +213,6 @@ class Plausibility:
                 f"of the mean time, as if they were taken when messages arrived in batches; use the header's, or "
                 f"{_PERIOD}",
             )
-        repeated, moving = self._sums["repeated"], self._sums["moving"]
-        if repeated >= 10 and repeated > 0.1 * moving:
-            yield self._finding(
-                "repeats",
-                f"{repeated:.0f} of the {moving:.0f} {row}s in motion repeat the one before in every number: the "
-                f"joints have new values at about {(1.0 - repeated / moving) / self._period:.3g} Hz only; "
-                f"differentiate over a longer time (convert --differentiate 0.1)",
-            )
 
     def _of_places(self) -> Iterator[Finding]:
         jump = self._places["jump"]
@@ -278,14 +223,14 @@ class Plausibility:
             "wrap": f"positions wrap by {{size:.4g}} rad between two {self._row_name}s in {{joints}}, {{at}}; unwrap "
             f"them (--unwrap{option})",
             "spike": f"positions jump away and back within {MAX_AWAY} {self._row_name}s, which no joint can do: by "
-            "{size:.3g} rad in {step:.3g} s in {joints}, {at}; leave such rows out (--despike)",
-            "jump": "positions jump faster than a joint can turn, or than its velocity (joint targets may): by "
+            "{size:.3g} rad in {step:.3g} s in {joints}, {at}; leave such rows out (--repair despike)",
+            "jump": "positions jump faster than a joint can turn (joint targets may): by "
             f"{{size:.3g}} rad in {{step:.3g}} s, {{speed:.0f}} rad/s, in {{joints}}, {{at}}; {wrap}{_CUT}, or mark "
-            "the value as missing in a map (missing, with --drop)",
+            "the value as missing in a map (missing, with --repair drop)",
             "impossible": "positions jump in {share:.0f} % of the steps of {joints}, as no joint can (joint targets "
             f"may): faster than {MAX_SPEED:g} rad/s, by up to {{size:.3g}} rad in {{step:.3g}} s, {{speed:.0f}} rad/s, "
             "{at}; two publishers on one topic, swapped columns or an overflow do this: record one robot alone, or map "
-            "its own columns; if the unit is another one, name it (--degrees; unit, stamp_unit in a map)",
+            "its own columns; if the unit is another one, name it (--unit deg; unit, stamp_unit in a map)",
             "frozen": f"positions freeze while the joint moves (joint targets may): for up to {{size:.3g}} s in "
             f"{{joints}}, {{at}}; {_CUT}",
             "speed": "velocities that the positions do not have: up to {size:.3g} rad/s in {joints}, {at}; "
@@ -300,7 +245,7 @@ class Plausibility:
                 filled = text.format(
                     joints=joints, at=self._at(events), size=size, step=step, speed=size / step, share=share
                 )
-                yield self._finding(kind, filled, events.counts)
+                yield self._finding(_KINDS.get(kind, kind), filled, events.counts)
 
     def _of_velocities(self) -> Iterator[Finding]:
         sums = self._sums
@@ -309,8 +254,6 @@ class Plausibility:
         motion, speed = self._rms("motion"), self._rms("speed")
         correlation = sums["product"] / np.sqrt(np.outer(sums["motion"], sums["speed"]))
         own = np.diag(correlation)
-        shifted = [sums[name] for name in sums if name.startswith("late")]
-        late = np.array([own, *(total / np.sqrt(sums["motion"] * sums["speed"]) for total in shifted)])
         groups: dict[str, list[int]] = {}
         factors: dict[str, list[float]] = {}
         swapped = ""
@@ -319,7 +262,6 @@ class Plausibility:
         for i in np.flatnonzero(known):
             factor = speed[i] / motion[i]
             sampled = sums["smooth"][i] > 0.5 * sums["steps"][i]
-            delay = int(np.nan_to_num(late[:, i]).argmax())
             others = np.where(np.arange(len(own)) == i, -1.0, np.nan_to_num(correlation[i], nan=-1.0))
             best = int(others.argmax())
             if speed[i] == 0.0:
@@ -330,8 +272,6 @@ class Plausibility:
                 factors.setdefault(problem, []).append(float(factor))
             elif own[i] < -0.8:
                 problem = "have the opposite sign of the rate at which the positions change"
-            elif own[i] < 0.8 and late[delay, i] > max(0.95, others[best]):
-                problem = f"come {delay * self._period:.3g} s after the positions, as if filtered"
             elif own[i] < 0.8 and others[best] > 0.95:
                 swapped = swapped or f"{self._names[best]} for {self._names[i]}"
                 problem = f"do not fit their positions, and those of other joints do ({swapped}): swapped or copied"
@@ -370,16 +310,18 @@ class Plausibility:
         return self._finding("effort", text, joints)
 
     def _of_copies(self) -> Iterator[Finding]:
-        moving = {name for name, size in zip(self._names, self._rms("motion"), strict=True) if size >= _MIN_MOTION}
-        for (one, other), equal in self._equal.items():
-            same = f"in every {self._row_name}: "
-            if equal and {one, other} <= moving:
-                text = f"{one} and {other} have the same positions {same}one of the two is a copy; map its own column"
-                yield Finding("copy", text, (one, other))
-            elif equal and moving and one not in self._names:
-                kind = other if one == "position" else one
-                text = f"{one} and {other} are the same numbers {same}a column was copied; leave it out"
-                yield self._finding("copy", f"{text} (--ignore {kind})")
+        moving = [i for i, size in enumerate(self._rms("motion")) if size >= _MIN_MOTION]
+        values, same = self._rows.values, f"in every {self._row_name}: "
+        # Joints may have the same targets, but never exactly the same measurements.
+        for one, other in combinations(moving if "effort" in values else [], 2):
+            if np.array_equal(values["position"][:, one], values["position"][:, other]):
+                names = self._some([one, other]).replace(",", " and")
+                text = f"{names} have the same positions {same}one of the two is a copy; map its own column"
+                yield self._finding("jump", text, [one, other])
+        for kind, copy in combinations(values, 2):
+            if moving and np.array_equal(values[kind], values[copy]):
+                text = f"{copy} and {kind} are the same numbers {same}a column was copied; leave it out"
+                yield self._finding(copy, f"{text} (--ignore {copy})")
 
     def _rms(self, name: str) -> NDArray[np.float64]:
         """Root mean square of the windows' sums (J,)."""

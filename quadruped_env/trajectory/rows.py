@@ -1,6 +1,6 @@
 """Joint states as plain arrays: what readers and writers of all formats exchange."""
 
-from collections.abc import Collection, Iterable
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -34,6 +34,24 @@ class JointState:
 
 
 @dataclass(frozen=True, eq=False)
+class Source:
+    """Origin of a trajectory's rows, for error messages."""
+
+    name: str = "JointTrajectory"
+    """A file, or the type for a trajectory made in memory"""
+    row_name: str = "row"
+    """The source's word for a row, such as `line` or `message`"""
+    numbers: NDArray[np.int64] | None = None
+    """The source's numbers of the rows (T,); None counts them from 0"""
+    notes: tuple[str, ...] = ()
+    """Remarks on the numbers: rows that were left out, damage, what is not plausible"""
+
+    def row(self, index: int) -> str:
+        """Name of a row, for error messages."""
+        return f"{self.name}: {self.row_name} {index if self.numbers is None else int(self.numbers[index])}"
+
+
+@dataclass(frozen=True, eq=False)
 class Rows:
     """Consecutive joint states of a recording, not validated: see `validation.validate`."""
 
@@ -45,41 +63,33 @@ class Rows:
     """Joints (J,)"""
     values: dict[str, NDArray[np.float64]]
     """Kind -> (n, J) in rad, rad/s or N m, in the order of `KINDS`; velocities and efforts only if recorded"""
-    base_pose: NDArray[np.float64] | None = None
-    """Position in m and quaternion wxyz of `base_link` in `odom` (n, 7), if known; only bags keep it"""
 
     def __len__(self) -> int:
         return len(self.stamps)
 
     def take(self, index: Any) -> "Rows":
         """The rows that a NumPy index, mask or slice selects."""
-        return Rows(
-            self.numbers[index],
-            self.stamps[index],
-            self.names,
-            {kind: array[index] for kind, array in self.values.items()},
-            None if self.base_pose is None else self.base_pose[index],
-        )
-
-    def without(self, kinds: Collection[str]) -> "Rows":
-        """The rows without values of these kinds."""
-        return replace(self, values={kind: array for kind, array in self.values.items() if kind not in kinds})
+        values = {kind: array[index] for kind, array in self.values.items()}
+        return Rows(self.numbers[index], self.stamps[index], self.names, values)
 
 
-def joined(parts: Iterable[Rows]) -> Rows:
-    """The rows of all parts, at least one, which have the same joints and kinds; without their base poses."""
-    rows: Rows | None = None
+def joined(parts: Iterator[Rows]) -> Rows | None:
+    """The rows of all parts, which have the same joints and kinds; None without a part."""
+    rows = next(parts, None)
+    if rows is None:
+        return None
+    rows = replace(
+        rows,
+        numbers=rows.numbers.copy(),
+        stamps=rows.stamps.copy(),
+        values={kind: array.copy() for kind, array in rows.values.items()},
+    )
     for part in parts:
-        if rows is None:
-            values = {kind: array.copy() for kind, array in part.values.items()}
-            rows = Rows(part.numbers.copy(), part.stamps.copy(), part.names, values)
-            continue
         # Grown in place, so that the memory never holds a long recording twice.
         for array, more in zip(_arrays(rows), _arrays(part), strict=True):
             length = len(array)
             array.resize((length + len(more), *array.shape[1:]), refcheck=False)
             array[length:] = more
-    assert rows is not None
     return rows
 
 

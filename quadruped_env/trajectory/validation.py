@@ -1,47 +1,20 @@
 """Validation of joint states, and the wording of errors about a row."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.trajectory.rows import Rows
+from quadruped_env.trajectory.rows import Rows, Source
 
 _NOT_FINITE: Final = {
-    "position": "leave the row out (--drop)",
+    "position": "leave the row out (--repair drop)",
     "velocity": "leave the velocities out if not all are known (--ignore velocity)",
     "effort": "NaN stands for an effort that was not measured",
 }
 """Kind -> the fix for a value that is not finite."""
-
-
-@dataclass(frozen=True, eq=False)
-class Source:
-    """Origin of a trajectory's rows, for error messages."""
-
-    name: str = "JointTrajectory"
-    """A file, or the type for a trajectory made in memory"""
-    row_name: str = "row"
-    """The source's word for a row, such as `line` or `message`"""
-    first_row: int = 0
-    """The source's number of the first row"""
-    rows: NDArray[np.int64] | None = None
-    """The source's numbers of all rows (T,), where they are not consecutive"""
-    notes: tuple[str, ...] = ()
-    """Remarks on the numbers: rows that were left out, damage"""
-
-    def row(self, index: int) -> str:
-        """Name of a row, for error messages."""
-        number = self.first_row + index if self.rows is None else int(self.rows[index])
-        return f"{self.name}: {self.row_name} {number}"
-
-    def part(self, start: int, stop: int) -> "Source":
-        """The source of the rows from index `start` on and before `stop`."""
-        rows = None if self.rows is None else self.rows[start:stop]
-        return replace(self, first_row=self.first_row + start, rows=rows)
 
 
 IN_MEMORY: Final = Source()
@@ -100,16 +73,11 @@ def _check_order(stamps: NDArray[np.int64], source: Source) -> None:
     repeated = np.flatnonzero(stamps[1:] <= stamps[:-1])
     if len(repeated):
         i = int(repeated[0]) + 1
-        raise not_increasing(source, i, int(stamps[i]), int(stamps[i - 1]))
-
-
-def not_increasing(source: Source, row: int, stamp: int, previous: int) -> QuadrupedError:
-    """The error for a row whose timestamp is not later than that of the row before."""
-    return QuadrupedError(
-        f"{source.row(row)}, stamp_ns: {stamp} does not come after {previous} of the row before; sort the rows by time "
-        f"(--sort), and keep one row per timestamp (--drop leaves out the rows that are not later); or, if the clock "
-        f"was set back or repeats, give the time from row to row in s (--stamps 0.01)"
-    )
+        raise QuadrupedError(
+            f"{source.row(i)}, stamp_ns: {stamps[i]} does not come after {stamps[i - 1]} of the row before; sort the "
+            f"rows by time (--repair sort), and keep one row per timestamp (--repair drop leaves out those that are "
+            f"not later); or, if the clock was set back or repeats, give the time from row to row in s (--stamps 0.01)"
+        )
 
 
 def checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source: Source) -> NDArray[np.float64]:

@@ -1,11 +1,17 @@
-"""Read-only arrays."""
+"""Types of arrays, and constant arrays."""
 
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+"""Real numbers in double precision."""
+EnvIds = NDArray[np.intp]
+"""Indices of some envs (R,)."""
 
 
 def frozen(values: NDArray[Any]) -> NDArray[Any]:
-    """The same array, read-only from now on: shared by those who read it."""
+    """The same array, read-only from now on: a constant."""
     values.setflags(write=False)
     return values

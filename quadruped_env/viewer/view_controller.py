@@ -16,7 +16,7 @@ import mujoco
 
 from quadruped_env.control.steering import key_steps, next_step
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.metrics import GRAVITY
+from quadruped_env.evaluation.measures import GRAVITY
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import TERRAINS, Terrain

@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.editable_gait import HasGait
+from quadruped_env.control.controllers import GaitController
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.trace import CommandedTrace, PerTerm, PositionPerLeg, Scalar, Velocity, measured
@@ -184,17 +184,17 @@ class TaskRobot:
     @property
     def gait(self) -> GaitSettings | None:
         """The settings of its scripted gait; None if it has none."""
-        return self._controller.settings if isinstance(self._controller, HasGait) else None
+        return self._controller.settings if isinstance(self._controller, GaitController) else None
 
     @gait.setter
     def gait(self, settings: GaitSettings) -> None:
-        if not isinstance(self._controller, HasGait) or self._controller.settings is None:
+        if not isinstance(self._controller, GaitController):
             raise QuadrupedError(f"gait: {self.name!r} has no scripted gait; choose one to change its gait")
         self._controller.settings = settings
 
     def complaints(self) -> list[str]:
         """Descriptions of the joint limits that its scripted gait exceeds."""
-        return self._controller.complaints() if isinstance(self._controller, HasGait) else []
+        return self._controller.complaints() if isinstance(self._controller, GaitController) else []
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
         """Begin an episode at the origin, or in the lane, facing along x; identically with the same seed."""

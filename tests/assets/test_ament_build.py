@@ -126,18 +126,6 @@ def test_built_node_publishes_the_preset_article_at_20_hz(ros2, run_node):
     np.testing.assert_allclose(velocities, article.velocities(times), rtol=0, atol=1e-12)
 
 
-def test_built_node_with_parameters_publishes_another_gait(ros2, run_node):
-    run_node("--ros-args", "-p", "rate:=40.0", "-p", "hip_amplitude:=0.0", "-p", "angular_frequency:=4.0")
-    messages = messages_of(ros2)
-    ticks_of(messages, 25_000_000)
-    positions = np.array([message["position"] for message in messages])
-    velocities = np.array([message["velocity"] for message in messages])
-    assert (positions[:, ::2] == 0).all()
-    # A sinusoid and its derivative: the ellipse has the angular frequency as the ratio of its axes.
-    ellipse = ((positions[:, 1::2] + 0.3) / 0.3) ** 2 + (velocities[:, 1::2] / (4.0 * 0.3)) ** 2
-    np.testing.assert_allclose(ellipse, 1, atol=1e-9)
-
-
 def test_running_node_changes_its_gait_by_parameters_in_its_namespace(ros2, run_node):
     node = run_node("--ros-args", "-r", "__ns:=/r1", "-p", "rate:=40.0")
     topic = "--ros-args", "-r", "/joint_states:=/r1/joint_states"

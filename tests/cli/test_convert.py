@@ -24,7 +24,7 @@ def run(capsys):
 def test_convert_to_a_bag_and_back_gives_the_same_recording(tmp_path, run):
     trajectory = random_trajectory(rows=100)
     trajectory.save(tmp_path / "a.csv")
-    status, output, errors = run(tmp_path / "a.csv", tmp_path / "bag", "--storage", "sqlite3", "--tf-rate", "50")
+    status, output, errors = run(tmp_path / "a.csv", tmp_path / "bag", "--storage", "sqlite3")
     assert status == 0, errors
     assert "100 rows over 1.980 s, usually at 50 Hz: positions, velocities, efforts" in output
     assert output.endswith(f"written: {tmp_path / 'bag'}\n")
@@ -43,7 +43,7 @@ def test_convert_reports_gaps_and_rows_that_it_left_out(tmp_path, run):
     assert status == 2
     assert "line 6, position.LF_hip_joint: nan is not finite" in errors
     assert not (tmp_path / "b.csv").exists()
-    status, output, errors = run(tmp_path / "a.csv", tmp_path / "b.csv", "--drop")
+    status, output, errors = run(tmp_path / "a.csv", tmp_path / "b.csv", "--repair", "drop")
     assert status == 0, errors
     assert "gap of 0.620 s at 0.780 s" in output
     assert "left out 1 of 70: a number is not finite" in output
@@ -57,7 +57,7 @@ def test_convert_with_options_changes_the_recording(tmp_path, run):
     status, _, errors = run(tmp_path / "a.mcap", tmp_path / "b.csv", *options)
     assert status == 0, errors
     expected = trajectory.slice(0.5, 1.5).resample(100.0).differentiate(0.1)
-    assert_same(JointTrajectory.load(tmp_path / "b.csv", degrees=False), expected)
+    assert_same(JointTrajectory.load(tmp_path / "b.csv", unit="rad"), expected)
 
 
 def test_convert_to_an_existing_file_without_overwrite_is_refused(tmp_path, run):

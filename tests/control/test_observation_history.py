@@ -15,9 +15,6 @@ from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.export import PolicyInterface, runtime
-from quadruped_env.export.card import example
-from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
@@ -182,55 +179,6 @@ def test_policy_keeps_its_history_and_refuses_other_observations(tmp_path):
             loaded.check_env(other)
     with pytest.raises(QuadrupedError, match=r"trained with observation_history 1, and .* has 3"):
         random_policy("residual", observation_history=1).check_env(env)
-
-
-@pytest.mark.parametrize("mode", ["position", "residual"])
-def test_exported_graph_stacks_as_the_env_does(mode):
-    pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
-    policy = policy_with_history(mode)
-    interface = PolicyInterface(policy)
-    content = policy_graph(interface, "history")
-    assert runtime.largest_difference(interface, content, 2000) < 1e-5
-    assert [entry.name for entry in interface.inputs][-1] == "observation_history"
-    session = runtime.session_of(content)
-    env = policy.make_env()
-    observation, _ = env.reset(seed=0, options={"command": (0.2, 0.3)})
-    layout = interface.layout
-    phase = np.float32([[env.unwrapped.task.phase[0]]])
-    past = np.full((1, 2 * WIDTH), np.nan, np.float32)
-    for _ in range(12):
-        frame = (observation[:WIDTH] / layout.scale + interface.offsets).astype(np.float32)[None]
-        inputs = {n: frame[:, s] for n, s in layout.slices.items() if n != "gait_clock"} | {
-            "gait_phase": phase,
-            "observation_history": past,
-        }
-        found = runtime.run(session, inputs)
-        np.testing.assert_allclose(found["action"][0], policy.predict(observation), rtol=0, atol=1e-5)
-        np.testing.assert_allclose(found["next_observation_history"][0], observation[: 2 * WIDTH], rtol=0, atol=1e-5)
-        observation, *_ = env.step(policy.predict(observation))
-        past, phase = found["next_observation_history"], found["next_gait_phase"]
-
-
-def test_code_of_the_exported_page_feeds_the_history_back(tmp_path, monkeypatch):
-    pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
-    policy = policy_with_history()
-    interface = PolicyInterface(policy)
-    (tmp_path / "policy.onnx").write_bytes(policy_graph(interface, "history"))
-    monkeypatch.chdir(tmp_path)
-    page = {}
-    exec(example(interface), page)  # noqa: S102
-    env = policy.make_env()
-    env.reset(seed=0, options={"command": (0.2, 0.3)})
-    task, layout = env.unwrapped.task, interface.layout
-    task.phase[:] = 0.0  # as the code begins
-    page["memory"]["command"][:] = (0.2, 0.3)  # which approaches a command, where a reset of the env sets it
-    observation = task.observe()[0]
-    for _ in range(8):
-        frame = observation[:WIDTH] / layout.scale + interface.offsets
-        own = ("gait_clock", "last_action")
-        targets = page["joint_targets"](**{n: frame[s] for n, s in layout.slices.items() if n not in own})
-        observation, *_ = env.step(policy.predict(observation))
-        np.testing.assert_allclose(env.unwrapped.data.ctrl, targets, rtol=0, atol=1e-5)
 
 
 def test_live_controller_stacks_as_the_interface_does():

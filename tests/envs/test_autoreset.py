@@ -33,11 +33,9 @@ def results_of(env, mode, steps, seed=0):
 
 
 @pytest.mark.parametrize("mode", MODES, ids=lambda mode: mode.value)
-@pytest.mark.parametrize("action_mode", ["position", "residual"])
-def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_bit_for_bit(mode, action_mode):
-    kwargs = {"action_mode": action_mode, **KWARGS}
-    expected = results_of(make_sync(autoreset_mode=mode, **kwargs), mode, 160)
-    assert_same(results_of(make_native(autoreset_mode=mode, num_threads=2, **kwargs), mode, 160), expected)
+def test_native_env_in_every_autoreset_mode_equals_sync_vector_env_bit_for_bit(mode):
+    expected = results_of(make_sync(autoreset_mode=mode, **KWARGS), mode, 160)
+    assert_same(results_of(make_native(autoreset_mode=mode, num_threads=2, **KWARGS), mode, 160), expected)
     steps = [entry for entry in expected if len(entry) == 5]
     falls = sum(terminated.sum() for _, _, terminated, _, _ in steps)
     time_outs = sum(truncated.sum() for _, _, _, truncated, _ in steps)
@@ -98,8 +96,8 @@ def test_disabled_mode_refuses_to_step_an_ended_episode_and_nothing_moves():
 
 
 @pytest.mark.parametrize("mode", MODES, ids=lambda mode: mode.value)
-def test_autoreset_mode_is_taken_as_enum_value_or_name_and_goes_through_json(mode):
-    for given in (mode, mode.value, mode.name):
+def test_autoreset_mode_is_taken_as_enum_or_value_and_goes_through_json(mode):
+    for given in (mode, mode.value):
         env = make_native(2, autoreset_mode=given)
         assert env.autoreset_mode is env.metadata["autoreset_mode"] is mode
         again = gymnasium.make_vec(EnvSpec.from_json(env.spec.to_json()))
@@ -127,8 +125,6 @@ def test_restored_env_remembers_which_episodes_have_ended(mode):
 
 WRAPPERS = {
     "normalize_observation": wrappers.NormalizeObservation,
-    "normalize_reward": wrappers.NormalizeReward,
-    "clip_action": wrappers.ClipAction,
     "transform_action": lambda env: wrappers.TransformAction(env, lambda action: action * 0.5),
     "record_episode_statistics": wrappers.RecordEpisodeStatistics,
     "dict_info_to_list": wrappers.DictInfoToList,
@@ -161,47 +157,9 @@ def test_gymnasiums_vector_wrapper_over_the_native_env_equals_it_over_sync_vecto
     rng = np.random.default_rng(0)
     assert_same(without_times(native.reset(seed=0)), without_times(sync.reset(seed=0)))
     ended = 0
-    for _ in range(40):
+    for _ in range(25):
         action = rng.uniform(-1, 1, (3, 8)).astype(np.float32)
         result, expected = native.step(action), sync.step(action)
         assert_same(without_times(result), without_times(expected))
         ended += int((result[2] | result[3]).sum())
     assert ended > 3
-
-
-# --- attributes and calls ---
-
-
-def test_call_and_get_attr_give_what_sync_vector_env_gives():
-    native, sync = make_native(3, config=ROUGH), make_sync(3, config=ROUGH)
-    for env in (native, sync):
-        env.reset(seed=[4, 9, 2])
-    for name in ("np_random_seed", "render_mode", "dt", "action_space", "observation_space"):
-        assert_same(native.get_attr(name), sync.get_attr(name))
-        assert_same(native.call(name), sync.call(name))
-    assert native.np_random_seed == sync.np_random_seed == (4, 9, 2)
-    assert_same([rng.random() for rng in native.np_random], [rng.random() for rng in sync.np_random])
-    assert_same(list(native.call("get_state")), native.get_state())
-    assert native.call("render") == (None,) * 3
-    assert native.get_attr("num_envs") == (3,) * 3
-    for data, state in zip(native.get_attr("data"), sync.get_attr("data"), strict=True):
-        np.testing.assert_array_equal(data.qpos, state.qpos)
-
-
-def test_set_attr_sets_the_generators_and_refuses_what_the_envs_share():
-    native, sync = make_native(2), make_sync(2)
-    for env in (native, sync):
-        env.reset(seed=0)
-        env.set_attr("np_random", [np.random.default_rng(5), np.random.default_rng(6)])
-        assert env.np_random_seed == (-1, -1)
-    assert_same(native.reset(), sync.reset())
-    with pytest.raises(QuadrupedError, match=r"'render_mode'.*share their attributes, and only 'np_random' can be set"):
-        native.set_attr("render_mode", None)
-    with pytest.raises(QuadrupedError, match="expected 2 values, one per env; found 3"):
-        native.set_attr("np_random", [None] * 3)
-    with pytest.raises(QuadrupedError, match=r"expected a numpy\.random\.Generator; found 5"):
-        native.set_attr("np_random", 5)
-    with pytest.raises(AttributeError, match=r"'gravity'.*np_random, np_random_seed"):
-        native.get_attr("gravity")
-    with pytest.raises(AttributeError, match="'close'"):
-        native.call("close")

@@ -58,6 +58,7 @@ def test_env_with_rendering_switched_off_steps_and_refuses_each_picture():
     assert_refused_twice([sys.executable, "-c", RENDER_TWICE], {"MUJOCO_GL": "disable"}, reason)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("opengl")
 def test_environment_variable_that_keeps_opengl_from_starting_is_named():
     variables = {"MUJOCO_GL": "egl", "MUJOCO_EGL_DEVICE_ID": "4711"}
@@ -75,6 +76,7 @@ def assert_refused_twice(command, variables, reason):
     assert "GLFW" not in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems always have a display")
 def test_window_on_a_display_that_is_not_there_is_refused_and_the_process_continues():
     code = """

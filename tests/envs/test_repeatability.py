@@ -34,6 +34,7 @@ def test_first_difference_names_step_quantity_and_size():
     assert rollouts.first_difference(found, expected) == "rewards at step 7, by up to 1.0e-09"
 
 
+@pytest.mark.slow
 def test_env_gives_the_same_numbers_with_every_kernel_of_the_blas():
     results = []
     for kernel in ("Haswell", ""):

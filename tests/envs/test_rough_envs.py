@@ -77,8 +77,7 @@ def test_single_and_vector_environment_are_bit_identical_with_the_curriculum(mod
         return [env.reset(seed=0), *(env.step(action) for action in actions)]
 
     expected = results(make_sync(5, mode, **kwargs))
-    for threads in (1, 3):
-        assert_same(results(make_native(5, num_threads=threads, autoreset_mode=mode, **kwargs)), expected)
+    assert_same(results(make_native(5, num_threads=2, autoreset_mode=mode, **kwargs)), expected)
     changes = np.diff(levels_in(expected), axis=0)
     assert (changes > 0).any()
     assert (changes < 0).any()

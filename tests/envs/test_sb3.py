@@ -106,7 +106,6 @@ def test_attributes_can_be_read_through_stable_baselines3_and_not_written(sb3):
     assert sb3.env.num_envs == NUM_ENVS
     assert sb3.env.get_attr("num_envs", indices=[0, 2]) == [NUM_ENVS, NUM_ENVS]
     assert len(sb3.env.get_attr("metadata")) == NUM_ENVS
-    assert sb3.env.get_attr("np_random_seed", indices=[0, 2]) == [sb3.env.task.seeds[0], sb3.env.task.seeds[2]]
     assert not sb3.env.has_attr("gravity")
     assert sb3.env.env_is_wrapped(gymnasium.Wrapper, indices=0) == [False]
     assert sb3.env.env_is_wrapped(Monitor) == [True] * NUM_ENVS, "the episodes are reported"

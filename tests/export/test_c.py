@@ -5,6 +5,7 @@ import ctypes
 import dataclasses
 import json
 import math
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -16,8 +17,10 @@ from test_golden_trace import POLICIES as TRACED
 from test_graph import POLICIES, TERMS, own_policy
 
 from quadruped_env.cli.main import main
+from quadruped_env.control.joint_command import INVALID_TIMEOUT
+from quadruped_env.control.live_controller import Safety
 from quadruped_env.export import PolicyInterface, runtime
-from quadruped_env.export.c_source import FOLDER, as_int8, c_files, int8_loss, quantized, readings_of
+from quadruped_env.export.c_source import FOLDER, HEADER_FILE, as_int8, c_files, int8_loss, quantized, readings_of
 from quadruped_env.export.golden_trace import golden_trace
 from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.policies import PolicyData, load_policy
@@ -102,6 +105,7 @@ def test_c_equals_onnx_runtime(name, tmp_path):
     inputs = runtime.random_inputs(compiled.interface, samples)
     if "command" in inputs:  # some near the end of standing
         inputs["command"][1::5] = np.random.default_rng(1).uniform(-0.04, 0.04, inputs["command"][1::5].shape)
+        inputs["command"][2::5] *= 2.5  # some beyond the gait's largest yaw rate
     exact = PolicyInterface(quantized(policy)) if name == "8 bits" else compiled.interface
     expected = runtime.run(runtime.session_of(policy_graph(exact, "test")), inputs)
     found = compiled.graph(inputs)
@@ -138,6 +142,18 @@ def test_step_is_that_of_the_golden_trace_and_leaves_out_what_is_nan(name, tmp_p
     for step in range(1, 80):
         assert compiled.call("policy_step", readings[0], np.float32([-9.0, 9.0]), memory, target) == 1
         np.testing.assert_allclose(memory[:2], [max(low[0], -step * rate[0]), min(high[1], step * rate[1])], atol=1e-5)
+
+
+def test_header_has_the_limits_of_the_live_controller():
+    policy = load_policy("flat")
+    header = c_files(PolicyInterface(policy), "flat")[HEADER_FILE].decode()
+    found = {name: float(value) for name, value in re.findall(r"#define POLICY_(\w+) ([\d.]+)f? ", header)}
+    safety, control = Safety.of(policy.robot), policy.control
+    names = ("RAMP_SPEED", "SETTLE", "MAX_TILT", "COMMAND_TIMEOUT", "HOLD_AFTER", "LIMP_AFTER")
+    expected = {name: getattr(safety, name.lower()) for name in names}
+    expected |= {"INVALID_AFTER": INVALID_TIMEOUT, "TIMESTEP": control.timestep, "COMMANDS": 2}
+    expected["HISTORY"] = (control.observation_history - 1) * PolicyInterface(policy).layout.width
+    assert {name: found[name] for name in expected} == pytest.approx(expected)
 
 
 def test_joint_positions_approach_a_target_at_the_speed_within_the_ranges(tmp_path):

@@ -1,6 +1,5 @@
 """The scripted gait: the tutorial's formula, the presets within its limits, and the searched gait by command."""
 
-import dataclasses
 import math
 
 import numpy as np
@@ -9,7 +8,6 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_L
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.gait import LEG_PHASES, PRESETS, turn_size
-from quadruped_env.gait.waves import wave_positions
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.task import TaskConfig
 
@@ -73,13 +71,6 @@ def test_every_preset_stays_within_the_robots_limits(name):
     assert (np.ptp(positions, axis=0) > 0).all(), "every joint moves"
 
 
-@pytest.mark.parametrize("name", PRESETS)
-def test_a_gait_repeats_after_its_period(name):
-    preset = SinusoidalGait.preset(name)
-    t = np.linspace(0, 2, 20)
-    np.testing.assert_allclose(preset.positions(t + preset.period), preset.positions(t), atol=1e-9)
-
-
 def test_times_of_any_shape_give_that_many_positions():
     trot = SinusoidalGait.preset("trot")
     t = np.linspace(0, 1, 6).reshape(2, 3)
@@ -87,18 +78,6 @@ def test_times_of_any_shape_give_that_many_positions():
     assert trot.velocities(t).shape == trot.positions(t).shape == (2, 3, 8)
     np.testing.assert_array_equal(trot.positions(t)[1, 2], trot.positions(t[1, 2]))
     np.testing.assert_array_equal(trot.positions([0.0, 1.0])[1], trot.positions(1))
-
-
-@pytest.mark.parametrize("name", LEG_PHASES)
-def test_fore_and_hind_legs_of_a_preset_move_identically_up_to_their_phases(name):
-    preset = SinusoidalGait.preset(name)
-    t = np.linspace(0, preset.period, 30)
-    in_phase = [
-        preset.positions(t - turn * preset.period)[:, 2 * leg : 2 * leg + 2]
-        for leg, turn in enumerate(LEG_PHASES[name])
-    ]
-    np.testing.assert_allclose(in_phase[1], in_phase[0], atol=1e-9)
-    np.testing.assert_allclose(in_phase[3], in_phase[2], atol=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -130,20 +109,6 @@ def test_violations_name_the_joint_its_value_and_the_limit(changes, found):
         assert part in text
 
 
-def test_a_gait_exactly_at_a_limit_is_within_it():
-    low, high, speed = JOINT_POSITION_LOW[0], JOINT_POSITION_HIGH[0], VELOCITY_LIMIT
-    middle, half = (low + high) / 2, (high - low) / 2
-    still = {"knee_amplitude": 0.0, "hip_offset": middle, "hip_amplitude": half}
-    assert gait(angular_frequency=speed / half, **still).violations() == []
-    joints = [
-        message.partition(":")[0] for message in gait(angular_frequency=1.0001 * speed / half, **still).violations()
-    ]
-    assert joints == list(JOINT_NAMES[::2]), "too fast"
-    for offset in (middle + 1e-6, middle - 1e-6):
-        moved = gait(angular_frequency=0.1, **{**still, "hip_offset": offset})
-        assert [message.partition(":")[0] for message in moved.violations()] == list(JOINT_NAMES[::2]), "too far"
-
-
 def test_unknown_preset_names_the_valid_ones():
     with pytest.raises(QuadrupedError, match=r"'gallop'.*article, sinusoid, trot, .*, low, fast"):
         SinusoidalGait.preset("gallop")
@@ -167,25 +132,6 @@ def test_unknown_preset_names_the_valid_ones():
 def test_bad_parameters_are_refused_by_name(changes, message):
     with pytest.raises(QuadrupedError, match=message):
         gait(**changes)
-
-
-def test_a_gait_that_stands_still_has_no_period():
-    standing = gait(angular_frequency=0.0)
-    assert standing.period == math.inf
-    np.testing.assert_array_equal(standing.velocities(3.0), 0.0)
-
-
-def test_gaits_are_equal_by_their_parameters_and_do_not_change():
-    assert gait() == gait()
-    assert gait() != gait(hip_offset=0.5)
-    assert hash(gait()) == hash(gait())
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        gait().hip_offset = 0.1
-    one = gait()
-    first = one.positions(0.0)
-    kept = first.copy()
-    first += 1.0
-    np.testing.assert_array_equal(one.positions(0.0), kept)
 
 
 # --- the searched gait ---
@@ -218,16 +164,6 @@ def test_positions_are_the_waves_at_a_phase():
         np.testing.assert_array_equal(one, TUNED.positions(phase, commands)[row], "whatever the other commands are")
 
 
-def test_a_joint_with_a_phase_is_ahead_of_the_gait():
-    one, quarter = np.ones((1, 3)), 0.5 * np.pi
-    # sin(30 deg + 0, 90 and -90 deg); cos of the same; and an offset.
-    phases, phase = np.array([0.0, quarter, -quarter]), np.array([np.pi / 6])
-    half, root = 0.5, 0.75**0.5
-    np.testing.assert_allclose(wave_positions(phase, phases, one, 0 * one, 0 * one), [[half, root, -root]])
-    np.testing.assert_allclose(wave_positions(phase, phases, 0 * one, one, 0 * one), [[root, -half, half]])
-    np.testing.assert_allclose(wave_positions(phase, phases, 0 * one, 0 * one, 0.1 * one), [[0.1] * 3])
-
-
 def test_at_a_zero_command_the_tuned_gait_is_the_stance():
     phase = np.linspace(0, math.tau, 20)
     np.testing.assert_array_equal(TUNED.positions(phase, np.zeros((20, 2))), np.tile(STANCE, (20, 1)))
@@ -255,24 +191,6 @@ def test_size_of_a_turn_is_the_root_of_the_yaw_rate_times_the_largest():
     np.testing.assert_allclose(turn_size(yaw_rates, 0.7) ** 2 / 0.7, abs(yaw_rates), rtol=1e-14)
     np.testing.assert_array_equal(turn_size(-yaw_rates, 0.7), -turn_size(yaw_rates, 0.7))
     np.testing.assert_array_equal(np.sign(turn_size(yaw_rates, 0.7)), np.sign(yaw_rates))
-
-
-def test_turn_is_at_most_as_large_as_the_largest_yaw_rate():
-    beyond = np.array([0.7, math.nextafter(0.7, 1.0), 0.9, 5.0, math.inf])
-    assert turn_size(beyond, 0.7).tolist() == [0.7] * 5
-    assert turn_size(-beyond, 0.7).tolist() == [-0.7] * 5
-    assert turn_size(np.array([math.nextafter(0.0, 1.0)]), 0.7)[0] > 0.0
-    assert turn_size(np.zeros(3), 0.0).tolist() == [0.0] * 3, "a gait without turns"
-
-
-def test_turn_has_the_same_bits_alone_and_among_others():
-    commands = draw_commands(200)
-    sizes = turn_size(commands[:, 1], 0.7)
-    assert sizes.tolist() == [turn_size(np.array(yaw_rate), 0.7).item() for yaw_rate in commands[:, 1]]
-    together = TUNED.waves(commands)
-    for i, command in enumerate(commands):
-        for values, alone in zip(together, TUNED.waves(np.array([command])), strict=True):
-            np.testing.assert_array_equal(values[i], alone[0])
 
 
 @pytest.mark.parametrize("speed", [-0.25, 0.1, 0.3])

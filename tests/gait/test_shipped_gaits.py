@@ -1,5 +1,7 @@
 """The shipped gaits on simulated robots, from several starts: what their tables promise."""
 
+import functools
+
 import mujoco
 import numpy as np
 import pytest
@@ -21,10 +23,10 @@ def table(gait):
     return np.array([(speed, 0.0) for speed in gait.speeds if speed != 0.0])
 
 
-@pytest.fixture(scope="module")
-def walked():
-    """Results of the gaits that follow a command, at the speeds of their tables."""
-    return {name: measure_commands(gait, table(gait)) for name, gait in GAITS.items()}
+@functools.cache
+def walked(name):
+    """Results of a gait that follows a command, at the speeds of its table."""
+    return measure_commands(GAITS[name], table(GAITS[name]))
 
 
 # A walking robot is chaotic: on another processor some starts lead to another stride, a few of them to feet that drag.
@@ -34,13 +36,13 @@ def walked():
     ("name", "least", "agreement", "error"),
     [
         ("tuned", 0.008, 0.4, 0.04),
-        ("crouched", 0.008, 0.45, 0.05),
-        ("low", 0.004, 0.3, 0.05),
-        ("fast", 0.006, 0.3, 0.1),
+        pytest.param("crouched", 0.008, 0.45, 0.05, marks=pytest.mark.slow),
+        pytest.param("low", 0.004, 0.3, 0.05, marks=pytest.mark.slow),
+        pytest.param("fast", 0.006, 0.3, 0.1, marks=pytest.mark.slow),
     ],
 )
-def test_gaits_walk_at_the_speeds_of_their_tables_and_lift_every_foot(walked, name, least, agreement, error):
-    got = walked[name]
+def test_gaits_walk_at_the_speeds_of_their_tables_and_lift_every_foot(name, least, agreement, error):
+    got = walked(name)
     difference = np.abs(got.forward_velocity - table(GAITS[name])[:, 0])
     assert np.median(difference) < 0.005
     assert difference.max() < 0.04
@@ -53,14 +55,15 @@ def test_gaits_walk_at_the_speeds_of_their_tables_and_lift_every_foot(walked, na
     assert got.touchdown_error.max() < 6.0 * error
 
 
-def test_gaits_differ_as_their_names_say(walked):
+@pytest.mark.slow
+def test_gaits_differ_as_their_names_say():
     """Power is motors' work and heat, which only the search of `tuned` charged."""
-    assert walked["low"].highest.max() < 0.008
-    assert walked["tuned"].highest.min() > 0.010
+    assert walked("low").highest.max() < 0.008
+    assert walked("tuned").highest.min() > 0.010
     assert GAITS["fast"].speeds[-1] > 1.25 * GAITS["tuned"].speeds[-1]
     power = {
-        name: np.interp((-0.2, 0.1, 0.2, 0.3, 0.4), table(GAITS[name])[:, 0], got.electrical_power)
-        for name, got in walked.items()
+        name: np.interp((-0.2, 0.1, 0.2, 0.3, 0.4), table(gait)[:, 0], walked(name).electrical_power)
+        for name, gait in GAITS.items()
     }
     assert (power["tuned"] < power["crouched"]).all()
     assert np.median(power["tuned"] / power["crouched"]) < 0.85
@@ -77,11 +80,6 @@ def test_gaits_turn_at_the_commanded_rate():
     np.testing.assert_allclose(got.forward_velocity, commands[:, 0], atol=0.08)
     assert got.mean_apex.min(axis=2).mean() > 0.008
     assert np.median(got.touchdown_error) < 0.25
-    commands = np.array([(0.0, 1.2), (0.0, -1.2), (0.4, 1.2), (0.4, -1.2)])
-    got = measure_commands(GAITS["fast"], commands)
-    np.testing.assert_allclose(got.yaw_rate, commands[:, 1], atol=0.2)
-    np.testing.assert_allclose(got.forward_velocity, commands[:, 0], atol=0.08)
-    assert not got.fallen.any()
 
 
 def test_no_hip_is_sent_near_its_limit():

@@ -18,9 +18,12 @@ KINDS = ("mcap", "sqlite3", "bare.mcap", "bare.db3", "mcap zstd", "sqlite3 zstd"
 
 def save(trajectory, directory, kind, **options):
     """Save a bag of one of `KINDS`; returns its path."""
-    name, _, compression = kind.partition(" ")
+    name, _, compressed = kind.partition(" ")
     path = directory / (name if "." in name else "bag")
-    trajectory.save(path, storage=None if "." in name else name, compress=bool(compression), **options)
+    if compressed:
+        path.parent.mkdir(exist_ok=True)
+        return write_bag(path, messages_of(trajectory), name, "storage" if name == "mcap" else "file")
+    trajectory.save(path, storage=None if "." in name else name, **options)
     return path
 
 

@@ -40,7 +40,7 @@ def test_recording_gets_its_name_when_it_is_complete(tmp_path, storage):
     assert JointTrajectory.load(tmp_path / "bag").stamps.tolist() == [1]
 
 
-@pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
+@pytest.mark.parametrize("storage", ["mcap", pytest.param("sqlite3", marks=pytest.mark.slow)])
 def test_a_killed_recording_is_kept_under_another_name_and_can_be_salvaged(tmp_path, storage):
     code = """
 import sys
@@ -58,14 +58,14 @@ with Recorder(Path(sys.argv[1]), sys.argv[2]) as recorder:
     process.kill()
     process.communicate(timeout=DEADLINE)
     assert names(tmp_path) == ["bag.part"]
-    loaded = JointTrajectory.load(tmp_path / "bag.part" / "bag", salvage=True)
+    loaded = JointTrajectory.load(tmp_path / "bag.part" / "bag", repair=["salvage"])
     assert loaded.stamps.tolist() == list(range(1, len(loaded) + 1))
     assert len(loaded) > (size - 1_100_000) / len(joint_state(0))
-    with pytest.raises(QuadrupedError, match=r"bag\.part: holds a recording that was cut.*bag\.part/bag OUT --s"):
+    with pytest.raises(QuadrupedError, match=r"bag\.part: holds a recording .*bag\.part/bag OUT --repair s"):
         Recorder(tmp_path / "bag")
 
 
-@pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
+@pytest.mark.parametrize("storage", ["mcap", pytest.param("sqlite3", marks=pytest.mark.slow)])
 def test_a_recording_on_a_full_disk_ends_with_one_clear_error_and_is_kept(tmp_path, storage):
     """A limit on the size of files stands in for a full disk."""
 
@@ -74,9 +74,7 @@ def test_a_recording_on_a_full_disk_ends_with_one_clear_error_and_is_kept(tmp_pa
             for stamp in range(1, 100_000):
                 recorder.write(JOINT_STATES, joint_state(stamp))
 
-    words = (
-        r"bag: cannot be written \(.*\); make room, or name another place; .* kept in .*/bag\.part/bag \(--salvage\)$"
-    )
+    words = r"bag: cannot be written \(.*\); make room, .*; .* kept in .*/bag\.part/bag \(--repair salvage\)$"
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (3_000_000, hard))
     try:
@@ -85,7 +83,7 @@ def test_a_recording_on_a_full_disk_ends_with_one_clear_error_and_is_kept(tmp_pa
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
     assert names(tmp_path) == ["bag.part"]
-    assert len(JointTrajectory.load(tmp_path / "bag.part" / "bag", salvage=True)) > 1000
+    assert len(JointTrajectory.load(tmp_path / "bag.part" / "bag", repair=["salvage"])) > 1000
 
 
 def test_a_recording_that_failed_once_never_gets_its_name(tmp_path, monkeypatch):

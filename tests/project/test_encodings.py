@@ -25,7 +25,7 @@ CORE = (
     ("demo",),
     ("baseline", "--seconds", "1", "--episodes", "1", "-o", "a.csv"),
     ("convert", "a.csv", "b.csv"),
-    ("replay", "a.csv", "--no-report", "-o", "replayed"),
+    ("replay", "a.csv", "-o", "replayed"),
 )
 ALL = (*CORE, ("train", *TINY), ("evaluate", *SHORT), ("compare", "flat", "runs/latest", *SHORT))
 
@@ -123,6 +123,7 @@ def test_programs_run_in_a_gbk_locale(tmp_path, gbk):
     assert "\u8f6c" in (tmp_path / "w.html").read_text(encoding="utf-8"), "its Chinese words"
 
 
+@pytest.mark.slow
 def test_programs_never_use_the_encoding_of_the_locale(tmp_path):
     run(CORE, tmp_path, {**os.environ, "BROWSER": "true"}, "-X", "warn_default_encoding", "-c", STRICT)
 

@@ -26,7 +26,7 @@ def test_log_without_its_map_is_refused(data):
     with pytest.raises(QuadrupedError, match=r"measured\.csv: text that begins with 'time_start,.*\(--columns FILE\)"):
         JointTrajectory.load(data / "measured.csv")
     with pytest.raises(
-        QuadrupedError, match=r"measured\.csv: line 2, position\.flarm: -58\.65 rad .* degrees.*--degrees"
+        QuadrupedError, match=r"measured\.csv: line 2, position\.flarm: -58\.65 rad .* degrees.*--unit deg"
     ):
         JointTrajectory.load(data / "measured.csv", columns=MAP)
 

@@ -31,7 +31,7 @@ class TestPrograms:
             assert (status, errors) == (0, "")
         assert "Forward velocity" in output
         assert "results/baseline-tuned-commands.csv" in output
-        status, output, errors = run("replay", "results/baseline-tuned-commands.csv", "--no-report")
+        status, output, errors = run("replay", "results/baseline-tuned-commands.csv")
         assert (status, errors) == (0, "")
         assert "RH_knee_joint" in output
         results = tmp_path / "results"
@@ -63,7 +63,7 @@ class TestPrograms:
             pytest.skip("needs the recording of Dyna1 in ../shared/data/dyna1")
         layout = asset_path("dyna1.toml")
         files = (DYNA1 / "control.csv", "--compare", DYNA1 / "measured.csv", "--columns", layout, "--map", layout)
-        status, _, errors = run("replay", *files, "-o", "out", "--no-report")
+        status, _, errors = run("replay", *files, "-o", "out")
         assert status == 0, errors
         report = json.loads((tmp_path / "out" / "tracking.json").read_text())
         assert report["motion"]["fell_at"] is None

@@ -17,7 +17,7 @@ STANCE, STANCE_HEIGHT = MINI_QUADRUPED.stance, MINI_QUADRUPED.stance_height
 class TestKinematics:
     def test_urdf_mjcf_and_package_agree(self, urdf, urdf_model):
         """MuJoCo on both files, and yourdfpy, which shares no code with it."""
-        positions = random_positions(np.random.default_rng(0), 1000)
+        positions = random_positions(np.random.default_rng(0), 100)
         poses = forward_kinematics(positions)
         assert tuple(poses) == LINKS
         data = mujoco.MjData(urdf_model)
@@ -57,21 +57,6 @@ class TestKinematics:
         end = position + Rotation.from_quat(quaternion, scalar_first=True).apply([0.0, 0.0, -0.16])
         np.testing.assert_allclose(end, expected, rtol=0, atol=1e-12)
 
-    @pytest.mark.parametrize("leg", LEGS)
-    def test_positive_angles_swing_the_foot_backwards(self, leg):
-        """A positive hip angle swings the foot backwards, a negative knee angle forwards."""
-
-        def foot_x(hip, knee):
-            positions = np.zeros(8)
-            positions[JOINTS.index(f"{leg}_hip_joint")] = hip
-            positions[JOINTS.index(f"{leg}_knee_joint")] = knee
-            position, quaternion = forward_kinematics(positions)[f"{leg}_leg"]
-            return (position + Rotation.from_quat(quaternion, scalar_first=True).apply([0, 0, -0.16]))[0]
-
-        assert foot_x(0.0, 0.0) == pytest.approx(LEGS[leg][0], abs=1e-12)
-        assert foot_x(0.3, 0.0) < LEGS[leg][0] - 0.03
-        assert foot_x(0.0, -0.3) > LEGS[leg][0] + 0.03
-
     def test_stance(self, mjcf):
         """Feet under their hips, soles on the ground, in the package and in the home keyframe."""
         poses = forward_kinematics(STANCE, [0, 0, STANCE_HEIGHT, 1, 0, 0, 0])
@@ -109,16 +94,6 @@ class TestKinematics:
             found = Rotation.from_quat(world[link][1], scalar_first=True).as_matrix()
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
 
-    def test_base_poses_and_positions_broadcast(self):
-        rng = np.random.default_rng(0)
-        base = np.tile([0.0, 0, 0, 1, 0, 0, 0], (3, 1))
-        base[:, 0] = [1.0, 2.0, 3.0]
-        one = forward_kinematics(STANCE, base)["LF_leg"][0]
-        assert one.shape == (3, 3)
-        np.testing.assert_allclose(np.diff(one[:, 0]), 1.0, rtol=0, atol=1e-12)
-        many = forward_kinematics(random_positions(rng, 2, 1), base)["LF_leg"][0]
-        assert many.shape == (2, 3, 3)
-
     @pytest.mark.parametrize(
         ("positions", "base_pose", "message"),
         [
@@ -154,7 +129,7 @@ class TestKinematics:
 class TestTransforms:
     def test_are_those_of_the_urdf(self, urdf):
         """One per moving joint, parent to child, as yourdfpy reads the file that robot_state_publisher would read."""
-        positions = random_positions(np.random.default_rng(0), 200)
+        positions = random_positions(np.random.default_rng(0), 20)
         transforms = MINI_QUADRUPED.joint_transforms(positions)
         assert {(t.parent, t.child) for t in transforms} == {
             (joint.parent, joint.child) for joint in urdf.joint_map.values() if joint.type != "fixed"
@@ -167,26 +142,6 @@ class TestTransforms:
                 found = Rotation.from_quat(transform.rotation[row], scalar_first=True).as_matrix()
                 np.testing.assert_allclose(transform.translation[row], expected[:3, 3], rtol=0, atol=1e-12)
                 np.testing.assert_allclose(found, expected[:3, :3], rtol=0, atol=1e-12)
-
-    def test_chained_they_are_forward_kinematics(self):
-        rng = np.random.default_rng(1)
-        positions, base = random_positions(rng, 2, 3), rng.standard_normal((2, 3, 7))
-        base[..., 3:] /= np.linalg.norm(base[..., 3:], axis=-1, keepdims=True)
-        transforms = MINI_QUADRUPED.joint_transforms(positions, base)
-        assert (transforms[0].parent, transforms[0].child) == ("odom", "base_link")
-        poses = forward_kinematics(positions, base)
-        for index in np.ndindex(2, 3):
-            place = {"odom": (np.zeros(3), Rotation.identity())}
-            for transform in transforms:
-                origin, turn = place[transform.parent]
-                place[transform.child] = (
-                    origin + turn.apply(transform.translation[index]),
-                    turn * Rotation.from_quat(transform.rotation[index], scalar_first=True),
-                )
-            for link in LINKS:
-                np.testing.assert_allclose(place[link][0], poses[link][0][index], rtol=0, atol=1e-12)
-                expected = Rotation.from_quat(poses[link][1][index], scalar_first=True).as_matrix()
-                np.testing.assert_allclose(place[link][1].as_matrix(), expected, rtol=0, atol=1e-12)
 
     def test_no_link_is_without_a_joint(self, urdf):
         assert MINI_QUADRUPED.fixed_transforms() == ()
@@ -228,7 +183,7 @@ class TestResting:
         robot = [i for i in range(model.ngeom) if model.geom_group[i] == 3]
         rng = np.random.default_rng(0)
         on_feet = 0
-        for _ in range(200):
+        for _ in range(50):
             positions = rng.uniform([-1.5, -2.0] * 4, [1.5, 0.0] * 4)
             data.qpos = [*MINI_QUADRUPED.resting_pose(positions), *positions]
             mujoco.mj_forward(model, data)

@@ -95,11 +95,6 @@ def test_a_delay_of_whole_steps_is_the_undelayed_motion_later():
     np.testing.assert_allclose(late[:3], 0.0, atol=1e-12)
 
 
-def test_a_delay_between_steps_lies_between():
-    deflection = [swing(hung_up(MotorConfig(delay=delay)), 6)[0][-1, 0] for delay in (0.005, 0.007, 0.01)]
-    assert deflection[0] > deflection[1] > deflection[2]
-
-
 @pytest.mark.parametrize("make", [SingleSimulation, lambda model: BatchSimulation(model, 1, 1)])
 def test_delayed_motors_start_as_if_they_had_held_the_start(make):
     """Without the history the legs would jerk towards zero at every reset."""
@@ -115,23 +110,6 @@ def test_delayed_motors_start_as_if_they_had_held_the_start(make):
 
 
 CONFIG = {"motor": {"delay": 0.012, "hip": {"kp": 35.0, "friction_loss": 0.2}}}
-
-
-def test_single_and_vector_environment_agree_with_other_motors():
-    env = gymnasium.make_vec("MiniQuadruped-v0", num_envs=3, config=CONFIG)
-    singles = [gymnasium.make("MiniQuadruped-v0", config=CONFIG) for _ in range(3)]
-    observation, _ = env.reset(seed=3)
-    for row, single in enumerate(singles):
-        np.testing.assert_array_equal(single.reset(seed=3 + row)[0], observation[row])
-    rng = np.random.default_rng(0)
-    for _ in range(60):
-        actions = rng.uniform(-1, 1, (3, 8)).astype(np.float32)
-        observation, reward, *_ = env.step(actions)
-        for row, single in enumerate(singles):
-            after, given, terminated, *_ = single.step(actions[row])
-            after = single.reset()[0] if terminated else after
-            np.testing.assert_array_equal(after, observation[row])
-            assert given == reward[row]
 
 
 def test_targets_that_are_still_delayed_belong_to_the_state():

@@ -1,13 +1,11 @@
 """The simulated robot against physics: weight, symmetry, momentum, energy."""
 
-import copy
-
 import mujoco
 import numpy as np
 import pytest
 from built_in import EFFORT_LIMIT, JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT, TOTAL_MASS
 from mirroring import mirrored
-from sensing import GRAVITY, random_pose, reading
+from sensing import GRAVITY, random_pose
 
 from quadruped_env.simulation import SingleSimulation, build_model
 
@@ -46,7 +44,7 @@ class TestStanding:
 
 
 class TestDynamics:
-    @pytest.mark.parametrize("seed", range(5))
+    @pytest.mark.parametrize("seed", range(2))
     def test_random_control_gives_no_warnings(self, model, seed):
         rng = np.random.default_rng(seed)
         simulation = SingleSimulation(model)
@@ -70,7 +68,7 @@ class TestDynamics:
             assert [warning.number for warning in data.warning] == [0] * len(data.warning)
         assert used < 0.5 * data.narena
 
-    @pytest.mark.parametrize("seed", range(5))
+    @pytest.mark.parametrize("seed", range(2))
     def test_left_and_right_are_mirror_images(self, model, seed):
         rng = np.random.default_rng(seed)
         data, mirror = mujoco.MjData(model), mujoco.MjData(model)
@@ -90,23 +88,6 @@ class TestDynamics:
             np.testing.assert_allclose(mirror.qpos, expected_qpos, rtol=0, atol=1e-9)
             np.testing.assert_allclose(mirror.qvel, expected_qvel, rtol=0, atol=1e-7)
         assert touched
-
-    def test_free_fall_in_closed_form(self, model):
-        data = mujoco.MjData(model)
-        data.qpos = model.key("home").qpos
-        data.qpos[2] = 10.0
-        data.ctrl = STANCE
-        start, velocity = data.qpos[:3].copy(), np.array([1.0, -2.0, 3.0])
-        data.qvel[:3] = velocity
-        steps, dt = 200, model.opt.timestep
-        mujoco.mj_step(model, data, steps)
-        # Velocity first, then position: the integrator's sum of g dt is n (n + 1) / 2 where the integral has n^2 / 2.
-        fallen = GRAVITY * dt**2 * steps * (steps + 1) / 2
-        time = steps * dt
-        np.testing.assert_allclose(data.qpos[:3], start + velocity * time - [0, 0, fallen], rtol=0, atol=1e-9)
-        np.testing.assert_allclose(data.qvel[:3], velocity - [0, 0, GRAVITY * time], rtol=0, atol=1e-9)
-        assert fallen == pytest.approx(GRAVITY * time**2 / 2, rel=0.01)
-        np.testing.assert_allclose(reading(data, "imu_linear_acceleration"), 0.0, rtol=0, atol=1e-9)
 
     def momentum_drift(self, timestep):
         """Change of momentum (kg m/s) and of angular momentum (kg m^2/s) in 0.4 s of flailing in free flight."""
@@ -134,20 +115,3 @@ class TestDynamics:
         fine, _ = self.momentum_drift(0.0005)
         assert (coarse < [0.01, 0.1] * size).all()
         assert (fine < 0.2 * coarse).all()
-
-    @pytest.mark.parametrize("seed", range(5))
-    def test_a_passive_fall_gains_no_energy(self, model, seed):
-        passive = copy.copy(model)
-        passive.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_ACTUATION
-        passive.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_ENERGY
-        data = mujoco.MjData(passive)
-        random_pose(np.random.default_rng(seed), data, 0.6)
-        mujoco.mj_forward(passive, data)
-        energy = [data.energy.sum()]
-        for _ in range(400):
-            mujoco.mj_step(passive, data)
-            energy.append(data.energy.sum())
-        energy = np.array(energy)
-        lowest_so_far = np.minimum.accumulate(energy)
-        assert (energy - lowest_so_far).max() < 0.02 * (energy[0] - energy[-1])
-        assert energy[-1] < 0.5 * energy[0]

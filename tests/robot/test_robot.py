@@ -1,7 +1,6 @@
 """The built-in robot's numbers, held against its URDF, its MJCF and the tutorial."""
 
 import itertools
-import os
 
 import mujoco
 import numpy as np
@@ -16,7 +15,6 @@ from tutorial import (
     MASSES,
     SHAPES,
     VELOCITY,
-    VISUALS,
     geoms,
     kind,
     random_positions,
@@ -50,39 +48,6 @@ class TestNamesAndOrder:
 
 
 class TestShapes:
-    @pytest.mark.parametrize("link", LINKS)
-    def test_urdf_visuals(self, urdf, link):
-        materials = {material.name: material.color.rgba for material in urdf.robot.materials}
-        found = {
-            "box": lambda g: tuple(g.size),
-            "sphere": lambda g: (g.radius,),
-            "cylinder": lambda g: (g.radius, g.length),
-        }
-        for visual, (shape, size, color, origin) in zip(urdf.link_map[link].visuals, VISUALS[kind(link)], strict=True):
-            assert found[shape](getattr(visual.geometry, shape)) == size
-            np.testing.assert_array_equal(materials[visual.material.name], color)
-            pose = np.eye(4) if visual.origin is None else visual.origin
-            np.testing.assert_array_equal(pose[:3, 3], origin)
-            np.testing.assert_array_equal(pose[:3, :3], np.eye(3))
-
-    @pytest.mark.parametrize("link", LINKS)
-    def test_mjcf_visuals(self, mjcf, link):
-        seen = geoms(mjcf, link, 2)
-        expected = VISUALS[kind(link)]
-        if kind(link) == "leg":  # a cylinder and two spheres are a capsule
-            expected = (("capsule", expected[0][1], *expected[0][2:]),)
-        for geom, (shape, size, color, origin) in zip(seen, expected, strict=True):
-            assert mjcf.geom_type[geom] == getattr(mujoco.mjtGeom, f"mjGEOM_{shape.upper()}")
-            # MuJoCo states half lengths; a radius is whole.
-            halves = {"box": [s / 2 for s in size], "sphere": size, "capsule": [size[0], size[-1] / 2]}[shape]
-            np.testing.assert_allclose(mjcf.geom_size[geom, : len(halves)], halves, rtol=0, atol=1e-15)
-            np.testing.assert_allclose(mjcf.mat_rgba[mjcf.geom_matid[geom]], color, rtol=0, atol=1e-7)  # float32
-            np.testing.assert_allclose(mjcf.geom_pos[geom], origin, rtol=0, atol=1e-15)
-            axis = np.zeros(3)
-            mujoco.mju_rotVecQuat(axis, np.array([0.0, 0.0, 1.0]), mjcf.geom_quat[geom])
-            np.testing.assert_allclose(np.abs(axis), [0, 0, 1], atol=1e-15)
-            assert mjcf.geom_contype[geom] == mjcf.geom_conaffinity[geom] == 0
-
     def test_package(self):
         assert SHAPES["base_link"][1] == DESIGN.base_size
         assert SHAPES["hip"][1] == (DESIGN.hip_radius,)
@@ -93,45 +58,6 @@ class TestShapes:
 
 
 class TestJoints:
-    @pytest.mark.parametrize("leg", LEGS)
-    def test_urdf(self, urdf, leg):
-        x, y = LEGS[leg]
-        expected = {
-            "hip": ("base_link", f"{leg}_hip", (x, y, 0.0)),
-            "knee": (f"{leg}_hip", f"{leg}_leg", (0.0, 0.0, -0.03)),
-        }
-        for name, (parent, child, origin) in expected.items():
-            joint = urdf.joint_map[f"{leg}_{name}_joint"]
-            assert (joint.type, joint.parent, joint.child) == ("revolute", parent, child)
-            np.testing.assert_array_equal(joint.origin[:3, 3], origin)
-            np.testing.assert_array_equal(joint.origin[:3, :3], np.eye(3))
-            np.testing.assert_array_equal(joint.axis, [0, 1, 0])
-            limit = joint.limit
-            assert (limit.lower, limit.upper) == LIMITS[name]
-            assert (limit.effort, limit.velocity) == (EFFORT, VELOCITY)
-
-    @pytest.mark.parametrize("leg", LEGS)
-    def test_mjcf(self, mjcf, leg):
-        x, y = LEGS[leg]
-        np.testing.assert_array_equal(mjcf.body(f"{leg}_hip").pos, [x, y, 0.0])
-        np.testing.assert_array_equal(mjcf.body(f"{leg}_leg").pos, [0.0, 0.0, -0.03])
-        assert mjcf.body(f"{leg}_hip").parentid == mjcf.body("base_link").id
-        assert mjcf.body(f"{leg}_leg").parentid == mjcf.body(f"{leg}_hip").id
-        for name, link in (("hip", f"{leg}_hip"), ("knee", f"{leg}_leg")):
-            joint, motor = mjcf.joint(f"{leg}_{name}_joint"), mjcf.actuator(f"{leg}_{name}_joint")
-            assert joint.type == mujoco.mjtJoint.mjJNT_HINGE
-            assert joint.bodyid == mjcf.body(link).id
-            np.testing.assert_array_equal(joint.axis, [0, 1, 0])
-            np.testing.assert_array_equal(joint.pos, [0, 0, 0])
-            assert joint.limited == 1
-            np.testing.assert_array_equal(joint.range, LIMITS[name])
-            np.testing.assert_array_equal(motor.ctrlrange, LIMITS[name])
-            np.testing.assert_array_equal(motor.forcerange, [-EFFORT, EFFORT])
-            resistance, constant = motor.gainprm[:2]
-            voltage = motor.gainprm[7]
-            assert constant * voltage / resistance == pytest.approx(EFFORT, rel=1e-12)
-            assert voltage / constant == pytest.approx(VELOCITY, rel=1e-12)
-
     def test_package(self):
         robot = MINI_QUADRUPED
         np.testing.assert_array_equal(robot.effort_limit, [EFFORT] * 8)
@@ -167,15 +93,6 @@ class TestMass:
         }.items():
             np.testing.assert_allclose(inertia, self.principal(link), rtol=1e-14)
 
-    @pytest.mark.parametrize("link", LINKS)
-    def test_urdf(self, urdf, link):
-        inertial = urdf.link_map[link].inertial
-        assert inertial.mass == MASSES[kind(link)]
-        np.testing.assert_allclose(inertial.inertia, np.diag(self.principal(link)), rtol=1e-9, atol=0)
-        pose = np.eye(4) if inertial.origin is None else inertial.origin
-        np.testing.assert_array_equal(pose[:3, 3], SHAPES[kind(link)][3])
-        np.testing.assert_array_equal(pose[:3, :3], np.eye(3))
-
     @pytest.mark.parametrize("source", ["urdf_model", "mjcf"])
     @pytest.mark.parametrize("link", LINKS)
     def test_compiled(self, request, source, link):
@@ -208,45 +125,12 @@ class TestMass:
 
 
 class TestCollision:
-    @pytest.mark.parametrize("link", LINKS)
-    def test_every_link_has_it(self, urdf, mjcf, link):
-        assert urdf.link_map[link].collisions
-        assert geoms(mjcf, link, 3)
-
-    @pytest.mark.parametrize("leg", LEGS)
-    def test_urdf_foot_is_round_and_ends_at_the_legs_end(self, urdf, leg):
-        shank, foot = urdf.link_map[f"{leg}_leg"].collisions
-        assert (shank.geometry.cylinder.radius, foot.geometry.sphere.radius) == (0.02, 0.02)
-        assert foot.origin[2, 3] - foot.geometry.sphere.radius == pytest.approx(-0.16, abs=1e-15)
-        # The cylinder ends where the ball's equator is: its edge does not reach beyond the rounded foot.
-        assert shank.origin[2, 3] - shank.geometry.cylinder.length / 2 == pytest.approx(foot.origin[2, 3], abs=1e-15)
-
-    @pytest.mark.parametrize("leg", LEGS)
-    def test_mjcf_foot_is_round_and_ends_at_the_legs_end(self, mjcf, leg):
-        (capsule,) = geoms(mjcf, f"{leg}_leg", 3)
-        assert mjcf.geom_type[capsule] == mujoco.mjtGeom.mjGEOM_CAPSULE
-        radius, half = mjcf.geom_size[capsule, :2]
-        assert radius == 0.02
-        assert mjcf.geom_pos[capsule, 2] - half - radius == pytest.approx(-0.16, abs=1e-15)
-        assert mjcf.geom_pos[capsule, 2] + half + radius == pytest.approx(0.0, abs=1e-15)
-        site = mjcf.site(f"{leg}_foot")
-        np.testing.assert_allclose(site.pos, [0, 0, -0.14], rtol=0, atol=1e-15)
-
-    @pytest.mark.parametrize("link", ["base_link", *(f"{leg}_hip" for leg in LEGS)])
-    def test_trunk_collides_in_its_visible_shape(self, urdf, mjcf, link):
-        (collision,) = urdf.link_map[link].collisions
-        visual = urdf.link_map[link].visuals[0]  # the second one of the base is the mark at its front
-        assert repr(collision.geometry) == repr(visual.geometry)
-        seen, (felt,) = geoms(mjcf, link, 2)[0], geoms(mjcf, link, 3)
-        assert mjcf.geom_type[seen] == mjcf.geom_type[felt]
-        np.testing.assert_array_equal(mjcf.geom_size[seen], mjcf.geom_size[felt])
-
     def test_only_legs_of_one_side_can_reach_each_other(self, mjcf):
         """Why no other pair of the robot's own links is tested for contact."""
         collision = {link: geoms(mjcf, link, 3)[0] for link in LINKS}
         joined = {("base_link", f"{leg}_hip") for leg in LEGS} | {(f"{leg}_hip", f"{leg}_leg") for leg in LEGS}
         corners = list(itertools.product(*([LIMITS["hip"], LIMITS["knee"]] * 4)))
-        positions = np.concatenate([corners, random_positions(np.random.default_rng(0), 200)])
+        positions = np.concatenate([corners, random_positions(np.random.default_rng(0), 50)])
         data = mujoco.MjData(mjcf)
         touching = set()
         for row in positions:
@@ -308,26 +192,3 @@ class TestAssets:
         assert again.vis.global_.offwidth < 5000
         assert build_model(motors=MotorConfig(hip=JointMotor(armature=0.02))).dof_armature[6] == 0.02
         assert build_model().dof_armature[6] == 0.01
-
-    def test_build_model_compiles_each_variant_once_and_an_edited_scene_again(self, monkeypatch, tmp_path):
-        scene = tmp_path / "scene.xml"
-        scene.write_text(asset_path("scene.xml").read_text())
-        monkeypatch.setattr("quadruped_env.simulation.model.asset_path", tmp_path.joinpath)
-        compiled = []
-        from_string = mujoco.MjSpec.from_string
-
-        class CountingSpec:
-            @staticmethod
-            def from_string(text, **options):
-                if "include" in options:  # the scene, not the robot alone
-                    compiled.append(text)
-                return from_string(text, **options)
-
-        monkeypatch.setattr(mujoco, "MjSpec", CountingSpec)
-        for _ in range(3):
-            assert build_model(0.004).opt.gravity[2] == -9.81
-        assert len(compiled) == 1
-        scene.write_text(scene.read_text().replace("<worldbody>", '<option gravity="0 0 -1.6"/><worldbody>', 1))
-        os.utime(scene, ns=(1, 1))
-        assert build_model(0.004).opt.gravity[2] == -1.6
-        assert len(compiled) == 2

@@ -22,8 +22,7 @@ from quadruped_env.control import ControlInterface
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.task_file import load_terms
-from quadruped_env.gait import PRESETS
-from quadruped_env.policies import CommandedGaitController, PolicyController, ZeroController, load_policy
+from quadruped_env.policies import GaitController, PolicyController, load_policy
 from quadruped_env.policies.files import read_policy
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
 from quadruped_env.robot.corners import corners
@@ -54,17 +53,6 @@ def walk(controller, commands, seconds=6.0):
 
 
 class TestModel:
-    def test_feet_are_where_closed_forms_say(self):
-        rng = np.random.default_rng(0)
-        positions = rng.uniform(ROBOT.joint_position_low, ROBOT.joint_position_high, (100, 8))
-        feet = ROBOT.foot_centres(positions)
-        for leg, name in enumerate(("RH", "LF", "LH", "RF")):
-            hip, knee = positions[:, 2 * leg], positions[:, 2 * leg + 1]
-            x, y = (0.18 if name[1] == "F" else -0.18), (0.12 if name[0] == "L" else -0.12)
-            forward = x - 0.05 * np.sin(hip) - 0.175 * np.sin(hip + knee)
-            down = -0.05 * np.cos(hip) - 0.175 * np.cos(hip + knee)
-            np.testing.assert_allclose(feet[:, leg], np.stack([forward, np.full(100, y), down], 1), atol=1e-12)
-
     def test_jacobian_is_the_derivative_of_the_feet(self):
         positions, step = ROBOT.stance + 0.1, 1e-6
         jacobian = ROBOT.foot_jacobians(positions)
@@ -138,27 +126,6 @@ class TestEnv:
         assert (motor.hip.kp, motor.hip.stall_torque, motor.knee) == (50.0, 14.0, ROBOT.motors.knee)
         assert TaskConfig(motor=motor).for_robot(ROBOT).motor == motor
 
-    def test_lengths_of_the_rewards_are_in_proportion_to_the_stance(self):
-        size = ROBOT.stance_height / MINI_QUADRUPED.stance_height
-        built_in = {name: TaskConfig().reward[name] for name in ("foot_lift", "base_arm")}
-        expected = {name: size * length for name, length in built_in.items()}
-        defined = TaskConfig(definition=BUILT_IN.with_robot(ROBOT))
-        for config in (CONFIG, defined, make(robot=ROBOT).unwrapped.task.config):
-            assert {name: config.reward[name] for name in expected} == pytest.approx(expected, rel=1e-5)
-            assert config == TaskConfig.from_dict({}, BUILT_IN.with_robot(ROBOT))
-        assert CONFIG.for_robot(MINI_QUADRUPED) == TaskConfig()
-
-    def test_lengths_that_the_config_gives_are_kept(self):
-        given = {"reward": {"base_arm": 0.21, "weights": {"upright": -4.0}}}
-        for config in (
-            TaskConfig.from_dict(given).for_robot(ROBOT),
-            make(robot=ROBOT, config=given).unwrapped.task.config,
-        ):
-            assert config.reward.base_arm == 0.21
-            assert config.reward.foot_lift == CONFIG.reward.foot_lift
-            assert config.reward.weights.upright == -4.0
-            assert TaskConfig.from_dict(config.to_dict(), config.definition) == config
-
     @pytest.mark.parametrize("robot", ["tall", 3, {"name": "tall"}])
     def test_no_robot_is_refused(self, robot):
         with pytest.raises(QuadrupedError, match="robot: expected"):
@@ -191,7 +158,7 @@ class TestGait:
         assert published.hip_amplitude == article.hip_amplitude
         np.testing.assert_allclose(trot, 0.0, atol=1e-12)  # all phases are 0 or half a cycle
 
-    @pytest.mark.parametrize("preset", [name for name in PRESETS if name != "article"])
+    @pytest.mark.parametrize("preset", ["trot", "tuned"])
     def test_feet_move_about_the_stance_as_those_of_the_tuned_robot(self, preset):
         """In proportion to its size, and as nearly as sinusoids can: the feet move by 6 cm and more."""
         t = np.linspace(0.0, 1.0, 200)
@@ -236,9 +203,7 @@ class TestGait:
 
     def test_tuned_gait_walks_and_turns_as_commanded(self):
         turns = [(0.0, 0.5)] * 3 + [(0.0, -0.5)] * 3
-        found = walk(
-            CommandedGaitController(CommandedGait.tuned(ROBOT)), [(0.3, 0.0), (0.0, 0.0), *[(-0.2, 0.0)] * 3, *turns]
-        )
+        found = walk(GaitController(CommandedGait.tuned(ROBOT)), [(0.3, 0.0), (0.0, 0.0), *[(-0.2, 0.0)] * 3, *turns])
         assert found[:, 2].min() > 0.9  # upright, though one start in three leads a turn astray
         forward = found[:, 0]
         assert 0.22 < forward[0] < 0.33
@@ -252,10 +217,6 @@ class TestGait:
         with pytest.raises(QuadrupedError, match="a leg of 'straight' is straight in the stance"):
             CommandedGait.tuned(straight)
         make(robot=straight).reset(seed=0)  # position mode needs no gait
-
-    def test_robot_stands_on_a_zero_action(self):
-        found = walk(ZeroController(), [(0.0, 0.0)])
-        np.testing.assert_allclose(found[0], [0.0, 0.0, 1.0], atol=0.01)
 
 
 class TestLive:
@@ -272,13 +233,14 @@ class TestLive:
         assert upright.min() > 0.95
         assert 0.15 < speeds[-400:].mean() < 0.45
 
+    @pytest.mark.slow
     def test_nodes_take_the_robot_from_a_file(self, start, nodes):
         from quadruped_env.live.messages.joint_messages import JointReader
         from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION
         from quadruped_env.ros import Qos, cdr
 
         node = nodes()
-        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, ROBOT))
+        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(ROBOT))
         described = node.subscribe(ROBOT_DESCRIPTION)
         odometry, ask = node.subscribe(ODOMETRY, Qos(1000)), node.publish(CMD_VEL)
         for arguments in (("sim",), ("state",), ("controller", "tuned")):

@@ -117,16 +117,6 @@ def test_the_sensors_go_on_after_a_step_that_was_broken_off(model, monkeypatch, 
     assert model.opt.disableflags == flags
 
 
-def test_positions_and_velocities_are_current_after_a_step(driver):
-    simulation = start(driver)
-    run(simulation, 5, seed=1)
-    for row in ALL:
-        qpos, qvel = physics_of(simulation, row)
-        np.testing.assert_array_equal(simulation.reading("joint_position")[row], qpos[7:])
-        np.testing.assert_array_equal(simulation.reading("joint_velocity")[row], qvel[6:])
-        np.testing.assert_array_equal(simulation.reading("base_position")[row], qpos[:3])
-
-
 def test_readings_are_live_views_with_the_documented_shapes(model):
     widths = {
         "joint_position": (8,),

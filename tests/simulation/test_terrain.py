@@ -37,21 +37,11 @@ def test_built_in_terrain_repeats_with_its_seed_and_is_level_at_start_and_edge(s
 def test_height_field_lookup_equals_mujocos_rays_inside_and_outside(shape):
     model = build_model(terrain=shape)
     field = HeightField.of(model)
-    points = np.random.default_rng(0).uniform(-0.52 * shape.size, 0.52 * shape.size, (2000, 2))
+    points = np.random.default_rng(0).uniform(-0.52 * shape.size, 0.52 * shape.size, (400, 2))
     np.testing.assert_allclose(field.at(points), ray_heights(model, points), atol=1e-12)
     outside = np.abs(points).max(axis=1) > 0.5 * shape.size
-    assert 50 < outside.sum() < 500
+    assert 10 < outside.sum() < 100
     np.testing.assert_allclose(field.at(points[outside]), shape.heights().min() - 0.01, atol=1e-9)
-
-
-def test_height_field_lookup_at_grid_points_equals_the_terrains_heights():
-    shape = hills.variant(2)
-    grid = np.linspace(-0.5 * shape.size, 0.5 * shape.size, len(shape.heights()))
-    x, y = np.meshgrid(grid, grid)
-    # MuJoCo stores heights as float32.
-    np.testing.assert_allclose(
-        HeightField.of(build_model(terrain=shape)).at(np.stack([x, y], -1)), shape.heights(), atol=1e-8
-    )
 
 
 def test_height_field_lookup_of_a_point_does_not_depend_on_the_others():
@@ -67,7 +57,7 @@ def test_height_field_lookup_of_a_point_does_not_depend_on_the_others():
 def test_highest_ground_bounds_the_ground_around_a_point():
     field = HeightField.of(build_model(terrain=hills))
     rng = np.random.default_rng(2)
-    for point in rng.uniform(-15.0, 15.0, (50, 2)):
+    for point in rng.uniform(-15.0, 15.0, (10, 2)):
         around = point + rng.uniform(-0.25, 0.25, (500, 2))
         nearby = point + rng.uniform(-0.45, 0.45, (5000, 2))
         assert field.at(around).max() <= field.highest(point, 0.25) <= field.at(nearby).max() + 0.003

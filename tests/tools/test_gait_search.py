@@ -214,6 +214,7 @@ def test_search_with_new_starts_ends_with_its_mean_else_with_the_best(pretend):
 # --- tables ---
 
 
+@pytest.mark.slow
 def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, capsys):
     """With one generation of three candidates, a start and no time to walk."""
     monkeypatch.setattr(gait_search, "CANDIDATES", 4)

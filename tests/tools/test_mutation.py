@@ -82,6 +82,7 @@ def test_all_named_files_and_tests_exist():
     assert [pattern for pattern in (*mutation.FILES, *mutation.TESTS) if not list(ROOT.glob(pattern))] == []
 
 
+@pytest.mark.slow
 def test_runner_runs_the_given_code_in_place_of_the_file(tiny):
     names = ["tests/core/test_sums.py::test_lowered", "tests/core/test_sums.py::test_raised"]
     codes = [

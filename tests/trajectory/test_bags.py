@@ -19,23 +19,19 @@ from quadruped_env import (
     asset_path,
     forward_kinematics,
 )
-from quadruped_env.ros import cdr
 
 pytest.importorskip("rosbags")
-from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
 
 class TestRoundTrip:
     @pytest.mark.parametrize("kind", KINDS)
     def test_to_the_last_bit(self, tmp_path, kind):
-        trajectory = random_trajectory(rows=5000)
+        trajectory = random_trajectory(rows=1000)
         assert_same(JointTrajectory.load(save(trajectory, tmp_path / "new", kind)), trajectory)
         assert [entry.name for entry in (tmp_path / "new").iterdir()] in (["bag"], [kind])
 
-    @pytest.mark.parametrize(
-        "changes", [{"velocities": None}, {"efforts": None}, {"velocities": None, "efforts": None}]
-    )
+    @pytest.mark.parametrize("changes", [{"velocities": None}, {"velocities": None, "efforts": None}])
     def test_fields_that_were_not_recorded_stay_missing(self, tmp_path, changes):
         trajectory = random_trajectory(**changes)
         assert_same(JointTrajectory.load(save(trajectory, tmp_path, "mcap")), trajectory)
@@ -63,12 +59,14 @@ def read_independently(path):
 
 
 class TestReadByOthers:
-    @pytest.mark.parametrize("compress", [False, True])
-    def test_mcap_has_the_same_numbers(self, tmp_path, compress):
-        trajectory = random_trajectory(rows=3000)
-        trajectory.save(tmp_path / "a.mcap", compress=compress)
+    def test_mcap_has_the_same_numbers(self, tmp_path):
+        trajectory = random_trajectory(rows=300)
+        trajectory.save(tmp_path / "a.mcap")
         topics = read_independently(tmp_path / "a.mcap")
         assert set(topics) == {"/joint_states", "/robot_description", "/tf", "/tf_static"}
+        ((time, description),), ((_, static),) = topics["/robot_description"], topics["/tf_static"]
+        assert (time, description.data) == (trajectory.stamps[0], asset_path("mini_quadruped.urdf").read_text())
+        assert list(static.transforms) == []
         states = topics["/joint_states"]
         assert [time for time, _ in states] == trajectory.stamps.tolist()
         assert [m.header.stamp.sec * 10**9 + m.header.stamp.nanosec for _, m in states] == trajectory.stamps.tolist()
@@ -82,50 +80,33 @@ class TestReadByOthers:
 
     def test_every_chunk_has_its_checksum(self, tmp_path):
         reader = pytest.importorskip("mcap.stream_reader")
-        random_trajectory(rows=6000).save(tmp_path / "a.mcap")
+        random_trajectory(rows=3000).save(tmp_path / "a.mcap")
         with (tmp_path / "a.mcap").open("rb") as file:
             records = list(reader.StreamReader(file, emit_chunks=True, validate_crcs=True).records)
         chunks = [record for record in records if type(record).__name__ == "Chunk"]
         assert len(chunks) > 1
         assert all(chunk.uncompressed_crc == zlib.crc32(chunk.data) for chunk in chunks)
 
-    def test_latched_topics_stand_at_the_beginning(self, tmp_path):
-        trajectory = random_trajectory(rows=100)
+    def test_transforms_are_those_of_the_rows_every_50_ms_at_most(self, tmp_path):
+        trajectory = random_trajectory(rows=1000)
         trajectory.save(tmp_path / "a.mcap")
-        topics = read_independently(tmp_path / "a.mcap")
-        ((time, description),) = topics["/robot_description"]
-        assert (time, description.data) == (STAMPS[0], asset_path("mini_quadruped.urdf").read_text())
-        ((time, static),) = topics["/tf_static"]
-        assert (time, list(static.transforms)) == (STAMPS[0], [])
-
-    @pytest.mark.parametrize(("rate", "period"), [(20.0, 50_000_000), (100.0, 10_000_000), (30.0, 33_333_333)])
-    def test_transforms_are_the_robots_at_multiples_of_the_period(self, tmp_path, rate, period):
-        trajectory = random_trajectory(rows=5000)
-        trajectory.save(tmp_path / "a.mcap", tf_rate=rate)
         found = read_independently(tmp_path / "a.mcap")["/tf"]
-        stamps = np.array([time for time, _ in found])
-        first = -(-STAMPS[0] // period) * period
-        np.testing.assert_array_equal(stamps, np.arange(first, trajectory.stamps[-1] + 1, period))
-        positions = trajectory.positions_at((stamps - STAMPS[0]) / 1e9)
-        for (stamp, message), row in list(zip(found, positions, strict=True))[:: len(found) // 20]:
+        due = np.diff(trajectory.stamps // 50_000_000, prepend=0) > 0
+        assert 390 < due.sum() < 410
+        assert [time for time, _ in found] == trajectory.stamps[due].tolist()
+        for (stamp, message), row in list(zip(found, trajectory.positions[due], strict=True))[::40]:
             poses = {"base_link": np.eye(4)}
             for one in message.transforms:
                 assert one.header.stamp.sec * 10**9 + one.header.stamp.nanosec == stamp
                 poses[one.child_frame_id] = poses[one.header.frame_id] @ matrix_of(one.transform)
             for link, (position, quaternion) in forward_kinematics(row).items():
-                expected = matrix(position, quaternion)
-                np.testing.assert_allclose(poses[link], expected, rtol=0, atol=1e-9)
-
-    def test_no_transforms_at_a_rate_of_zero(self, tmp_path):
-        random_trajectory().save(tmp_path / "a.mcap", tf_rate=0.0)
-        assert "/tf" not in read_independently(tmp_path / "a.mcap")
+                np.testing.assert_allclose(poses[link], matrix(position, quaternion), rtol=0, atol=1e-9)
 
     def test_the_base_moves_in_its_odometry_frame(self, tmp_path):
         rows = 200
         yaw = np.linspace(0.0, 7.0, rows)
         base = np.zeros((rows, 7))
         base[:, 0], base[:, 3], base[:, 6] = np.arange(rows), np.cos(yaw / 2), np.sin(yaw / 2)
-        base[::2, 3:] *= -1.0  # the same rotations
         random_trajectory(rows=rows).save(tmp_path / "a.mcap", base_pose=base)
         for stamp, message in read_independently(tmp_path / "a.mcap")["/tf"]:
             one = message.transforms[0]
@@ -216,17 +197,16 @@ class TestBagsOfOthers:
         trajectory = random_trajectory(rows=200)
         path = write_ros1(tmp_path / "a.bag", trajectory, compression)
         assert_same(JointTrajectory.load(path), trajectory)
-        assert_same(JointTrajectory.load(path, salvage=True), trajectory)
+        assert_same(JointTrajectory.load(path, repair=["salvage"]), trajectory)
 
     def test_a_bag_in_several_files(self, tmp_path):
         trajectory = random_trajectory(rows=300)
-        parts = [trajectory.rows(np.s_[i : i + 25]) for i in range(0, 300, 25)]
+        parts = [trajectory.at(trajectory.stamps[i : i + 25]) for i in range(0, 300, 25)]
         (tmp_path / "bag").mkdir()
         for i, part in enumerate(parts):
-            part.save(tmp_path / "bag" / f"bag_{i}.mcap", tf_rate=0)
+            part.save(tmp_path / "bag" / f"bag_{i}.mcap")
         loaded = JointTrajectory.load(tmp_path / "bag")
         assert_same(loaded, trajectory)
-        assert loaded.source.notes[0] == "there is no metadata.yaml: the storage files were read without it"
 
     def test_topics_are_chosen_and_never_guessed(self, tmp_path):
         messages = [(i, fields(stamp=i)) for i in range(10)]
@@ -244,13 +224,6 @@ class TestBagsOfOthers:
         loaded = JointTrajectory.load(path)
         assert loaded.stamps.tolist() == [0, 2, 4, 6, 8]
         assert loaded.source.notes == ("read /joint_states; there are joint states on /other too (--topic)",)
-
-    def test_a_bag_of_something_else_is_named(self, tmp_path):
-        with Writer(tmp_path / "bag", version=8, storage_plugin=StoragePlugin.MCAP) as writer:
-            connection = writer.add_connection("/chatter", "std_msgs/msg/String", typestore=cdr.typestore())
-            writer.write(connection, 0, cdr.serialize(cdr.message("std_msgs/msg/String", data="x")))
-        with pytest.raises(QuadrupedError, match=r"no topic of type .*; the types in it are: std_msgs/msg/String"):
-            JointTrajectory.load(tmp_path / "bag")
 
     def test_timestamps_may_be_the_times_of_recording(self, tmp_path):
         path = write_bag(tmp_path / "bag", [(5, fields()), (8, fields())])
@@ -289,18 +262,16 @@ class TestTargets:
     def test_nothing_is_left_where_writing_fails(self, tmp_path):
         late = JointTrajectory([0, 2**62], JOINT_NAMES, np.zeros((2, 8)))
         with pytest.raises(QuadrupedError, match=r"stamp 4611686018427387904 ns: a ROS message holds"):
-            late.save(tmp_path / "bag", tf_rate=0)
+            late.save(tmp_path / "bag")
         assert list(tmp_path.iterdir()) == []
 
     @pytest.mark.parametrize(
         ("name", "options", "message"),
         [
             ("a.bag", {}, r"unknown ending '\.bag'; a CSV ends in \.csv, a bare storage file in \.mcap or \.db3"),
-            ("a.mcap", {"storage": "sqlite3"}, r"the ending is that of mcap, and the storage is to be sqlite3"),
+            ("a.mcap", {"storage": "sqlite3"}, r"the ending belongs to mcap, and the storage is to be sqlite3"),
             ("a", {"storage": "rosbag1"}, r"storage: expected one of mcap, sqlite3; found 'rosbag1'"),
-            ("a", {"tf_rate": -1.0}, r"tf_rate: expected 0 to 1e6 Hz; found -1\.0"),
-            ("a.db3", {"compress": True}, r"a bare sqlite3 file cannot be compressed"),
-            ("a.csv", {"compress": True}, r"a CSV has no storage and is not compressed"),
+            ("a.csv", {"storage": "mcap"}, r"a CSV has no storage"),
             ("a", {"base_pose": np.zeros((4, 6))}, r"base_pose must be numbers of shape \(4, 7\)"),
         ],
     )
@@ -312,15 +283,17 @@ class TestTargets:
 
 @pytest.mark.parametrize("module", ["rosbags.rosbag2", "rosbags.rosbag1", "yaml"])
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch, module):
-    random_trajectory().save(tmp_path / "a.mcap")
+    write_ros1(tmp_path / "a.bag", random_trajectory())
     (tmp_path / "a.yaml").write_text("header:\n")
     monkeypatch.setitem(sys.modules, module, None)
+    programs = {
+        "rosbags.rosbag2": lambda: random_trajectory().save(tmp_path / "b.mcap"),
+        "rosbags.rosbag1": lambda: JointTrajectory.load(tmp_path / "a.bag"),
+        "yaml": lambda: JointTrajectory.load(tmp_path / "a.yaml"),
+    }
     with pytest.raises(MissingExtraError, match=r"needs the 'ros' extra: .*pip install 'mini-quadruped\[ros\]'"):
-        JointTrajectory.load(tmp_path / ("a.yaml" if module == "yaml" else "a.mcap"))
-    if module == "rosbags.rosbag2":
-        with pytest.raises(MissingExtraError, match="writing bags needs the 'ros' extra"):
-            random_trajectory().save(tmp_path / "b.mcap")
-        assert not (tmp_path / "b.mcap").exists()
+        programs[module]()
+    assert not (tmp_path / "b.mcap").exists()
 
 
 def test_float_with_any_alignment_is_read(tmp_path):

@@ -52,6 +52,16 @@ def test_advantages_of_two_robots_equal_values_by_hand():
     np.testing.assert_allclose(np.reshape(found["returns"], (3, 2)), expected + values)
 
 
+def test_episode_whose_time_is_up_is_continued_by_the_value_and_a_fall_is_not():
+    ends = [{"step": 3, "fell": False}, {"step": 2, "fell": True}, {"step": 9, "fell": False}]
+    found = computed("rollout", steps=4, ends=ends)
+    assert found["totals"] == [12.0, 0.0, 1.0]
+    np.testing.assert_array_equal(np.reshape(found["ends"], (4, 3)), [[0, 0, 0], [0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    rewards = np.ones((4, 3))
+    rewards[2, 0] += 0.98 * 10.0
+    np.testing.assert_allclose(np.reshape(found["rewards"], (4, 3)), rewards, rtol=1e-6)
+
+
 def perceptron(parameters, sizes, inputs):
     """Outputs of a perceptron with elu (M, sizes[-1]), and the parameters that are left."""
     for inner, (n, m) in enumerate(itertools.pairwise(sizes), start=2):
@@ -164,6 +174,60 @@ def test_terms_and_observation_equal_the_packages():
     swing = np.sin(phase + np.repeat([0.0, math.pi, math.pi, 0.0], 2))
     marching = STANCE + np.array([0.1 / math.pi, -0.2 / math.pi] * 4) + np.array([0.05, -0.1] * 4) * swing
     np.testing.assert_allclose(found[-1]["target"], np.clip(marching + 0.4 * action, -2.0, 1.5), atol=1e-6)
+
+
+@pytest.fixture
+def walking():
+    """Numbers of learning, of control, and readings of a robot that walks at 0.4 m/s and turns at 0.3 rad/s."""
+    step = {name: np.zeros(8) for name in ("joint_position", "joint_velocity", "action")}
+    step |= {"linear_velocity_b": [0.4, 0, 0], "angular_velocity_b": [0, 0, 0.3], "projected_gravity": [0, 0, -1]}
+    step |= {"foot_force": np.zeros(4), "foot_position": np.zeros(12), "fallen": False, "command": [0.4, 0.3]}
+    config = TaskConfig()
+    control = {"timestep": config.control_timestep, "command_rate": [9.0, 9.0]}
+    return {"learning": learning_document(config), "control": control, "step": step}
+
+
+def test_smoothed_velocity_and_last_action_begin_again_with_an_episode(walking):
+    walking["step"]["action"] = np.full(8, 0.5)
+    first, second, again = computed("reset", **walking)
+    assert second["forward_progress"] > 1.5 * first["forward_progress"] > 0.0
+    assert (first["action_rate"], second["action_rate"]) == (2.0, 0.0)
+    for name in ("forward_progress", "turn_progress", "track_forward_velocity", "track_yaw_rate", "action_rate"):
+        assert again[name] == first[name], name
+
+
+@pytest.mark.parametrize(("fallen", "time", "ended"), [(False, 7.0, False), (False, 7.99, True), (True, 1.0, True)])
+def test_episode_ends_by_a_fall_or_after_8_seconds(walking, fallen, time, ended):
+    walking["step"]["fallen"] = fallen
+    found = computed("end", **walking, time=time)
+    assert (found["fell"], found["ended"]) == (fallen, ended)
+
+
+def test_reward_of_a_simulation_that_diverges_is_that_of_a_fall(walking):
+    walking["step"] |= {"linear_velocity_b": [None, 0, 0], "foot_position": ["x"] * 12, "fallen": True}
+    found = computed("end", **walking, time=1.0)
+    assert found["ended"]
+    assert found["reward"] == pytest.approx(0.02 * walking["learning"]["weights"]["fall"])
+
+
+def test_pushes_come_from_all_sides_at_their_rate_each_with_a_new_command(walking):
+    count = 60_000
+    found = computed("pushes", **walking, count=count, turns=0.8)
+    pushes, requests = np.array(found["pushes"]), np.array(found["requests"])
+    expected = count * 0.02 / 3.0
+    assert len(pushes) == pytest.approx(expected, abs=5 * math.sqrt(expected))
+    size, direction = np.hypot(*pushes[:, :2].T), np.arctan2(*pushes[:, 1::-1].T)
+    assert (pushes[:, 2] == 0.0).all()
+    assert size.max() < 0.3
+    assert size.mean() == pytest.approx(0.15, abs=0.03)
+    quadrants = np.histogram(direction, bins=8, range=(-math.pi, math.pi))[0]
+    assert quadrants.min() > 0.5 * len(pushes) / 8
+    # Every second command is the one to learn; the others are slower and turn to both sides.
+    same = (requests == walking["step"]["command"]).all(axis=1)
+    assert same.mean() == pytest.approx(0.5, abs=0.15)
+    assert ((requests[~same, 0] >= 0.0) & (requests[~same, 0] < 0.4)).all()
+    assert np.abs(requests[~same, 1]).max() < 0.8
+    assert 0.3 < (requests[~same, 1] > 0.0).mean() < 0.7
 
 
 def document_width(document):

@@ -8,7 +8,7 @@ import numpy as np
 from mujoco.batch import Batch
 
 from benchmarks import env_speed, terrain_speed
-from benchmarks.env_speed import CHUNKS, ROBOT, ROWS, joint_targets
+from benchmarks.env_speed import CHUNKS, NUM_ENVS, ROBOT, joint_targets
 from benchmarks.measures import Measure, Say, row, run_python, seconds_of
 
 
@@ -53,7 +53,7 @@ def training_over_bare() -> list[Measure]:
 
 def terrain_over_plane(chunks: int = CHUNKS) -> list[Measure]:
     """Physics on tiles of all kinds and levels over that on the plane; `chunks`: how often the grounds take turns."""
-    ratio, step = terrain_speed.ratios(ROWS, chunks)
+    ratio, step = terrain_speed.ratios(NUM_ENVS, chunks)
     detail = f"a physics step on the plane takes {step:.1f} us"
     return [Measure("physics on tiles over that on the plane", ratio, "x", "<= 1.5", ratio <= 1.5, detail)]
 
@@ -138,12 +138,7 @@ def kinematics() -> list[Measure]:
 WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
     "import": import_time,
     "kinematics": kinematics,
-    "single": env_speed.single_over_ant,
-    "gymnasium": env_speed.gymnasium_over_ant,
-    "sync": env_speed.vector_over_sync,
-    "vector": env_speed.vector_over_bare,
-    "rows": env_speed.cost_by_rows,
-    "randomization": env_speed.randomized_over_plain,
+    **env_speed.WORKS,
     "training": training_over_bare,
     "terrain": terrain_over_plane,
     "env-memory": env_memory,

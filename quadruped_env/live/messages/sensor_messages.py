@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
-from quadruped_env.robot.link_transforms import ODOMETRY_FRAME, Transform
+from quadruped_env.robot.kinematics import ODOMETRY_FRAME, Transform
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
@@ -20,7 +20,6 @@ class Sensors:
     """The robot's publishers: joint states, IMU, odometry, the base's transform and the clock.
 
     Args:
-        node: the publishing node.
         robot: robot whose readings are sent.
         driver: conversion to the driver's joints; None: they are the robot's.
     """

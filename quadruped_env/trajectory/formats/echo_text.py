@@ -26,10 +26,10 @@ from numpy.typing import NDArray
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.ros.robot_messages import RECORDED_TYPES, RawJointState, dynamic_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
-from quadruped_env.trajectory.file_reading import Reading
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.formats.message_rows import assembled
-from quadruped_env.trajectory.formats.salvage import choose_topics
+from quadruped_env.trajectory.formats.storage import choose_topics
+from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, Rows
 
 LOST: Final = "A message was lost!!!"
@@ -55,8 +55,8 @@ _TRAJECTORY_KEYS: Final = ("joint_names", "points")
 _ARRAY_KEYS: Final = ("layout", "data")
 _POINT_KEYS: Final = ("positions", "velocities", "accelerations", "effort", "time_from_start")
 
-Node = str | list[Any] | tuple[Any, ...]
-"""A node of YAML or JSON, its values still as text: a scalar, a sequence, or the pairs of a mapping"""
+Node = str | list[Any] | dict[str, Any] | None
+"""A node of YAML or JSON, its values still as text"""
 
 
 def read_yaml(reading: Reading) -> Iterator[Rows]:
@@ -85,19 +85,17 @@ def read_json_lines(reading: Reading) -> Iterator[Rows]:
 
 def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
     """Number in the file, and joint states of the messages."""
-    yaml = yaml_module()
     reading.row_name = "message"
     with opened(reading) as file:
         number = 0
-        for text in _documents(lines(file, reading, 1), reading):
+        for text in _documents(lines(file, reading), reading):
             if text.lstrip().startswith(LOST):
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                states = _states(_document(yaml, text), reading)
-            except (yaml.YAMLError, ValueError) as error:
-                reason = " ".join(str(error).split())
-                raise reading.error(number, f"{reason}; {_FORM}; fix it or delete it") from error
+                states = _states(safe_yaml(text, _MAX_DEPTH), reading)
+            except ValueError as error:
+                raise reading.error(number, f"{error}; {_FORM}; fix it or delete it") from error
             yield number, states
             number += 1
     if not number:
@@ -124,15 +122,15 @@ def _json_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
 def _json_nodes(reading: Reading) -> Iterator[tuple[int, str, Node]]:
     """Number of the line, topic, and message."""
     with opened(reading) as file:
-        for number, line in enumerate(lines(file, reading, 1), 1):
+        for number, line in enumerate(lines(file, reading), 1):
             if not line.strip():
                 continue
             try:
                 # Numbers stay text: some are longer than Python reads.
-                node = json.loads(line, object_pairs_hook=tuple, parse_float=str, parse_int=str, parse_constant=str)
+                node = json.loads(line, parse_float=str, parse_int=str, parse_constant=str)
             except (ValueError, RecursionError) as error:
                 raise reading.error(number, f"not JSON ({error}); {_JSON_FORM}; fix it or delete it") from error
-            fields = dict(node) if isinstance(node, tuple) else {}
+            fields = node if isinstance(node, dict) else {}
             if fields.get("op", "publish") != "publish":
                 reading.note("lines with another operation than publish were left out")
             elif "msg" in fields:
@@ -155,7 +153,7 @@ def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]
     """Number of the line, and message."""
     reading.row_name = "line"
     with opened(reading) as file:
-        for number, line in enumerate(lines(file, reading, 1), 1):
+        for number, line in enumerate(lines(file, reading), 1):
             if line.startswith((LOST, "\t")):
                 reading.note(_LOST_NOTE)
                 continue
@@ -165,17 +163,29 @@ def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]
                 raise reading.error(number, f"{error}; fix the line or delete it") from error
 
 
-def yaml_module() -> Any:
-    """PyYAML.
+def safe_yaml(text: str, max_depth: int) -> Any:
+    """The only document in YAML text, its scalars as text; None if it is empty.
 
     Raises:
-        MissingExtraError: if it is not installed.
+        ValueError: if it is not YAML, holds several documents or anchors, or is nested too deeply.
+        MissingExtraError: if PyYAML is not installed.
     """
     try:
         import yaml
     except ImportError as error:
         raise MissingExtraError("reading YAML", "ros") from error
-    return yaml
+    depth = 0
+    try:
+        # Before it is composed, which recurses in C: 30,000 brackets would crash the process.
+        for event in yaml.parse(text, yaml.CSafeLoader):
+            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+            if depth > max_depth:
+                raise ValueError(f"nested deeper than {max_depth} levels")
+            if getattr(event, "anchor", None) is not None:
+                raise ValueError(f"there is an anchor or alias, {short(event.anchor)}")
+        return yaml.load(text, yaml.CBaseLoader)
+    except yaml.YAMLError as error:
+        raise ValueError(" ".join(str(error).split())) from error
 
 
 def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
@@ -208,40 +218,7 @@ def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
         yield "".join(parts)
 
 
-def _document(yaml: Any, text: str) -> Node | None:
-    """The only document in YAML text; None if it is empty.
-
-    Built from PyYAML's events, since its own composer recurses in C: 30,000 brackets crash the process.
-
-    Raises:
-        yaml.YAMLError: if it is not YAML.
-        ValueError: if it holds several documents or anchors, or is nested too deeply.
-    """
-    root: list[Any] = []
-    """The node, once its first event has come"""
-    levels: list[list[Any]] = []
-    """The children of the open nodes; of a mapping, keys and values alternate"""
-    for event in yaml.parse(text, yaml.CSafeLoader):
-        children = levels[-1] if levels else root
-        if getattr(event, "anchor", None) is not None:
-            raise ValueError(f"there is an anchor or alias, {short(event.anchor)}")
-        if isinstance(event, yaml.ScalarEvent):
-            children.append(event.value)
-        elif isinstance(event, yaml.CollectionStartEvent):
-            if len(levels) == _MAX_DEPTH:
-                raise ValueError(f"it is nested deeper than {_MAX_DEPTH} levels")
-            levels.append([])
-            children.append(levels[-1])
-        elif isinstance(event, yaml.CollectionEndEvent):
-            pairs = levels.pop()
-            if isinstance(event, yaml.MappingEndEvent):
-                (levels[-1] if levels else root)[-1] = tuple(zip(pairs[::2], pairs[1::2], strict=True))
-        elif isinstance(event, yaml.DocumentStartEvent) and root:
-            raise ValueError("there are two documents")
-    return root[0] if root else None
-
-
-def _states(node: Node | None, reading: Reading) -> list[RawJointState]:
+def _states(node: Node, reading: Reading) -> list[RawJointState]:
     """The joint states in a node: of a `JointState`, `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
 
     Raises ValueError if the node holds another message.
@@ -297,20 +274,20 @@ def _numbers(node: Node, what: str) -> NDArray[np.float64]:
     return np.array([_number(item, what) for item in _sequence(node, what)], dtype=np.float64)
 
 
-def _keys(node: Node | None) -> list[str]:
+def _keys(node: Node) -> list[str]:
     """Keys of a mapping; none of another node."""
-    return [key for key, _ in node if isinstance(key, str)] if isinstance(node, tuple) else []
+    return [str(key) for key in node] if isinstance(node, dict) else []
 
 
-def _mapping(node: Node | None, keys: tuple[str, ...], what: str) -> dict[str, Any]:
-    """Key -> node. YAML's own mappings would silently keep the last of two equal keys."""
-    pairs = node if isinstance(node, tuple) else ()
+def _mapping(node: Node, keys: tuple[str, ...], what: str) -> dict[str, Any]:
+    """A mapping with these keys. Raises ValueError for another node."""
     found = _keys(node)
-    if sorted(found) != sorted(keys) or len(found) != len(pairs):
+    if sorted(found) != sorted(keys):
         some = ", ".join(short(key)[1:-1] for key in found[:_MAX_KEYS_SHOWN])
         more = f" and {len(found) - _MAX_KEYS_SHOWN} more" if len(found) > _MAX_KEYS_SHOWN else ""
-        raise ValueError(f"{what} must have {', '.join(keys)}, each once; found {some or 'none'}{more}")
-    return dict(pairs)
+        raise ValueError(f"{what} must have {', '.join(keys)}; found {some or 'none'}{more}")
+    assert isinstance(node, dict)
+    return node
 
 
 def _sequence(node: Node, what: str) -> list[Any]:

@@ -1,7 +1,9 @@
-"""CSVs of any columns, read by a column map: see `quadruped_env.trajectory.maps`."""
+"""CSVs, read by a map of their columns: see `quadruped_env.trajectory.maps`."""
 
 import csv
+import math
 import re
+from array import array
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from datetime import datetime
@@ -11,23 +13,16 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.errors import short
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros.timestamps import NS_PER_SECOND
-from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats.delimited import (
-    Layout,
-    StampParser,
-    is_number,
-    lines,
-    opened,
-    salvaged_text,
-    table_rows,
-    with_point,
-)
+from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.maps import STAMP_UNITS, Column, ColumnMap
+from quadruped_env.trajectory.reading import Reading, salvaged
 from quadruped_env.trajectory.rows import ARRAYS, KINDS, Rows
 
+MISSING: Final = "values that the column map marks as missing: read as not recorded (NaN)"
+_ROWS_PER_PIECE: Final = 4096
 _MAX_SHOWN: Final = 12
 """Names of columns that an error lists."""
 _KIND_WORDS: Final = {
@@ -52,18 +47,17 @@ def read(reading: Reading, columns: ColumnMap | None = None) -> Iterator[Rows]:
     Raises:
         QuadrupedError: if a file is missing or damaged, or lacks a column.
     """
-    columns = columns or reading.options.columns
-    assert columns is not None
-    if columns.stamp is None and reading.options.period is None:
+    given = columns or reading.options.columns
+    assert isinstance(given, ColumnMap)
+    if given.stamp is None and reading.options.period is None:
         raise reading.error(
             None,
-            f"{columns.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
+            f"{given.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
             f"(period in the map, or --stamps 0.02)",
         )
-    velocity_file = (columns.velocity_files or {}).get(reading.path.name)
-    if velocity_file is None:
-        return salvaged_text(_rows(reading, columns), reading)
-    return salvaged_text(_rows_of_two_files(reading, columns, velocity_file), reading)
+    velocity_file = (given.velocity_files or {}).get(reading.path.name)
+    rows = _rows(reading, given) if velocity_file is None else _rows_of_two_files(reading, given, velocity_file)
+    return salvaged(rows, reading, len, is_text=True)
 
 
 def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
@@ -124,7 +118,7 @@ def _rows_of_two_files(reading: Reading, columns: ColumnMap, velocity_file: str)
     of_velocities = replace(columns, positions=columns.velocities or columns.positions, velocities=None, efforts=None)
     pieces = _rows(reading, replace(columns, velocities=None))
     for piece, speeds in zip_longest(pieces, _rows(other, of_velocities)):
-        if piece is not None and speeds is not None and reading.options.salvage:
+        if piece is not None and speeds is not None and reading.repairs("salvage"):
             # A piece that ends at damage is shorter than that of the other file.
             count = min(len(piece), len(speeds))
             piece, speeds = piece.take(np.s_[:count]), speeds.take(np.s_[:count])  # noqa: PLW2901
@@ -139,63 +133,120 @@ def _rows_of_two_files(reading: Reading, columns: ColumnMap, velocity_file: str)
 
 
 def _rows(reading: Reading, columns: ColumnMap) -> Iterator[Rows]:
+    """The rows of one file. If the options ask to salvage, those before a damaged line come before its error."""
     reading.row_name = "line"
     with opened(reading) as file:
-        table = csv.reader(lines(file, reading, 1), delimiter=columns.separator, strict=True)
+        table = csv.reader(lines(file, reading), delimiter=columns.separator, strict=True)
         try:
             first = next(table, None)
             if first is None:
                 expected = "a line that names the columns, and rows" if columns.has_header_line else "rows"
                 raise reading.error(None, f"the file is empty; expected {expected}")
-            rows: Iterable[tuple[int, list[str]]] = ((table.line_num, row) for row in table)
+            cells: Iterable[tuple[int, list[str]]] = ((table.line_num, row) for row in table)
             if columns.has_header_line:
                 titles = [title.strip() for title in first]
             else:
-                rows = chain([(table.line_num, first)], rows)
+                cells = chain([(table.line_num, first)], cells)
                 given = columns.header if isinstance(columns.header, list) else None
                 titles = given or [f"column {number}" for number in range(1, len(first) + 1)]
-            yield from table_rows(rows, _layout(titles, columns, reading), reading)
+            yield from _pieces(cells, _Layout(titles, columns, reading), reading)
         except csv.Error as error:
             raise reading.error(table.line_num, f"{error}; fix the line") from error
 
 
-def _layout(titles: list[str], columns: ColumnMap, reading: Reading) -> Layout:
-    def index(key: str, column: Column) -> int:
+def _pieces(table: Iterable[tuple[int, list[str]]], layout: "_Layout", reading: Reading) -> Iterator[Rows]:
+    """The rows of a table, given as line numbers and cells."""
+    numbers, stamps, values = array("q"), array("q"), array("d")
+
+    def piece() -> Rows:
+        # Without what a bad cell has left unfinished.
+        count, width = len(numbers), len(layout.used)
+        found = np.frombuffer(values)[: count * width].reshape(count, width)
+        marked = np.isin(found, layout.marks)
+        reading.counted[MISSING] += int(np.count_nonzero(marked))
+        parts = np.split(np.where(marked, np.nan, found), len(layout.kinds), axis=1)
+        rows = dict(zip(layout.kinds, parts, strict=True))
+        return Rows(np.frombuffer(numbers, np.int64), np.frombuffer(stamps, np.int64)[:count], layout.names, rows)
+
+    try:
+        for number, cells in table:
+            if len(cells) != len(layout.titles):
+                raise reading.error(
+                    number,
+                    f"expected {len(layout.titles)} columns, as in the header; found {len(cells)}; "
+                    f"the line is damaged or cut off: fix it, or keep the lines before it (--repair salvage)",
+                )
+            reading.rows += 1
+            try:
+                stamps.append(reading.rows - 1 if layout.stamp is None else layout.parse_stamp(cells[layout.stamp]))
+                values.extend(map(layout.parse, [cells[column] for column in layout.used]))
+            except (ValueError, OverflowError):
+                raise _bad_cell(cells, layout, number, reading) from None
+            numbers.append(number)
+            if len(numbers) == _ROWS_PER_PIECE:
+                yield piece()
+                numbers, stamps, values = array("q"), array("q"), array("d")
+    except (ValueError, OSError, csv.Error):
+        if reading.repairs("salvage") and numbers:
+            yield piece()
+        raise
+    if numbers:
+        yield piece()
+    elif not reading.rows:
+        raise reading.error(None, "there is a header and no row; the recording is empty, record again")
+
+
+class _Layout:
+    """The columns of a file with these titles, by a column map."""
+
+    def __init__(self, titles: list[str], columns: ColumnMap, reading: Reading) -> None:
+        self.titles = titles
+        self.names = columns.joints
+        self.kinds = tuple(columns.columns)
+        self.stamp = None if columns.stamp is None else self._index("stamp", columns.stamp, columns, reading)
+        """Index of the column of the timestamp; without one, rows are 1 ns apart"""
+        self.used = [
+            self._index(ARRAYS[kind], given[name], columns, reading)
+            for kind, given in columns.columns.items()
+            for name in self.names
+        ]
+        """Indices of all other columns that are read, kind by kind"""
+        self.marks = [mark for mark in columns.marks if not isinstance(mark, str)]
+        """Numbers that mark a missing value"""
+        self.unit = columns.stamp_unit
+        self._blanks = {mark.strip() for mark in columns.marks if isinstance(mark, str)}
+        self._decimal = columns.decimal
+        self._counted = reading.counted
+
+    def _index(self, key: str, column: Column, columns: ColumnMap, reading: Reading) -> int:
+        titles = self.titles
         if isinstance(column, int):
             if column > len(titles):
                 raise reading.error(1, f"no column {column}, which {columns.name} {key} asks for; found {len(titles)}")
             return column - 1
         if titles.count(column) != 1:
             problem = f"{'no column' if column not in titles else 'two columns'} {short(column)}, which {columns.name}"
-            found = ", ".join(map(_shown, titles[:_MAX_SHOWN])) + (", ..." if len(titles) > _MAX_SHOWN else "")
+            found = ", ".join(short(title)[1:-1] for title in titles[:_MAX_SHOWN])
+            found += ", ..." if len(titles) > _MAX_SHOWN else ""
             fix = "; if it is a row already, name the columns in the map (header = [...])"
             raise reading.error(1, f"{problem} {key} names; found {found}{fix if all(map(is_number, titles)) else ''}")
         return titles.index(column)
 
-    return Layout(
-        titles=titles,
-        stamp=None if columns.stamp is None else index("stamp", columns.stamp),
-        parse_stamp=_stamp_parser(STAMP_UNITS[columns.stamp_unit], columns.decimal),
-        stamp_form=f"a time in {columns.stamp_unit}",
-        columns={
-            kind: [index(ARRAYS[kind], given[name]) for name in columns.joints]
-            for kind, given in columns.columns.items()
-        },
-        names=columns.joints,
-        missing=tuple(mark for mark in columns.marks if not isinstance(mark, str)),
-        blanks=tuple(mark.strip() for mark in columns.marks if isinstance(mark, str)),
-        decimal=columns.decimal,
-    )
+    def parse(self, text: str) -> float:
+        """The number in a cell; NaN for a text that marks a missing value. Raises ValueError for another text."""
+        if self._blanks and text.strip() in self._blanks:
+            self._counted[MISSING] += 1
+            return math.nan
+        return parse_number(self._with_point(text))
 
-
-def _stamp_parser(power: int, decimal: str) -> StampParser:
-    def parse(text: str) -> int:
+    def parse_stamp(self, text: str) -> int:
+        """The timestamp in a cell, ns. Raises ValueError if it is not one."""
         if "_" in text or not text.isascii():
             raise ValueError(text)
         if ":" in text:
             return _date_and_time(text.replace(",", "."))
         try:
-            time = Decimal(with_point(text, decimal)).scaleb(power)
+            time = Decimal(self._with_point(text)).scaleb(STAMP_UNITS[self.unit])
         except DecimalException as error:
             raise ValueError(text) from error
         # Before it is rounded: 1e999999999 has more digits than fit into memory.
@@ -203,7 +254,28 @@ def _stamp_parser(power: int, decimal: str) -> StampParser:
             raise ValueError(text)
         return round(time)
 
-    return parse
+    def _with_point(self, text: str) -> str:
+        """A number with a decimal point. Raises ValueError if it has one already and the decimal sign is a comma."""
+        if self._decimal == ".":
+            return text
+        if "." in text:
+            raise ValueError(text)
+        return text.replace(",", ".")
+
+
+def _bad_cell(cells: list[str], layout: _Layout, number: int, reading: Reading) -> QuadrupedError:
+    """The error for the first invalid cell of a line."""
+    for column in sorted({*layout.used} if layout.stamp is None else {layout.stamp, *layout.used}):
+        is_stamp = column == layout.stamp
+        try:
+            _ = layout.parse_stamp(cells[column]) if is_stamp else layout.parse(cells[column])
+        except (ValueError, OverflowError):
+            form = f"a time in {layout.unit}" if is_stamp else "a number"
+            comma = re.fullmatch(r"\s*[-+]?\d+,\d+([eE][-+]?\d+)?\s*", cells[column])
+            fix = ', or if this is a decimal comma, say so in a map (decimal = ",")' if comma else ""
+            problem = f"{short(cells[column])} is not {form}; fix the value or delete the line{fix}"
+            return QuadrupedError(f"{reading.name}: line {number}, {layout.titles[column]}: {problem}")
+    raise AssertionError("every cell is valid")
 
 
 def _date_and_time(text: str) -> int:
@@ -213,8 +285,3 @@ def _date_and_time(text: str) -> int:
         raise ValueError(text)
     time = datetime.fromisoformat(found["whole"] + (found["zone"] or "Z"))
     return int(time.timestamp()) * NS_PER_SECOND + int((found["part"] or "").ljust(9, "0"))
-
-
-def _shown(title: str) -> str:
-    """A column's name in a list of names."""
-    return short(title)[1:-1]

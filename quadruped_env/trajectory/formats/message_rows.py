@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import short
 from quadruped_env.ros.robot_messages import RawJointState
-from quadruped_env.trajectory.file_reading import Reading, salvaged
+from quadruped_env.trajectory.reading import Reading, salvaged
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows
 
 _ROWS_PER_PIECE: Final = 4096
@@ -34,17 +34,17 @@ def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Read
         QuadrupedError: if a message does not match the others and is not to be left out.
     """
     states = _single(messages, reading)
-    if reading.options.merge:
+    if reading.repairs("merge"):
         states = _merged(states, reading)
     builder = _Builder(reading)
-    for number, state in salvaged(states, reading, lambda message: (message[0], message[0]), is_text):
+    for number, state in salvaged(states, reading, lambda message: 1, is_text):
         reading.rows += 1
         problem = builder.add(number, state)
         if problem is not None:
-            if not reading.options.drop:
-                merge = ", merge the messages of several drivers (--merge)" if "joint '" in problem else ""
-                raise reading.error(number, f"{problem}; fix it{merge}, or leave such messages out (--drop)")
-            reading.leave_out(problem)
+            if not reading.repairs("drop"):
+                merge = ", merge the messages of several drivers (--repair merge)" if "joint '" in problem else ""
+                raise reading.error(number, f"{problem}; fix it{merge}, or leave such messages out (--repair drop)")
+            reading.left_out[problem] += 1
         elif len(builder) == _ROWS_PER_PIECE:
             yield builder.take()
     if len(builder):
@@ -59,7 +59,7 @@ def _single(
     for number, states in messages:
         if states:
             kept = [one for one in planned if one[1].stamp < states[0].stamp]
-            reading.count("points that a later trajectory replaced", len(planned) - len(kept))
+            reading.counted["points that a later trajectory replaced"] += len(planned) - len(kept)
             yield from kept
             planned = []
         if len(states) == 1:
@@ -101,7 +101,7 @@ def _merged(messages: Iterator[tuple[int, RawJointState]], reading: Reading) -> 
             yield number, RawJointState(int(times.max()), names, *kinds)
         else:
             reading.rows += 1
-            reading.leave_out("the joints' messages are over 1.5 periods apart")
+            reading.left_out["the joints' messages are over 1.5 periods apart"] += 1
         times[:] = -1
 
 

@@ -9,9 +9,9 @@ from typing import Final
 
 from quadruped_env.errors import short
 from quadruped_env.robot.description import description_problem
-from quadruped_env.trajectory.file_reading import Reading
-from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, salvage
-from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC
+from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, storage
+from quadruped_env.trajectory.formats.storage.records import ZSTD_MAGIC
+from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import check_regular
 
@@ -25,11 +25,9 @@ _KNOWN: Final = (
     "echo (YAML and --csv), JSON lines of rosbridge, rosbag2 (MCAP and sqlite3) and ROS 1 bags"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
-    b"\x89MCAP0": partial(bag_reader.read, storage=salvage.MCAP),
-    b"SQLite format 3\x00": partial(bag_reader.read, storage=salvage.SQLITE3),
-    b"#ROSBAG V2.0": partial(bag_reader.read, storage=salvage.ROS1),
-    project_csv.STAMP_COLUMN.encode(): project_csv.read,
-    b"\xef\xbb\xbf" + project_csv.STAMP_COLUMN.encode(): project_csv.read,
+    b"\x89MCAP0": bag_reader.read,
+    b"SQLite format 3\x00": bag_reader.read,
+    b"#ROSBAG V2.0": bag_reader.read_ros1,
 }
 """First bytes of a file -> its reader."""
 
@@ -47,7 +45,7 @@ def read(reading: Reading, stack: ExitStack) -> Iterator[Rows]:
     """
     head = _head(reading)
     while head.startswith(ZSTD_MAGIC):
-        reading.path = salvage.decompressed(reading.path, stack, reading)
+        reading.path = storage.decompressed(reading.path, stack, reading)
         head = _head(reading)
     reader = mapped_csv.read if reading.options.columns is not None else _reader(head, reading)
     return reader(reading)
@@ -74,14 +72,12 @@ def _head(reading: Reading) -> bytes:
 def _reader(head: bytes, reading: Reading) -> Reader:
     """The reader for a file with these first bytes."""
     if reading.path.is_dir():
-        if not salvage.storage_files(reading.path):
+        if not storage.storage_files(reading.path):
             raise reading.error(None, "the directory is not a bag; expected metadata.yaml and .mcap or .db3 files")
-        return partial(bag_reader.read, storage=salvage.DIRECTORY)
+        return bag_reader.read
     for magic, reader in _MAGICS.items():
         if head.startswith(magic):
-            line = head.partition(b"\n")[0].decode("utf-8-sig", errors="replace")
-            other = reader == project_csv.read and ("." not in line or ";" in line)
-            return (_reader_by_titles(line, head.decode(errors="replace"), reading) if other else None) or reader
+            return reader
     if head.startswith(b"#ROSBAG"):
         version = short(head[:13].decode(errors="replace"))
         raise reading.error(None, f"a bag of an old version, {version}; convert it with rosbag migrate")
@@ -106,8 +102,13 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
         return echo_text.read_json_lines
     if len(cells) >= 7 and all(cell.lstrip("-").isdecimal() for cell in cells[:2]):
         return echo_text.read_csv
-    if reader := _reader_by_titles(line, text, reading):
-        return reader
+    columns = None
+    if ";" in line or "." not in line or cells[0] != project_csv.STAMP_COLUMN:
+        columns = mapped_csv.by_titles(line, text, reading)
+    if columns is None and line.startswith(project_csv.STAMP_COLUMN):
+        columns = project_csv.column_map(line, reading)
+    if columns is not None:
+        return partial(mapped_csv.read, columns=columns)
     if len(cells) > 1:
         raise reading.error(
             None,
@@ -115,9 +116,3 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
             f"(--columns FILE); {_KNOWN}",
         )
     raise reading.error(None, f"text that begins with {short(line)} is not a recording of joint states; {_KNOWN}")
-
-
-def _reader_by_titles(line: str, text: str, reading: Reading) -> Reader | None:
-    """The reader for a CSV whose first line bears the names of joints; `text` is the beginning of the file."""
-    columns = mapped_csv.by_titles(line, text, reading)
-    return None if columns is None else partial(mapped_csv.read, columns=columns)

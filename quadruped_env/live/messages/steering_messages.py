@@ -1,0 +1,42 @@
+"""Messages that steer: velocity commands (`/cmd_vel`), and settings of a scripted gait (`/gait`, `/gait/settings`)."""
+
+from typing import Any
+
+from quadruped_env.control.steering import Velocity
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait.gait_settings import GaitSettings
+from quadruped_env.live.middleware.topics import CMD_VEL, GAIT
+from quadruped_env.robot.robot import Robot
+from quadruped_env.ros import cdr
+
+
+def velocity_message(command: Velocity) -> Any:
+    """A Twist with a forward velocity in m/s and a yaw rate in rad/s."""
+    return cdr.message(CMD_VEL.type_name, linear={"x": command[0]}, angular={"z": command[1]})
+
+
+def read_velocity(message: Any) -> Velocity:
+    """The command of a Twist or TwistStamped: forward velocity in m/s and yaw rate in rad/s."""
+    twist = getattr(message, "twist", message)
+    return twist.linear.x, twist.angular.z
+
+
+def settings_message(settings: GaitSettings) -> Any:
+    """A `/gait` or `/gait/settings` message."""
+    return cdr.message(GAIT.type_name, data=[settings.amplitude, settings.frequency, *settings.phases])
+
+
+def read_settings(message: Any, robot: Robot) -> GaitSettings:
+    """The settings of a `/gait` or `/gait/settings` message.
+
+    Raises:
+        QuadrupedError: if it does not hold two numbers and one per leg, or one is outside its range.
+    """
+    expected = 2 + robot.num_legs
+    if len(message.data) != expected:
+        raise QuadrupedError(
+            f"holds {len(message.data)} numbers; send {expected}: amplitude as a multiple, frequency in Hz, and the "
+            f"phase of {', '.join(robot.leg_names)} in cycles"
+        )
+    amplitude, frequency, *phases = message.data.tolist()
+    return GaitSettings(amplitude, frequency, tuple(phase % 1.0 for phase in phases))

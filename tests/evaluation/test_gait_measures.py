@@ -1,0 +1,230 @@
+"""Measures of the gait against trajectories with known apexes, bounces, landings, limits and attitudes."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from synthetic import DT, synthetic_rollout
+
+from quadruped_env.evaluation import measures
+from quadruped_env.evaluation.measures import gait_measures
+from quadruped_env.evaluation.rollout import PhysicsSamples, roll_out
+from quadruped_env.evaluation.suite import gait
+from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.policies import CommandedGaitController
+from quadruped_env.reporting.pages.suite_section import _GAIT_ROWS
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.utils.rotations import from_roll_pitch_yaw
+
+PART = full_suite().gait
+FINE = 0.005
+"""Physics step, s."""
+STRIDE, SWING = 100, 40
+"""Physics steps of a stride (2 Hz) and of its swing."""
+
+
+def stride(apexes, landing=0.3):
+    """Height, upward velocity and contact (K,) of a foot that swings along a parabola in each stride, and then stands.
+
+    In the sample before the touchdown it falls at `landing` m/s, in the first one on the ground at a third of that.
+    """
+    steps = len(apexes) * STRIDE
+    height, rise, contact = np.zeros(steps), np.zeros(steps), np.ones(steps, dtype=bool)
+    share = (np.arange(SWING) + 0.5) / SWING
+    parabola = 4.0 * share * (1.0 - share)
+    for i, apex in enumerate(apexes):
+        swing = slice(i * STRIDE + 20, i * STRIDE + 20 + SWING)
+        height[swing] = apex * parabola / parabola.max()
+        contact[swing] = False
+        rise[swing.stop - 1 : swing.stop + 1] = -landing, -landing / 3.0
+    return height, rise, contact
+
+
+def bounce(height, contact, at, apex, steps=6):
+    """Put a hop into a stance, in place."""
+    height[at : at + steps], contact[at : at + steps] = apex, False
+
+
+def test_swings_have_apexes_and_landings():
+    height, rise, contact = stride([0.01, 0.02, 0.03])
+    found = measures.flights_of(height, rise, contact, 20, 0.002)
+    np.testing.assert_allclose(found.apexes, [0.01, 0.02, 0.03])
+    np.testing.assert_allclose(found.landings, 0.3)
+    assert found.bounces == 0
+    # The swings at both ends are cut: their apex and landing may have been missed.
+    cut = slice(30, 2 * STRIDE + 40)
+    assert len(measures.flights_of(height[cut], rise[cut], contact[cut], 20, 0.002).apexes) == 1
+    in_the_air = np.zeros(50, dtype=bool)
+    assert len(measures.flights_of(np.ones(50), np.ones(50), in_the_air, 20, 0.002).apexes) == 0
+
+
+def test_each_short_flight_over_the_height_is_one_bounce():
+    height, rise, contact = stride([0.02] * 3)
+    bounce(height, contact, 70, 0.0019)  # too low: chatter
+    bounce(height, contact, STRIDE + 70, 0.0021)
+    bounce(height, contact, 2 * STRIDE + 70, 0.004)
+    bounce(height, contact, 2 * STRIDE + 85, 0.003, steps=2)
+    found = measures.flights_of(height, rise, contact, 20, 0.002)
+    assert found.bounces == 3
+    np.testing.assert_allclose(found.apexes, 0.02)
+    # A flight of the shortest swing is a swing.
+    assert measures.flights_of(height, rise, contact, 6, 0.002).bounces == 1
+
+
+def feet(columns, frequency=2.0, counted=None):
+    """Measures of one episode of one foot from `stride`'s arrays."""
+    height, rise, contact = (np.asarray(column).reshape(-1, 1, 1) for column in columns)
+    counted = np.ones((len(height), 1), dtype=bool) if counted is None else counted
+    physics = PhysicsSamples(height, rise, 100.0 * contact, 0 * height, 0 * height)
+    found = measures.feet(physics, contact, counted, np.array([frequency]), FINE, measures.BOUNCE)
+    return {name: value[0, 0] for name, value in found.items()}
+
+
+def test_clearance_is_the_fifth_percentile_of_the_apexes():
+    apexes = np.arange(1, 42) / 1000.0  # the 5th percentile of 1, 2, ..., 41 mm is 3 mm
+    found = feet(stride(apexes))
+    assert found["clearance"] == pytest.approx(0.003)
+    assert found["swings_per_stride"] == pytest.approx(1.0)
+    assert found["bounces_per_stride"] == 0.0
+    assert found["landing_speed"] == pytest.approx(0.3)
+
+
+def test_clearance_counts_strides_without_a_swing_as_an_apex_of_zero():
+    assert feet(stride([0.02] * 40))["clearance"] == pytest.approx(0.02)
+    dragged = np.arange(40) % 4 == 3
+    height, rise, contact = stride(np.where(dragged, 0.0, 0.02))
+    contact |= np.repeat(dragged, STRIDE)
+    found = feet((height, rise, contact))
+    assert found["clearance"] == 0.0
+    assert found["swings_per_stride"] == pytest.approx(0.75)
+
+
+def test_feet_without_a_stride_are_not_lifted_and_without_samples_unknown():
+    found = feet(stride([0.02] * 4), frequency=math.nan)
+    assert found["clearance"] == 0.0
+    assert math.isnan(found["landing_speed"])
+    nothing = feet(stride([0.02] * 4), counted=np.zeros((4 * STRIDE, 1), dtype=bool))
+    assert all(math.isnan(value) for value in nothing.values())
+
+
+def test_speed_limit_share_is_the_time_with_any_joint_over_its_limit():
+    velocity = np.zeros((10, 1, 2))
+    velocity[:3, 0, 0] = -4.8
+    velocity[2:4, 0, 1] = 4.8
+    velocity[9, 0, 1] = 99.0
+    counted = np.ones((10, 1), dtype=bool)
+    limit = np.array([4.75, 4.75])
+    assert measures.speed_limit_share(velocity, counted, limit) == pytest.approx(0.5)
+    counted[9] = False
+    assert measures.speed_limit_share(velocity, counted, limit) == pytest.approx(4 / 9)
+    assert measures.speed_limit_share(velocity, counted, np.array([5.0, 4.75])) == pytest.approx(2 / 9)
+
+
+def test_rate_of_a_ramp_and_of_an_alternation():
+    counted = np.ones((100, 2), dtype=bool)
+    values = np.zeros((100, 2, 2))
+    values[:, 0] = 3.0 * DT * np.arange(100)[:, None]
+    values[:, 1, 0] = 0.5 * (-1.0) ** np.arange(100)  # changes by 1 in every step; the other joint not at all
+    np.testing.assert_allclose(measures.rms_rate(values, counted, DT), [3.0, math.sqrt(0.5) / DT])
+
+
+def test_roll_and_pitch_are_the_rms_of_those_of_the_orientation_whatever_the_heading():
+    roll, pitch = 0.2, -0.3
+    for yaw in (0.0, 1.0, -3.0):
+        pose = np.concatenate([[0.0, 0.0, 0.184], from_roll_pitch_yaw([roll, pitch, yaw])])
+        rollout = walking()
+        found = gait_measures(replace(rollout, base_pose=np.tile(pose, (len(rollout), 1, 1))))
+        np.testing.assert_allclose([*found["roll"], *found["pitch"]], (roll, -pitch), rtol=1e-6)
+
+
+def walking(strides=22, apex=0.02):
+    """A trot at 2 Hz for 11 s, at the rate of control and of the physics; the second foot bounces in every stride."""
+    steps = 25 * strides
+    t = np.arange(steps) * DT
+    columns = np.stack(stride([apex] * strides), axis=-1)
+    height, rise, contact = (np.repeat(column[:, None, None], 4, axis=2) for column in np.moveaxis(columns, -1, 0))
+    for i in range(strides):
+        bounce(height[:, 0, 1], contact[:, 0, 1], i * STRIDE + 80, 0.003)
+    position = np.tile(MINI_QUADRUPED.stance, (steps, 1, 1))
+    position[:, 0, 0::2] += 0.3 * np.sin(2 * np.pi * 2.0 * t)[:, None]
+    orientation = from_roll_pitch_yaw(np.stack([0.05 * np.ones(steps), 0.02 * np.sign(np.sin(20 * t)), t], axis=-1))
+    base = np.concatenate([np.tile([0.0, 0.0, 0.184], (steps, 1)), orientation], axis=1)
+    rollout = synthetic_rollout(
+        steps, base_pose=base[:, None], joint_position=position, velocity=np.tile([0.3, 0.0], (steps, 1, 1))
+    )
+    joints = np.ones((len(height), 1, 8))
+    force = np.where(contact, 10.0, 0.0)
+    force[2000, 0, 2] = 3.0 * MINI_QUADRUPED.total_mass * 9.81
+    return replace(rollout, physics=PhysicsSamples(height, rise, force, 0.04 * contact, 0.5 * joints))
+
+
+def test_measures_of_a_synthetic_gait():
+    values, every = gait_measures(walking()), measures.measure(walking())
+    assert {*values, *gait._MEASURES} == set(_GAIT_ROWS)
+    for name in measures.OF_FEET:
+        assert values[name].shape == (1, 4)
+        assert every[name].shape == (1,)
+    assert (every["bounces_per_stride"], every["duty_factor"]) == pytest.approx((1.0, 0.585), abs=0.06)
+    np.testing.assert_allclose(values["stride_frequency"], 2.0, rtol=2e-3)
+    np.testing.assert_allclose(values["clearance"], 0.02)
+    np.testing.assert_allclose(values["swings_per_stride"], 1.0, atol=0.06)
+    np.testing.assert_allclose(values["bounces_per_stride"], [[0.0, 1.0, 0.0, 0.0]], atol=0.06)
+    np.testing.assert_allclose(values["landing_speed"], 0.3, rtol=1e-6)
+    np.testing.assert_allclose(values["slip"], 0.04)
+    np.testing.assert_allclose(values["duty_factor"], [[0.6, 0.54, 0.6, 0.6]], atol=0.01)
+    np.testing.assert_allclose(values["peak_force"], 3.0)
+    np.testing.assert_allclose(values["torque_rate"], 0.0)
+    np.testing.assert_allclose(values["roll"], 0.05)
+    np.testing.assert_allclose(values["pitch"], 0.02, rtol=1e-2)
+    assert every["joint_limit_share"] == every["speed_limit_share"] == 0.0
+
+
+def test_physics_samples_hold_every_physics_step():
+    soles = []
+
+    def record(task, step):
+        soles.append(task.context.sole_height.copy())
+
+    seeds = [1_600_000, 1_600_001]
+    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], seeds, 3.0, before_step=record, physics=True)
+    physics = rollout.physics
+    assert physics.height.shape == (150 * 4, 2, 4)
+    # The first physics step of a control step begins where the control step before has ended.
+    np.testing.assert_allclose(physics.height[::4], soles, atol=1e-6)
+    found = gait_measures(rollout)
+    assert 0.1 < found["landing_speed"].min() < found["landing_speed"].max() < 1.5
+    assert 1.0 < found["peak_force"].max() < 15.0
+    np.testing.assert_array_equal(rollout.select([1]).physics.force[:, 0], physics.force[:, 1])
+
+
+def entry(**changes):
+    return {
+        "followed": 1.0,
+        "clearance": [0.02, 0.02, 0.02, 0.02],
+        "swings_per_stride": [1.0, 1.0, 1.0, 1.0],
+        "bounces_per_stride": [0.0, 0.0, 0.0, 0.0],
+        "landing_speed": [0.1, 0.2, 0.0, 0.1],
+        "slip": [0.01, 0.0, 0.0, 0.05],
+        **changes,
+    }
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        ({}, 1.0),
+        ({"clearance": [0.02, 0.004, 0.02, 0.02]}, (0.4 + 4.0) / 5.0),
+        ({"swings_per_stride": [1.0, 0.5, 1.2, 1.0]}, (0.5 + 4.0) / 5.0),
+        ({"bounces_per_stride": [0.3, 0.0, 0.0, 0.1]}, (0.7 + 4.0) / 5.0),
+        ({"bounces_per_stride": [1.3, 0.0, 0.0, 0.1]}, 4.0 / 5.0),
+        ({"landing_speed": [0.4, 0.2, 0.2, 0.2]}, (0.5 + 4.0) / 5.0),
+        ({"slip": [0.1, 0.0, 0.0, 0.0]}, (0.5 + 4.0) / 5.0),
+        ({"followed": 0.25}, 0.25),  # a gait at another speed than that asked for
+        ({"landing_speed": [0.1, None, 0.1, 0.1]}, 0.0),
+        ({"clearance": [None] * 4}, 0.0),
+    ],
+)
+def test_score_of_a_gait(changes, expected):
+    result = {"feet": ["RF", "LF", "RH", "LH"], "commands": [entry(**changes), entry()]}
+    assert gait.score(result, PART) == pytest.approx(0.5 * (expected + 1.0))
