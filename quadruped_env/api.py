@@ -71,7 +71,7 @@ class Evaluation:
         comparison = compare(
             policy, seeds, seconds, progress=progress("running"), terrain=terrain, randomization=randomization
         )
-        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"))
+        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"), comparison)
         results = None if suite is None else suite()
         document = write_numbers(evaluated, comparison, command_line, results, gain)
         return cls(evaluated, comparison, gain, results, document, command_line)
@@ -103,7 +103,7 @@ class Evaluation:
             print_report(report, missing)
 
     def __str__(self) -> str:
-        judged = verdict(self.comparison, self.suite, self.gain)
+        judged = verdict(self.comparison, self.gain)
         return f"{summary_table(self.comparison)}\n\n{self.gain.table()}\n\n{judged.text()}"
 
 

@@ -2,9 +2,7 @@
 import quadruped_env  # noqa: F401  # isort: skip
 
 import functools
-import io
 import os
-import threading
 
 import browser
 import domains
@@ -104,29 +102,16 @@ def start(domain_id, tmp_path):
 
 @pytest.fixture
 def run_node(domain_id):
-    """Function that runs a live node in a thread until the test ends: `run_node("controller")` returns its log."""
-    from quadruped_env.live.__main__ import make_parser
-    from quadruped_env.live.nodes import node_module
-    from quadruped_env.live.session import Session
-
-    threads = []
+    """Function that runs a live node in a thread until the test ends, such as `run_node("controller", "trot")`."""
+    running = []
 
     def run(*arguments):
-        args, log = make_parser().parse_args(arguments), io.StringIO()
-        session = Session(args.node, args, log)
-
-        def target():
-            with session:
-                node_module(args.node).run(session, args)
-
-        threads.append((session, threading.Thread(target=target)))
-        threads[-1][1].start()
-        return log
+        running.append(live_nodes.InThread(*arguments))
+        return running[-1]
 
     yield run
-    for session, thread in threads:
-        session.stop()
-        thread.join()
+    for node in running:
+        node.interrupt()
 
 
 @pytest.fixture(scope="session")

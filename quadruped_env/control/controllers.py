@@ -99,8 +99,8 @@ class GaitController:
 
     def _preset(self) -> SinusoidalGait:
         """The gait with its own settings, straight ahead."""
-        gait = self.gait or CommandedGait.tuned()
-        return gait if isinstance(gait, SinusoidalGait) else gait.straight_ahead
+        assert self.gait is not None, "a gait that follows from the robot is known after the first step"
+        return self.gait if isinstance(self.gait, SinusoidalGait) else self.gait.straight_ahead
 
     def _current(self) -> SinusoidalGait:
         """The gait of env 0 at the present command and settings."""

@@ -165,13 +165,16 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
     verdict = evaluation.get("verdict")
     parts = []
     if isinstance(verdict, Mapping):
-        parts.append(f"{verdict['headline']}\n\n{_findings(verdict)}")
+        parts.append(verdict["headline"] + _findings(verdict))
     elif verdict:
         parts.append(_verbatim(str(verdict)))
-    # The verdict of an evaluation has them already.
-    suite = evaluation.get("suite") or {}
-    if "findings" in suite:
-        parts.append(f"In the suite {suite['suite']['name']} {suite['suite']['version']}:\n\n{_findings(suite)}")
+    if (suite := evaluation.get("suite")) and "score" in suite:
+        name = suite.get("suite", suite)
+        quick = ", quick" if name.get("quick") else ""
+        parts.append(
+            f"Score in the suite {name['name']} {name['version']}{quick}: {suite['score']['total']:.3f} of 1."
+            + _findings(suite)
+        )
     if by_motion := _by_motion(evaluation):
         parts.append(_metrics_table(by_motion))
     return "\n\n".join(parts)
@@ -197,7 +200,9 @@ def _learning(learning: Mapping[str, Any] | None) -> str:
 
 
 def _findings(results: Mapping[str, Any]) -> str:
-    return "\n".join(_item(f"{topic}: {words}") for topic, words in results["findings"].items())
+    """Sentences on results that older versions wrote, as a list after a blank line; empty for others."""
+    items = [_item(f"{topic}: {words}") for topic, words in results.get("findings", {}).items()]
+    return "".join(["\n\n", "\n".join(items)]) if items else ""
 
 
 def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:

@@ -1,6 +1,7 @@
 """Run one node: `python -m quadruped_env.live NODE`, or `mini-quadruped live NODE`."""
 
 import argparse
+import inspect
 import sys
 from collections.abc import Sequence
 
@@ -39,7 +40,7 @@ def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
         node = nodes.add_parser(name, help=summary, formatter_class=HelpFormatter)
         if only in (None, name):
             module = node_module(name)
-            node.description = pasteable(module.__doc__)
+            node.description = pasteable(inspect.cleandoc(module.__doc__))
             module.add_arguments(node)
             add_common_arguments(node)
 

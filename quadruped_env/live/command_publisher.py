@@ -5,16 +5,16 @@ from collections.abc import Callable
 
 from quadruped_env.control.joint_command import LIMP, Target, TargetGate
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.messages.joint_messages import Jointed, command_message, positions_message
+from quadruped_env.live.messages.joint_messages import Jointed, command_message
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS
+from quadruped_env.ros import cdr
 
 
 class CommandPublisher:
     """Sends commands in one of two formats. All joint targets of all nodes go through it, and invalid ones no further.
 
     Args:
-        node: the publishing node.
         driver: its joints are commanded.
         arrays: True for the format of ros2_control, which has no limp command.
         say: called with a line of text at the first invalid target.
@@ -53,7 +53,7 @@ class CommandPublisher:
         if not self._arrays:
             self._commands.send_bytes(command_message(self._driver, stamp, target))
         elif target is not LIMP:
-            self._commands.send(positions_message(target))
+            self._commands.send(cdr.message(JOINT_POSITIONS.type_name, data=target))
 
     def let_go(self) -> None:
         """Let the robot go limp if it was ever commanded, and wait for the acknowledgement."""

@@ -1,11 +1,12 @@
-"""The time that the controller runs on, in s from an arbitrary start: the system's, or that of a simulator."""
+"""The time that the controller runs on, in s from an arbitrary start, and commands that change it."""
 
 import time
-from typing import Final
+from typing import Any, Final
 
 from quadruped_env.control.timestamp_filter import MAX_AGE
-from quadruped_env.live.middleware.node import Node, Refused, message_reader
-from quadruped_env.live.middleware.topics import CLOCK
+from quadruped_env.live.middleware.node import Node, Refused, Subscription, message_reader
+from quadruped_env.live.middleware.topics import CLOCK, PAUSE, RESET, STEP
+from quadruped_env.live.session import Session
 from quadruped_env.ros import Qos
 from quadruped_env.ros.timestamps import NS_PER_SECOND, read_stamp
 
@@ -92,3 +93,36 @@ class SimTime:
 
 
 ControlTime = SystemTime | SimTime
+
+
+class SimulatorCommands:
+    """`/reset`, `/pause` and `/step`: commands to simulator and controller, taken at every turn of the session's loop.
+
+    Args:
+        steps: True for a simulator, which performs single steps.
+    """
+
+    def __init__(self, session: Session, steps: bool = False) -> None:
+        self._session = session
+        topics = (RESET, PAUSE, *[STEP] * steps)
+        self._subscriptions: dict[str, Subscription[Any]] = {one.name: session.node.subscribe(one) for one in topics}
+        self.paused = False
+        self.reset = False
+        """True if a reset has come since the last turn."""
+        self.steps = 0
+        """Number of single steps that have come since the last turn."""
+        session.every_turn.append(self._take)
+
+    def _take(self) -> None:
+        messages = {
+            name: [message for _, message in subscription.messages(self._session.refuse)]
+            for name, subscription in self._subscriptions.items()
+        }
+        self.reset, self.steps = bool(messages[RESET.name]), len(messages.get(STEP.name, ()))
+        if self.reset:
+            self._session.say(f"{RESET.name}: starts again")
+        paused = self.paused
+        for message in messages[PAUSE.name]:
+            self.paused = message.data
+        if self.paused != paused:
+            self._session.say("paused" if self.paused else "continues after the pause")

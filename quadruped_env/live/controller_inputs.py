@@ -14,11 +14,11 @@ from quadruped_env.control.steering import Velocity
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.control_time import ControlTime
 from quadruped_env.live.messages.driver_joints import DriverJoints
-from quadruped_env.live.messages.imu_messages import Imu, ImuMount, read_imu
+from quadruped_env.live.messages.imu_messages import Imu, in_base, read_imu
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, Joints, Period
-from quadruped_env.live.messages.velocity_messages import VelocitySubscription
+from quadruped_env.live.messages.steering_messages import read_velocity
 from quadruped_env.live.middleware.node import message_reader
-from quadruped_env.live.middleware.topics import IMU, JOINT_STATES, TF_STATIC
+from quadruped_env.live.middleware.topics import CMD_VEL, CMD_VEL_STAMPED, IMU, JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 from quadruped_env.live.state_checks import ImuRepetition, JointChecks, Sources
@@ -28,8 +28,8 @@ from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _STATES_QOS: Final = Qos(depth=50, reliable=False)
 """As for sensor data, but deep enough for states that come as one message per joint."""
-_FRAMES_QOS: Final = Qos(depth=100, transient_local=True)
-"""`tf2_ros::StaticListenerQoS`: the last messages of several publishers."""
+_COMMANDS_QOS: Final = Qos(depth=10, reliable=False)
+"""Matches reliable and best-effort publishers."""
 _COMMAND_TIMEOUT: Final = 0.5
 """System time after which a velocity command expires, where the controller's own timeout is in simulated time, s."""
 _SILENCE: Final = 0.5
@@ -42,11 +42,10 @@ class Measurements:
     """Combines joint states and orientations into measurements.
 
     Args:
-        session: the session of this process.
         robot: the robot.
         driver: conversion of the driver's joints.
         velocities: True if measurements need joint velocities.
-        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: look it up.
+        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: that of the base.
     """
 
     def __init__(
@@ -60,13 +59,12 @@ class Measurements:
         node = session.node
         self._session = session
         # Drivers of real robots may offer only best-effort delivery.
-        reader = JointReader(JOINT_STATES.name, driver, states=True)
+        reader = JointReader(driver, states=True)
         self._states = node.subscribe(JOINT_STATES, _STATES_QOS, read=reader)
         self._attitudes = node.subscribe(IMU, SENSOR_DATA_QOS, read=message_reader(IMU, read_imu))
-        self._frames = node.subscribe(TF_STATIC, _FRAMES_QOS)
         self._driver = driver
         self._merger = JointMerger(driver, velocities, session.say, driver.rates)
-        self._mount = ImuMount(robot.base_name, mount)
+        self._base, self._mount = robot.base_name, mount
         self._imu: Imu | None = None
         self._repetition = ImuRepetition()
         self._joint_sources = Sources(node.graph, self._states.topic, driver.joint_names)
@@ -84,8 +82,8 @@ class Measurements:
         """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
 
         Raises:
-            QuadrupedError: if the times of joint states and IMU differ, the IMU only repeats itself, or its mounting is
-                unknown.
+            QuadrupedError: if the times of joint states and IMU differ, the IMU only repeats itself, or its orientation
+                on the base is unknown.
         """
         # Joint states first: an orientation sent before a joint state has then arrived as well.
         states = []
@@ -99,8 +97,6 @@ class Measurements:
             elif state := self._merger.add(joints):
                 states.append((received, self._driver.to_robot(state)))
                 self._checks.add(states[-1][1], not self._merger.computes_velocities)
-        for _, transforms in self._frames.messages(self._session.refuse):
-            self._mount.add(transforms)
         for received, imu in self._attitudes.messages(functools.partial(self._refuse, IMU.name)):
             self._heard[IMU.name] = received.taken
             self._unread.pop(IMU.name, None)
@@ -143,7 +139,7 @@ class Measurements:
                 f"{IMU.name}: {abs(age):.3g} s {'older' if age > 0.0 else 'newer'} than {JOINT_STATES.name}, over "
                 f"{tolerance:.3g} s (1.5 periods); check the clocks of both publishers"
             )
-        imu = self._mount.in_base(imu)
+        imu = in_base(imu, self._base, self._mount)
         assert joints.positions is not None
         assert joints.velocities is not None
         return Measurement(joints.stamp, joints.positions, joints.velocities, imu.orientation, imu.angular_velocity)
@@ -189,38 +185,45 @@ class SlowInputs:
         """Take the present rates of the inputs in Hz, by topic; call it often."""
         if not self._pace.tick():
             return
-        before = self._slow
-        limits = {name: self._control_rate * (_FAST if before.get(name) else _SLOW) for name in rates}
-        self._slow = before | {name: rate < limits[name] for name, rate in rates.items()}
-        shown = ", ".join(f"{name} at {rate:.0f} Hz" for name, rate in rates.items() if self._slow[name])
-        self.warning = f"{shown}, below the control rate of {self._control_rate:g} Hz" if shown else ""
+        before, self._slow = (
+            self._slow,
+            {
+                name: rate < self._control_rate * (_FAST if self._slow.get(name) else _SLOW)
+                for name, rate in rates.items()
+            },
+        )
+        slow = [f"{name} at {rates[name]:.0f} Hz" for name, is_slow in self._slow.items() if is_slow]
+        self.warning = f"{', '.join(slow)}, below the control rate of {self._control_rate:g} Hz" if slow else ""
         if self._slow != before:
             found = ", ".join(f"{name} at {rate:.0f} Hz" for name, rate in rates.items())
             effect = ": control steps without a new state use the last one, and the policy may walk worse"
-            self._say(f"{self.warning}{effect}" if shown else f"{found}; control rate {self._control_rate:g} Hz")
+            self._say(f"{self.warning}{effect}" if slow else f"{found}; control rate {self._control_rate:g} Hz")
 
 
 class VelocityCommands:
-    """Forwards velocity commands to the controller."""
+    """Forwards velocity commands, Twist and TwistStamped, to the controller."""
 
     def __init__(self, session: Session, live_controller: LiveController) -> None:
         self._session = session
         self._live_controller = live_controller
-        self._velocities = VelocitySubscription(session.node, session.say)
-        self._last: tuple[Velocity, float] | None = None
-        """The last command and the `time.monotonic` at which it was taken, s."""
+        self._subscriptions = [
+            session.node.subscribe(topic, _COMMANDS_QOS, read=message_reader(topic, read_velocity))
+            for topic in (CMD_VEL, CMD_VEL_STAMPED)
+        ]
+        self._last: tuple[float, Velocity] | None = None
+        """The `time.monotonic` at which the last command was taken, s, and the command."""
 
     def take(self, clock: ControlTime) -> None:
         """Forward the newest command; `clock` is the controller's."""
-        newest = self._velocities.newest(self._session.refuse)
-        if newest is not None:
-            self._last = newest[1], newest[0].taken
-        elif not clock.simulated or self._last is None or time.monotonic() - self._last[1] > _COMMAND_TIMEOUT:
+        newest = [one for one in (each.newest(self._session.refuse) for each in self._subscriptions) if one]
+        if newest:
+            self._last = max((received.taken, command) for received, command in newest)
+        elif not clock.simulated or self._last is None or time.monotonic() - self._last[0] > _COMMAND_TIMEOUT:
             # In simulated time, a command that is new by the system's time is repeated: its publisher may not be
             # slowed down or accelerated with the simulator.
             return
         assert self._last is not None
-        velocity, taken = self._last
+        taken, velocity = self._last
         try:
             self._live_controller.command(*velocity, clock.of(taken))
         except QuadrupedError as error:

@@ -21,9 +21,9 @@ class EmergencyStop:
 
     The publisher that sent a stop releases it. Once that one has left, another one does, with the first message that it
     sends, or with false after true. So a button that keeps sending that it is not pressed releases no other one's stop.
+    Messages are taken at every turn of the session's loop.
 
     Args:
-        session: the session of this process.
         stopped: True to start stopped, as by a publisher that has left.
     """
 
@@ -39,6 +39,7 @@ class EmergencyStop:
         self._begin = time.monotonic()
         self.name = " or ".join(topics)
         """The topics."""
+        session.every_turn.append(self.take)
 
     @property
     def stopped(self) -> bool:

@@ -15,11 +15,20 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.gait.gaits import limit_violations
 from quadruped_env.live.messages.driver_joints import DriverJoints
-from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader, Joints
-from quadruped_env.live.messages.velocity_messages import VelocityPublisher
+from quadruped_env.live.messages.steering_messages import read_settings, settings_message, velocity_message
 from quadruped_env.live.middleware.node import Node, Refused, message_reader
-from quadruped_env.live.middleware.topics import GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PAUSE, PUSH, RESET, STEP
+from quadruped_env.live.middleware.topics import (
+    CMD_VEL,
+    GAIT,
+    GAIT_SETTINGS,
+    JOINT_STATES,
+    ODOMETRY,
+    PAUSE,
+    PUSH,
+    RESET,
+    STEP,
+)
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
@@ -78,10 +87,10 @@ class LiveRobot:
     ) -> None:
         self.robot = robot
         self._driver = driver or DriverJoints(robot)
-        joints = JointReader(JOINT_STATES.name, self._driver, states=True)
+        joints = JointReader(self._driver, states=True)
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
-        self._velocities, self._pushes = VelocityPublisher(node), node.publish(PUSH)
+        self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
         self._gaits = node.publish(GAIT)
         self._resets, self._pauses, self._single_steps = node.publish(RESET), node.publish(PAUSE), node.publish(STEP)
         self._pauses_received = node.subscribe(PAUSE, ignore_own=True)
@@ -246,7 +255,7 @@ class LiveRobot:
         if now - self._commanded_at > _STOP_PERIOD or now - self._sent_at < _COMMAND_PERIOD:
             return
         self._sent_at = now
-        self._velocities.send((float(command[0]), float(command[1])))
+        self._velocities.send(velocity_message((command[0], command[1])))
 
 
 class LiveViewController(ViewController):
@@ -300,7 +309,7 @@ def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float
     length = float(np.linalg.norm(pose[3:]))
     if not (np.abs(np.concatenate([pose, velocity, rate])) <= _MAX_VALUE).all() or length < _MIN_NORM:
         raise QuadrupedError(
-            f"{ODOMETRY.name}: a value is not finite or over {_MAX_VALUE:g}, or the orientation is zero; send finite "
+            f"a value is not finite or over {_MAX_VALUE:g}, or the orientation is zero; send finite "
             f"numbers and a unit quaternion"
         )
     pose[3:] /= length

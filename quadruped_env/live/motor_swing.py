@@ -22,10 +22,14 @@ from quadruped_env.ros import Qos
 
 PERIOD: Final = 0.02
 """Time between commands, s."""
+ANGLE: Final = 0.15
+"""Amplitude of a swing, rad."""
+SPEED: Final = 0.3
+"""Peak speed of a swing, rad/s."""
 _PAUSES: Final = 0.5, 1.0
 """Time at the end of a swing and at its start, s."""
-_PEAK: Final = 1.5
-"""Peak speed over mean speed of a swing."""
+_SWING_TIME: Final = 1.5 * ANGLE / SPEED
+"""Time of the way out, of which the peak speed is 1.5 times the mean, s."""
 _MAX_ERROR: Final = 1.5
 """Distance of a motor from its target, in amplitudes of the swing, above which the robot goes limp."""
 _QOS: Final = Qos(depth=50, reliable=False)
@@ -48,29 +52,22 @@ class MotorSwing:
     """Swings the motors of one robot. It goes limp at the end of each swing, and when something is wrong.
 
     Args:
-        session: the session of this process.
         motors: the motors (D,).
-        arrays: format of the commands, see `CommandPublisher`.
-        angle: amplitude, rad.
-        speed: peak speed, rad/s.
     """
 
-    def __init__(self, session: Session, motors: Motors, arrays: bool, angle: float, speed: float) -> None:
-        reader = JointReader(JOINT_STATES.name, motors, states=True)
-        self._states = session.node.subscribe(JOINT_STATES, _QOS, read=reader)
+    def __init__(self, session: Session, motors: Motors) -> None:
+        self._states = session.node.subscribe(JOINT_STATES, _QOS, read=JointReader(motors, states=True))
         self._merger = JointMerger(motors, velocities=False)
-        self._publisher = CommandPublisher(session.node, motors, arrays, session.say)
+        self._publisher = CommandPublisher(session.node, motors, False, session.say)
         self._stops = EmergencyStop(session)
+        session.every_turn.append(self._take)
         self._session, self._motors = session, motors
-        self._angle, self._swing_time = angle, _PEAK * angle / speed
         self._recent: deque[NDArray[np.float64]] = deque(maxlen=Safety.fresh_states)
         """The last positions (D,), in the motors' unit."""
         self._stamp = 0
         self._heard = -math.inf
 
-    def update(self) -> None:
-        """Take the messages that have arrived."""
-        self._stops.take()
+    def _take(self) -> None:
         for received, joints in self._states.messages(self._session.refuse):
             state = self._merger.add(joints)
             if state is not None and state.positions is not None:
@@ -85,14 +82,11 @@ class MotorSwing:
         Raises:
             QuadrupedError: if the session ends.
         """
-        while self._session.running:
-            self.update()
+        for _ in self._session.turns():
             missing = self._missing()
             self._session.wait_for(missing)
             if not missing:
                 return np.mean(self._recent, axis=0)
-            self._session.wait(PERIOD)
-            self._session.report()
         raise QuadrupedError("ended before the motors were at rest; nothing more was moved")
 
     def _missing(self) -> str:
@@ -120,11 +114,9 @@ class MotorSwing:
         """
         start = target = self.positions()
         elapsed, pace, before = 0.0, Pace(PERIOD), time.monotonic()
-        watched = self._swing_time + 0.5 * _PAUSES[0]
+        watched = _SWING_TIME + 0.5 * _PAUSES[0]
         try:
-            while self._session.running:
-                self._session.wait(pace.remaining)
-                self.update()
+            for _ in self._session.turns(lambda: pace.remaining):
                 now = time.monotonic()
                 if stop():
                     return ""
@@ -148,10 +140,10 @@ class MotorSwing:
 
     def _offset(self, elapsed: float) -> float:
         """Distance from the start, in the motors' unit, at a time in s."""
-        out = self._swing_time
+        out = _SWING_TIME
         at = elapsed % (2.0 * out + sum(_PAUSES))
         share = min(at / out, 1.0, max(0.0, (2.0 * out + _PAUSES[0] - at) / out))
-        return self._angle / self._motors.unit * share * share * (3.0 - 2.0 * share)
+        return ANGLE / self._motors.unit * share * share * (3.0 - 2.0 * share)
 
     def _danger(self, now: float, since: float, target: NDArray[np.float64]) -> str:
         """Why the robot must not be moved; empty if it may. `since` is the time since the last command, s."""
@@ -161,7 +153,7 @@ class MotorSwing:
             return f"no state for {Safety.limp_after:g} s"
         errors = np.abs(self._recent[-1] - target) * self._motors.unit
         worst = int(errors.argmax())
-        if errors[worst] <= _MAX_ERROR * self._angle:
+        if errors[worst] <= _MAX_ERROR * ANGLE:
             return ""
         return f"{self._motors.joint_names[worst]} is {errors[worst]:.2f} rad away from its target"
 
@@ -169,8 +161,8 @@ class MotorSwing:
         """Log motors that do not move as they should at the end of the way out."""
         moved = (self._recent[-1] - start) * self._motors.unit
         for index, name in enumerate(self._motors.joint_names):
-            if (abs(moved[index]) > 0.5 * self._angle) != (index == motor):
+            if (abs(moved[index]) > 0.5 * ANGLE) != (index == motor):
                 self._session.say(
-                    f"{name} moved by {moved[index]:.2f} rad; expected {self._angle if index == motor else 0:g}: "
+                    f"{name} moved by {moved[index]:.2f} rad; expected {ANGLE if index == motor else 0:g}: "
                     f"a stop in its way ('other' tries the other direction), no power, or another unit (--unit)?"
                 )

@@ -1,7 +1,7 @@
-"""Options of nodes that need to know the robot or the ground, and options that a launch passes on to its nodes."""
+"""Options of nodes that need to know the robot or the ground."""
 
 import argparse
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.live.messages.driver_joints import add_map_argument
@@ -9,11 +9,6 @@ from quadruped_env.robot.robot import Robot
 
 if TYPE_CHECKING:
     from quadruped_env.simulation import Terrain
-
-COMMON: Final = ("domain_id", "subnet", "namespace", "remap", "seconds", "quiet")
-"""Options of `add_common_arguments`."""
-GROUND: Final = ("seed", "terrain", "level")
-"""Options of `add_terrain_arguments`."""
 
 
 def add_robot_argument(parser: argparse.ArgumentParser, joint_map: bool = True) -> None:
@@ -65,14 +60,3 @@ def chosen_terrain(arguments: argparse.Namespace) -> "Terrain":
     definition = BUILT_IN if arguments.task is None else load_task_file(arguments.task)
     terrain = find_terrain(arguments.terrain, definition.terrains)
     return terrain.variant(arguments.seed, arguments.level, terrain_scale(terrain, definition.robot))
-
-
-def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:
-    """Options as they were given, for another node."""
-    found = []
-    for name in names:
-        value = getattr(arguments, name)
-        for one in value if isinstance(value, list) else [value]:
-            if one is not None and one is not False:
-                found += [f"--{name.replace('_', '-')}", *([] if one is True else [str(one)])]
-    return found

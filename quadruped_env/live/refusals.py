@@ -24,11 +24,9 @@ class Refusals:
     Args:
         say: writes one line to the log.
         clock: a monotonic clock such as `time.monotonic`.
-        prefix: begins each line.
     """
 
-    def __init__(self, say: Callable[[str], None], clock: Clock = time.monotonic, prefix: str = "refused") -> None:
-        self._prefix = prefix
+    def __init__(self, say: Callable[[str], None], clock: Clock = time.monotonic) -> None:
         self._say = say
         self._clock = clock
         self._counts: dict[str, int] = {}
@@ -43,14 +41,14 @@ class Refusals:
         """Count a refused message, and log it if the period allows it."""
         self.report()
         self.count += 1
-        reason = _line(reason)
+        reason = escaped(reason if len(reason) <= _MAX_CHARACTERS else f"{reason[:_MAX_CHARACTERS]}...")
         if not self._counts:
             self._since = self._clock()
         if reason in self._counts:
             self._counts[reason] += 1
         elif len(self._counts) < MAX_REASONS:
             self._counts[reason] = 0
-            self._say(f"{self._prefix}: {reason}")
+            self._say(f"refused: {reason}")
         else:
             self._others += 1
 
@@ -65,9 +63,9 @@ class Refusals:
             return
         for reason, count in self._counts.items():
             if count:
-                self._say(f"{self._prefix}: {reason} ({_messages(count)} in {elapsed:.1f} s)")
+                self._say(f"refused: {reason} ({_messages(count)} in {elapsed:.1f} s)")
         if self._others:
-            self._say(f"{self._prefix}: {_messages(self._others)} for other reasons in {elapsed:.1f} s")
+            self._say(f"refused: {_messages(self._others)} for other reasons in {elapsed:.1f} s")
         # A reason that did not occur in this period counts as new when it occurs again.
         self._counts = {reason: 0 for reason, count in self._counts.items() if count}
         self._others = 0
@@ -76,8 +74,3 @@ class Refusals:
 
 def _messages(count: int) -> str:
     return "1 message" if count == 1 else f"{count} messages"
-
-
-def _line(text: str) -> str:
-    """A text as part of one line: control characters are escaped, and long texts are truncated."""
-    return escaped(text if len(text) <= _MAX_CHARACTERS else f"{text[:_MAX_CHARACTERS]}...")

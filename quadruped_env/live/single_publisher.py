@@ -4,6 +4,7 @@ import time
 from typing import Final
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE
 from quadruped_env.live.middleware.node import Received
 from quadruped_env.live.middleware.ros_graph import Endpoint
 from quadruped_env.live.middleware.topics import JOINT_STATES, Topic
@@ -20,7 +21,6 @@ class SinglePublisherGuard:
     """Detects other publishers of a topic that this process publishes.
 
     Args:
-        session: the session of this process.
         topic: the topic that must have a single publisher.
     """
 
@@ -28,11 +28,13 @@ class SinglePublisherGuard:
         self._session = session
         self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True, read=bytes)
         self._topic = self._others.topic
+        self.publishing = True
+        """False while this process sends no messages: any other publisher then has precedence."""
         self._contest_until = self._problem_until = 0.0
         self._problem = ""
 
     def check(self) -> None:
-        """Listen for `LISTEN` seconds.
+        """Listen for `LISTEN` seconds, and then watch for other publishers at every turn of the session's loop.
 
         Raises:
             QuadrupedError: if another process sends messages. A publisher of a killed process sends none.
@@ -42,39 +44,32 @@ class SinglePublisherGuard:
             self._session.wait(end - time.monotonic())
             if received := self._others.take():
                 other = self._sender(received[0])
-                owner = "another process" if other is None else self._session.node.graph.owner(other)
-                raise QuadrupedError(
-                    f"{self._topic.name}: {owner} publishes it already on domain "
-                    f"{self._session.node.network.domain_id}; end that first, or take another namespace (--namespace) "
-                    f"or domain (--domain-id)"
-                )
+                raise self._second("another process" if other is None else self._session.node.graph.owner(other))
         self._contest_until = time.monotonic() + CONTEST
+        self._session.every_turn.append(self._watch)
 
-    def watch(self, publishing: bool = True) -> None:
-        """Check for other publishers that have started since. Call this often.
-
-        Args:
-            publishing: False while this process sends no messages: any other publisher then has precedence.
-
-        Raises:
-            QuadrupedError: if both started together and the other one has precedence.
-        """
+    def _watch(self) -> None:
+        """Raise a QuadrupedError if another publisher has started too, and has precedence."""
         graph = self._session.node.graph
-        if not publishing:
+        if not self.publishing:
             self._contest_until = time.monotonic() + CONTEST
         for received in self._others.take():
             other = self._sender(received)
             if other is None:
                 continue
             contested = time.monotonic() < self._contest_until and other.participant < graph.participant
-            if contested or not publishing:
-                raise QuadrupedError(
-                    f"{self._topic.name}: {graph.owner(other)} publishes it; there can be one publisher only: end "
-                    f"one of the two, or take another namespace (--namespace) or domain (--domain-id)"
-                )
+            if contested or not self.publishing:
+                raise self._second(graph.owner(other))
             self._problem = f"{graph.owner(other)} publishes {self._topic.name} too; end one of the two"
             self._problem_until = time.monotonic() + LISTEN
             self._session.say_once(self._problem)
+
+    def _second(self, owner: str) -> QuadrupedError:
+        return QuadrupedError(
+            f"{self._topic.name}: {owner} publishes it already on domain {self._session.node.network.domain_id}, and "
+            f"there can be one publisher only: end one of the two, or take another namespace (--namespace) or domain "
+            f"({DOMAIN_VARIABLE})"
+        )
 
     @property
     def problem(self) -> str:

@@ -92,7 +92,7 @@ def _kind_of_file(path: Path) -> str:
             return f"this is a checkpoint of torch; {_AS_CODE}"
         return "this is a zip archive; unpack it, and name the folder of its policy"
     if suffix == ".onnx":
-        return f"this is an ONNX graph, of which no policy can be made; name the folder of its policy; {_AS_CODE}"
+        return f"this is an ONNX graph; if it was exported from here, name its folder; otherwise {import_advice(path)}"
     if suffix == ".safetensors":
         return f"this is a file of tensors without its {CARD_FILE}; name the folder that holds both"
     if head.startswith(_PICKLE) or suffix in (".pkl", ".pt", ".pth"):
@@ -107,7 +107,7 @@ def import_advice(*arguments: str | Path) -> str:
     """The command that makes a policy of a model of Stable-Baselines3, as the end of a message."""
     return (
         f"'{program_command('import-policy', *arguments)}' makes a policy of it "
-        f"(docs/training.md#a-model-of-stable-baselines3)"
+        f"(docs/training.md#a-model-of-another-trainer)"
     )
 
 

@@ -497,18 +497,13 @@ class Robot(Kinematics):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Without the compiled models, which are many times larger and quickly compiled again.
-        return _made, (type(self), {entry.name: value for entry, value in self._content()})
+        return functools.partial(type(self), **{entry.name: value for entry, value in self._content()}), ()
 
     def _content(self) -> list[tuple[dataclasses.Field[Any], Any]]:
         return [(entry, getattr(self, entry.name)) for entry in fields(self)]
 
     def _error(self, message: str) -> QuadrupedError:
         return QuadrupedError(f"robot {self.name!r}: {message}")
-
-
-def _made(kind: type[Robot], values: dict[str, Any]) -> Robot:
-    """A robot from its fields, for pickling."""
-    return kind(**values)
 
 
 def _line(error: ValueError) -> str:

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.evaluation.metrics import GRAVITY
+from quadruped_env.evaluation.measures import GRAVITY
 from quadruped_env.reporting.films.film import size_of
 from quadruped_env.reporting.ground_mesh import (
     add_floor,

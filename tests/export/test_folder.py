@@ -460,7 +460,7 @@ def test_run_of_any_name_is_exported_next_to_it(tmp_path, monkeypatch, capsys, n
     [
         ("learning", {"verdict": "better"}, "card: learning.difference is missing; it is left out"),
         ("metrics", {"return": 1.5}, "card: metrics.return: expected a table; found 1.5; it is left out"),
-        ("suite", {"suite": {"name": "mq-eval"}}, "card: suite.findings is missing; it is left out"),
+        ("suite", {"suite": {"name": "mq-eval"}}, "card: suite.suite.quick is missing; it is left out"),
         ("verdict", {"level": "good"}, r"card: verdict: expected a text; found \{'level': 'good'\}; it is left out"),
     ],
 )

@@ -1,21 +1,66 @@
-"""Live nodes as processes of their own, and messages for them."""
+"""Live nodes in threads, and where the process is what a test is about as processes; and messages for them."""
 
 import contextlib
+import io
 import signal
 import subprocess
 import sys
+import threading
 import time
 
 import numpy as np
 import waiting
 from built_in import STANCE
 
-from quadruped_env import JOINT_NAMES
+from quadruped_env import JOINT_NAMES, QuadrupedError
+from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.middleware.topics import IMU, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
+from quadruped_env.live.nodes import node_module
+from quadruped_env.live.session import Session
 from quadruped_env.ros import cdr
 
 STAMP = 1_700_000_000_123_456_789
 """ns"""
+
+
+class InThread(Session):
+    """One node in a thread of this process, with its log."""
+
+    def __init__(self, *arguments):
+        self.arguments, self.text = make_parser(only=arguments[0]).parse_args(arguments), io.StringIO()
+        super().__init__(arguments[0], self.arguments, self.text)
+        self.returncode = None
+        self.thread = threading.Thread(target=self._run)
+        self.thread.start()
+
+    def _run(self):
+        try:
+            with self:
+                self.returncode = node_module(self.arguments.node).run(self, self.arguments)
+        except QuadrupedError as error:
+            self.say(f"error: {error}")
+            self.returncode = 2
+        except ZeroDivisionError:
+            self.returncode = 1
+
+    @property
+    def said(self):
+        """Its log so far."""
+        return self.text.getvalue()
+
+    def poll(self):
+        """Its exit status, or None while it runs."""
+        return self.returncode
+
+    def status(self):
+        """Wait for its end; returns its exit status."""
+        self.thread.join(waiting.DEADLINE)
+        return self.returncode
+
+    def interrupt(self):
+        """End it, as Ctrl-C does; returns its exit status."""
+        self.stop()
+        return self.status()
 
 
 class Running:
@@ -42,6 +87,10 @@ class Running:
         """Interrupt it, as Ctrl-C does; returns its exit status."""
         self.process.send_signal(signal.SIGINT)
         return self.status()
+
+    def poll(self):
+        """Its exit status, or None while it runs."""
+        return self.process.poll()
 
     def status(self):
         """Wait for its end; returns its exit status."""

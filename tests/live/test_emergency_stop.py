@@ -4,18 +4,15 @@ from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
+from fake_robot import FakeRobot
 from live_nodes import received_from
-from test_live_nodes import Watcher
 from waiting import wait_until
 
-from quadruped_env.control.joint_command import LIMP
 from quadruped_env.live import Node
 from quadruped_env.live import emergency_stop as module
 from quadruped_env.live.emergency_stop import EmergencyStop
-from quadruped_env.live.messages.joint_messages import JointReader, read_target
 from quadruped_env.live.middleware.names import Names
-from quadruped_env.live.middleware.topics import ESTOP, JOINT_COMMANDS, STEP
-from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.live.middleware.topics import ESTOP, STEP
 from quadruped_env.ros import LATCHED_QOS, Qos, cdr
 
 pytest.importorskip("cyclonedds")
@@ -34,7 +31,9 @@ def _stop_of(nodes, monkeypatch):
 
     def make(stopped=False, namespace="/"):
         made.append(Node("robot", names=Names("robot", namespace)))
-        return EmergencyStop(SimpleNamespace(node=made[-1], say=lambda text: None, refuse=pytest.fail), stopped)
+        return EmergencyStop(
+            SimpleNamespace(node=made[-1], say=lambda text: None, refuse=pytest.fail, every_turn=[]), stopped
+        )
 
     yield make
     for node in made:
@@ -153,30 +152,17 @@ def test_subscription_with_several_readers_receives_each_message_once(nodes, qos
     assert received.take() == []
 
 
-def test_controller_that_was_killed_and_started_again_stays_limp_until_release_and_command(start, nodes, domain_id):
-    """As systemd starts it again, with a velocity command that goes on."""
-    watcher = Watcher()
-    sim, controller = start("sim"), start("controller", "--start-stopped")
-    stops = nodes("button").publish(ESTOP, Qos(10))
-
-    def release():
+def test_controller_that_starts_stopped_stays_limp_until_release_and_command(run_node, nodes):
+    """As systemd starts it again after it was killed, with a velocity command that goes on."""
+    with FakeRobot() as robot:
+        controller = run_node("controller", "trot", "--start-stopped")
+        stops = nodes("button").publish(ESTOP, Qos(10))
+        wait_until(lambda: "waiting for the release of the emergency stop" in controller.said and stops.readers)
+        # States and commands that would make it move.
+        count = robot.velocities.count
+        wait_until(lambda: robot.velocities.count > count + 100)
+        assert robot.targets == 0
         stops.send(cdr.message(ESTOP.type_name, data=True))
         stops.send(cdr.message(ESTOP.type_name, data=False))
-
-    wait_until(lambda: "waiting for the release of the emergency stop" in controller.said, lambda: controller.said)
-    release()
-    watcher.until_it_walks()
-    stops.send(cdr.message(ESTOP.type_name, data=True))
-    wait_until(lambda: "limp (emergency stop)" in controller.said)
-    controller.kill()
-    again = start("controller", "--start-stopped")
-    watcher.until_it_lies()
-    targets = nodes("listener").subscribe(JOINT_COMMANDS, Qos(100), read=JointReader("", MINI_QUADRUPED))
-    wait_until(lambda: targets.writers)
-    watcher.watch(3.0)
-    assert all(read_target(joints) is LIMP for _, joints in targets.messages(pytest.fail))
-    assert "waiting for the release of the emergency stop" in again.said
-    assert sim.process.poll() is None
-    release()
-    watcher.until_it_walks()
-    watcher.node.close()
+        wait_until(lambda: robot.targets, lambda: controller.said)
+        assert not robot.limp

@@ -81,8 +81,8 @@ class FloodedSession(Session):
         subscription.take = take
         return subscription
 
-    def report(self, *details):
-        super().report(*details)
+    def report(self):
+        super().report()
         self.turns_left -= 1
         if self.turns_left <= 0:
             self.stop()
@@ -95,7 +95,7 @@ NODES = {
     "sim": ["sim"],
     "controller": ["controller"],
     "state": ["state"],
-    "gait": ["gait", "--commands"],
+    "gait": ["gait"],
     "echo": ["echo", "/joint_states", "--field", "position.3"],
 }
 
@@ -142,7 +142,7 @@ def test_viewer_flooded_with_damaged_messages_continues(nodes, tmp_path, seed):
 
 def test_controller_flooded_with_damaged_messages_sends_only_finite_targets(nodes):
     """Some of the damaged messages look valid: its joint targets stay within the joints' range."""
-    commands = nodes().subscribe(JOINT_COMMANDS, Qos(5000), read=JointReader(JOINT_COMMANDS.name, MINI_QUADRUPED))
+    commands = nodes().subscribe(JOINT_COMMANDS, Qos(5000), read=JointReader(MINI_QUADRUPED))
     run_flooded(NODES["controller"], nodes, turns=400, seed=5)
     targets = [one.positions for _, one in commands.messages(pytest.fail) if one.positions is not None]
     assert np.all(np.array(targets) <= JOINT_POSITION_HIGH)

@@ -10,8 +10,8 @@ from waiting import wait_until
 from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.messages.gait_messages import read_settings, settings_message
 from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.messages.steering_messages import read_settings, settings_message
 from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH, STEP
 from quadruped_env.live.nodes.gait import AdjustableGait
 from quadruped_env.robot import MINI_QUADRUPED
@@ -63,27 +63,27 @@ def test_invalid_settings_are_refused(data, words):
         read_settings(cdr.message(GAIT.type_name, data=data), MINI_QUADRUPED)
 
 
-def test_gait_node_applies_settings_and_publishes_them(start, nodes):
+def test_gait_node_applies_settings_and_publishes_them(run_node, nodes):
     node = nodes()
-    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
+    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(MINI_QUADRUPED))
     actual, wanted = node.subscribe(GAIT_SETTINGS, read=lambda data: data), node.publish(GAIT)
-    gait = start("gait")
+    gait = run_node("gait")
     found = []
 
     def published():
         found.extend(read_settings(cdr.deserialize(one.data, GAIT.type_name), MINI_QUADRUPED) for one in actual.take())
         return found
 
-    wait_until(published, alive=gait.process)
+    wait_until(published, alive=gait)
     assert found == [GaitSettings.of(SinusoidalGait.preset("article"))]
-    wait_until(lambda: wanted.readers, alive=gait.process)
+    wait_until(lambda: wanted.readers, alive=gait)
     wanted.send(cdr.message(GAIT.type_name, data=[1.0]))
-    wait_until(lambda: "refused: /gait: holds 1 numbers; send 6" in gait.said, lambda: gait.said, alive=gait.process)
+    wait_until(lambda: "refused: /gait: holds 1 numbers; send 6" in gait.said, lambda: gait.said, alive=gait)
     wanted.send(settings_message(CHANGED))
-    wait_until(lambda: published()[-1] == CHANGED, alive=gait.process)
+    wait_until(lambda: published()[-1] == CHANGED, alive=gait)
     states.take()
     received = []
-    wait_until(lambda: received.extend(states.messages(pytest.fail)) or len(received) > 25, alive=gait.process)
+    wait_until(lambda: received.extend(states.messages(pytest.fail)) or len(received) > 25, alive=gait)
     assert gait.interrupt() == 0
     # The first ones may have been sent before the change.
     received = received[5:]

@@ -62,9 +62,9 @@ class MappedLoop(Loop):
         super().__init__("tuned")
         self.driver = DriverJoints.load(path, MINI_QUADRUPED)
         self.velocities = velocities
-        self.read = JointReader("/joint_states", self.driver, states=True)
+        self.read = JointReader(self.driver, states=True)
         self.merger = JointMerger(self.driver, True, rates=self.driver.rates)
-        robot, self._commands = self.robot, JointReader("/joint_commands", self.driver)
+        robot, self._commands = self.robot, JointReader(self.driver)
         self.set_target, robot.command = robot.command, self.command
 
     def measurement(self):
@@ -128,7 +128,7 @@ def test_missing_velocities_are_computed_in_the_maps_unit(map_file):
 def test_joint_is_known_once_all_of_its_motors_are(map_file):
     """For drivers with a message per motor: `state` and `view` use what they know."""
     driver = DriverJoints.load(map_file, MINI_QUADRUPED)
-    read = JointReader("/joint_states", driver, states=True)
+    read = JointReader(driver, states=True)
     degrees = motor_angles(STANCE)
     known = []
     for motor in (5, 4, 0, 5):
@@ -161,7 +161,7 @@ def test_limits_of_messages_hold_after_the_map(units, position, velocity, states
     offset = -5000.0 * position / 9.0
     rules = {name: JointRule(f"m{i}", gear=9.0, offset=offset, **units) for i, name in enumerate(JOINT_NAMES)}
     driver = DriverJoints(MINI_QUADRUPED, JointMap(rules))
-    read = JointReader("/joint_states", driver, states=states)
+    read = JointReader(driver, states=states)
 
     def joints(angle, speed):
         message = joint_state(1, MOTORS, np.full(8, (angle + 5000.0) * position), np.full(8, speed * velocity))
@@ -197,7 +197,7 @@ def test_nodes_speak_the_drivers_joints(run_node, nodes, map_file):
     run_node("sim", "--map", str(map_file))
     run_node("state", "--map", str(map_file))
     log = run_node("controller", "tuned", "--map", str(map_file))
-    wait_until(lambda: "following the command" in log.getvalue(), log.getvalue)
+    wait_until(lambda: "following the command" in log.said, lambda: log.said)
     command = commands.decode(received_from(commands, 1)[-1])
     assert sorted(command.name) == [*MOTORS]
     # Standing, each joint is near its target; the transforms are those of the measured joints.
@@ -227,7 +227,7 @@ class Hanging:
         self.states = self.node.publish(JOINT_STATES)
         self.stops = self.node.publish(ESTOP)
         motors = type("Motors", (), {"joint_names": self.names, "limits": {"position": np.inf}})
-        self.read = JointReader("/joint_commands", motors)
+        self.read = JointReader(motors)
         self.commands = self.node.subscribe(JOINT_COMMANDS, Qos(1000), read=self.read)
         self.motors = np.radians(np.append(motor_angles(0.1 * STANCE), 0.7))
         self.rest = self.motors.copy()
@@ -280,7 +280,7 @@ class Person:
 
     def pressed(self, seconds):
         time.sleep(min(seconds, 0.005))
-        lines = [line for line in self.log.getvalue().splitlines() if line.startswith("[calibrate] ")]
+        lines = [line for line in self.log.said.splitlines() if line.startswith("[calibrate] ")]
         if seconds == 0.0:
             return self._stopped(lines[-1])
         fresh = [line.removeprefix("[calibrate] ") for line in lines[self.answered :]]
@@ -297,7 +297,7 @@ class Person:
             robot.stops.send(cdr.message(ESTOP.type_name, data=True))
         if robot.fault in ("reversed", "silent", "estop"):
             return []
-        return ["x"] if robot.targets and np.abs(robot.targets[-1] - robot.rest).max() > 0.09 else []
+        return ["x"] if robot.targets and np.abs(robot.targets[-1] - robot.rest).max() > 0.9 * motor_swing.ANGLE else []
 
     def _answer(self, line):
         robot = self.robot
@@ -352,12 +352,14 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     robot = Hanging()
     person = Person(robot)
     monkeypatch.setattr(calibrate, "Keyboard", lambda: person)
+    # Faster than with a real robot.
+    monkeypatch.setattr(motor_swing, "_SWING_TIME", 0.15)
     path = tmp_path / "found.toml"
     unit = ["--unit", "ticks", "--ticks-per-turn", "65536"]
-    person.log = log = run_node("calibrate", str(path), "--angle", "0.1", "--speed", "1", *unit)
+    person.log = log = run_node("calibrate", str(path), *unit)
     robot.thread.start()
     try:
-        wait_until(lambda: "wrote" in log.getvalue() or "ended after" in log.getvalue(), log.getvalue)
+        wait_until(lambda: "wrote" in log.said or "ended after" in log.said, lambda: log.said)
     finally:
         robot.running = False
         robot.thread.join()
@@ -371,20 +373,20 @@ def test_wizard_recovers_the_map_and_stops_when_something_is_wrong(domain_id, ru
     assert found.rules["RH_knee_joint"].source == "m6"
     assert found.rules["RH_hip_joint"].sign == -1.0
     assert person.seen_reasons == set(person.reasons)
-    assert "no motor moves RH_knee_joint" in log.getvalue()
+    assert "no motor moves RH_knee_joint" in log.said
 
 
 def test_swing_is_smooth_and_peaks_at_the_angle_and_the_speed(monkeypatch):
-    unit, angle, speed = 2.0 * np.pi / 65536, 0.1, 0.8
+    unit = 2.0 * np.pi / 65536
     for name in ("JointReader", "JointMerger", "CommandPublisher", "EmergencyStop"):
         monkeypatch.setattr(motor_swing, name, MagicMock())
-    swing = motor_swing.MotorSwing(MagicMock(), motor_swing.Motors(MOTORS, unit), False, angle, speed)
+    swing = motor_swing.MotorSwing(MagicMock(), motor_swing.Motors(MOTORS, unit))
     times = np.linspace(0.0, 5.0, 50_001)
     way = unit * np.array([swing._offset(t) for t in times])
     assert way.min() == 0.0
-    assert way.max() == pytest.approx(angle)
+    assert way.max() == pytest.approx(0.15)
     velocity = np.diff(way) / np.diff(times)
-    assert np.abs(velocity).max() == pytest.approx(speed, rel=1e-3)
+    assert np.abs(velocity).max() == pytest.approx(0.3, rel=1e-3)
     assert np.abs(np.diff(velocity)).max() < 1e-2, "no step in the velocity"
 
 

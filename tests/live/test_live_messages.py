@@ -9,11 +9,9 @@ from live_nodes import joint_state, usable
 from manual_clock import ManualClock
 from waiting import wait_until
 
-from quadruped_env import QuadrupedError
 from quadruped_env.live.__main__ import make_parser
-from quadruped_env.live.messages.message_text import check_field
-from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_STATES, TOPICS
-from quadruped_env.live.nodes import node_module
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_STATES
+from quadruped_env.live.nodes import launch, node_module
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.refusals import MAX_REASONS, PERIOD, Refusals
 from quadruped_env.live.session import Session
@@ -54,22 +52,9 @@ def test_echo_interrupted_prints_what_was_received(nodes, capsys):
     assert re.findall(r"\d+\.\d", capsys.readouterr().out) == [f"{i}.0" for i in range(SENT)]
 
 
-def test_hz_interrupted_counts_what_was_received(nodes, capsys):
-    assert run_interrupted(nodes(), "hz", "/joint_states") == 0
-    assert capsys.readouterr().out.splitlines()[-1].endswith(f"{SENT} messages")
-
-
 def test_record_interrupted_writes_what_was_received(nodes, capsys, tmp_path):
     assert run_interrupted(nodes(), "record", "/joint_states", "-o", str(tmp_path / "bag")) == 0
     assert f"{SENT} messages of 1 topics" in capsys.readouterr().out
-
-
-def test_state_interrupted_answers_what_was_received(nodes):
-    node = nodes()
-    transforms = node.subscribe(TOPICS["/tf"])
-    assert run_interrupted(node, "state") == 0
-    received = []
-    wait_until(lambda: received.extend(transforms.take()) or received)
 
 
 # --- reading
@@ -108,16 +93,6 @@ def test_reader_that_fails_in_any_way_refuses_the_message(nodes):
     refused = []
     wait_until(lambda: list(subscription.messages(refused.append)) or len(refused) == 3)
     assert refused == ["/cmd_vel: 52 bytes cannot be read: ZeroDivisionError: integer division or modulo by zero"] * 3
-
-
-def test_check_field_accepts_only_fields_of_the_type():
-    check_field(JOINT_STATES.type_name, "position.7")
-    check_field(JOINT_STATES.type_name, "header.stamp.sec")
-    check_field("tf2_msgs/msg/TFMessage", "transforms.3.transform.rotation.w")
-    with pytest.raises(QuadrupedError, match=r"--field position\.x: there is no 'x'"):
-        check_field(JOINT_STATES.type_name, "position.x")
-    with pytest.raises(QuadrupedError, match="--field speed: there is no 'speed'; there is header, name, position"):
-        check_field(JOINT_STATES.type_name, "speed")
 
 
 # --- the log of refusals
@@ -175,60 +150,34 @@ def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, run_
     def drive():
         for publisher in (velocities, attitudes, states):
             publisher.send_bytes(usable(publisher.topic))
-        return "going to the stance" in log.getvalue()
+        return "going to the stance" in log.said
 
-    wait_until(drive, log.getvalue, interval=0.01)
+    wait_until(drive, lambda: log.said, interval=0.01)
     assert len(twists) > 2
 
 
 # --- the log on a terminal
 
 
-class Terminal(io.StringIO):
-    """A terminal that several nodes write to, and what it shows."""
-
-    def isatty(self):
-        return True
-
-    def lines(self):
-        shown = []
-        for line in self.getvalue().split("\n"):
-            text, column = "", 0
-            for part in re.split(r"(\r|\x1b\[K)", line):
-                if part == "\r":
-                    column = 0
-                elif part == "\x1b[K":
-                    text = text[:column]
-                else:
-                    text = text[:column] + part + text[column + len(part) :]
-                    column += len(part)
-            shown.append(text)
-        return shown
-
-
-def test_line_of_one_node_does_not_follow_the_status_line_of_another(domain_id):
-    """As with `display`, whose nodes share a terminal: the address is printed on a line of its own."""
-    terminal = Terminal()
-    args = make_parser().parse_args(["list"])
-    gait, view = Session("gait", args, terminal), Session("view", args, terminal)
-    gait._status_pace = view._status_pace = Pace(1e-6)
-    with gait, view:
-        for _ in range(3):
-            gait.report("a status that is rather long")
-            view.say("the live robot: http://127.0.0.1:8080")
-            view.report("short")
-            gait.say("something")
-        view.report("short")
-    lines = terminal.lines()
-    assert lines.count("[view] the live robot: http://127.0.0.1:8080") == 3
-    assert lines.count("[gait] something") == 3
-    assert all(line.count("[") <= 1 for line in lines)
-
-
-def test_status_line_is_not_longer_than_the_terminal_is_wide(domain_id, monkeypatch):
+def test_status_line_is_cleared_by_lines_and_not_longer_than_the_terminal_is_wide(domain_id, monkeypatch):
     monkeypatch.setenv("COLUMNS", "40")
-    terminal = Terminal()
-    with Session("gait", make_parser().parse_args(["list"]), terminal) as session:
-        session._status_pace = Pace(1e-6)
-        session.report("x" * 200)
-        assert len(terminal.lines()[-1]) == 39
+    terminal = io.StringIO()
+    terminal.isatty = lambda: True
+    with Session("gait", make_parser().parse_args(["gait"]), terminal) as session:
+        session._pace = Pace(1e-6)
+        session.details = ["x" * 200]
+        session.report()
+        session.say("something")
+    _, status, *_ = parts = terminal.getvalue().split("\r\x1b[K")[1:]
+    assert status.startswith("[gait] 0 s | xxx")
+    assert len(status) == 39
+    assert "[gait] something\n" in parts
+    assert terminal.getvalue().endswith("\n")
+
+
+def test_lines_of_the_other_nodes_of_a_launch_are_written_over_the_status_line(monkeypatch):
+    terminal = io.StringIO()
+    terminal.isatty = lambda: True
+    monkeypatch.setattr("sys.stderr", terminal)
+    launch._copy(["[gait] one\n", "[gait] two\n"])
+    assert terminal.getvalue() == "\r\x1b[K[gait] one\n\r\x1b[K[gait] two\n"

@@ -56,12 +56,12 @@ def test_ros_arguments_are_understood(capsys):
     assert "--ros-args: found -p rate:=3; expected -r FROM:=TO" in capsys.readouterr().err
 
 
-def test_two_robots_on_a_domain_walk_each_with_its_own_command(start, domain_id):
+def test_two_robots_on_a_domain_walk_each_with_its_own_command(run_node):
     """The second one is commanded on a remapped topic; neither hears the other's command."""
     first = Watcher(0.5, Names.of("watcher", "r1"))
     for name in ("r1", "r2"):
-        start("sim", "--namespace", name)
-        start("controller", "--namespace", name, *["--remap", "cmd_vel:=/drive_r2"] * (name == "r2"))
+        run_node("sim", "--namespace", name)
+        run_node("controller", "--namespace", name, *["--remap", "cmd_vel:=/drive_r2"] * (name == "r2"))
     second = Watcher(-0.2, Names.of("driver", "r2", ("cmd_vel:=/drive_r2",)))
     first.until_it_walks()
     second.until_it_walks()

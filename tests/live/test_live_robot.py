@@ -9,7 +9,6 @@ from live_loop import EPOCH, Loop
 from live_nodes import received_from
 from waiting import wait_until
 
-from benchmarks.live import speed_in_environment
 from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
@@ -19,6 +18,7 @@ from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.messages.sensor_messages import Sensors
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
+from quadruped_env.policies import load_policy
 from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.ros.timestamps import read_stamp
@@ -33,17 +33,23 @@ SPREAD = 0.06
 """Between starts, m/s: the policy cannot measure its velocity."""
 
 
+def speed_in_environment(velocity):
+    """Mean forward velocity in m/s of the shipped policy in the environment, over the last 8 of 10 s."""
+    policy = load_policy("flat")
+    env = policy.make_env()
+    observation, _ = env.reset(seed=0, options={"command": (velocity, 0.0)})
+    speeds = []
+    for _ in range(500):
+        observation, _, _, _, info = env.step(policy.predict(observation))
+        speeds.append(info["base_linear_velocity"][0])
+    env.close()
+    return np.mean(speeds[100:])
+
+
 @pytest.fixture(scope="module")
 def in_environment():
     """Forward velocity in m/s of the shipped policy in the environment, at 0.5 m/s commanded."""
-    return speed_in_environment("flat", 0.5)
-
-
-def test_live_controller_walks_slowly_as_fast_as_in_the_environment():
-    loop = Loop()
-    loop.run(3.0)
-    speeds, _ = loop.run(12.0, (0.2, 0.0))
-    assert np.mean(speeds[800:]) == pytest.approx(speed_in_environment("flat", 0.2), abs=SPREAD)
+    return speed_in_environment(0.5)
 
 
 def test_live_controller_walks_turns_and_stands(in_environment):
@@ -60,18 +66,6 @@ def test_live_controller_walks_turns_and_stands(in_environment):
     assert np.abs(speeds[-200:]).max() < 0.01
 
 
-@pytest.mark.parametrize(("silence", "at"), [(0.15, 0.07), (0.5, 0.21), (3.0, 0.28)])
-def test_live_controller_stops_while_states_are_missing_and_walks_again(silence, at, in_environment):
-    loop = Loop()
-    loop.run(5.0 + at, (0.5, 0.0))
-    _, during = loop.run(silence, (0.5, 0.0), states=False)
-    assert loop.robot.limp == (silence > 1.0)
-    assert (loop.live_controller.mode is Mode.WALKING) == (silence < 0.2)
-    speeds, after = loop.run(12.0, (0.5, 0.0))
-    assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=SPREAD)
-    assert min(during.min(), after.min()) > 0.75, "it fell"
-
-
 def test_watchdog_without_commands_makes_the_robot_limp_and_a_new_controller_gets_it_up(in_environment):
     loop = Loop()
     loop.run(5.0, (0.3, 0.0))
@@ -86,13 +80,6 @@ def test_watchdog_without_commands_makes_the_robot_limp_and_a_new_controller_get
     assert loop.robot.state.base_position[0, 2] == pytest.approx(STANCE_HEIGHT, abs=0.02)
     speeds, _ = loop.run(5.0, (0.5, 0.0))
     assert np.mean(speeds[-400:]) == pytest.approx(in_environment, abs=SPREAD)
-
-
-def test_live_controller_with_a_scripted_gait_walks():
-    loop = Loop("tuned")
-    loop.run(3.0)
-    speeds, _ = loop.run(5.0, (0.4, 0.0))
-    assert np.mean(speeds[-400:]) > 0.15
 
 
 @pytest.mark.parametrize("terrain", ["rough", "hills"])
@@ -154,16 +141,16 @@ def test_simulator_publishes_no_diverged_state(nodes, run_node, monkeypatch):
     """Without the limit on pushes, as after any other cause."""
     monkeypatch.setattr("quadruped_env.simulation.push_limit.MAX_PUSH", 1e3)
     node, found = nodes(), []
-    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, MINI_QUADRUPED))
+    states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(MINI_QUADRUPED))
     pushes = node.publish(PUSH)
     log = run_node("sim")
 
     def diverged():
         pushes.send(cdr.message(PUSH.type_name, x=20.0, y=10.0, z=-10.0))
         found.extend(joints.positions for _, joints in states.messages(pytest.fail))
-        return "the simulation diverged; the robot is back at its start" in log.getvalue()
+        return "the simulation diverged; the robot is back at its start" in log.said
 
-    wait_until(diverged, log.getvalue, interval=0.2)
+    wait_until(diverged, lambda: log.said, interval=0.2)
     found.extend(joints.positions for _, joints in states.messages(pytest.fail))
     assert len(found) > 10
     assert np.max(found - np.array(MINI_QUADRUPED.joint_position_high)) < 0.5

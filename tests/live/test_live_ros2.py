@@ -29,7 +29,6 @@ from quadruped_env.ros.robot_messages import read_joint_state, read_recorded
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
-import cyclonedds_peer
 
 pytestmark = pytest.mark.slow
 
@@ -132,30 +131,6 @@ def test_incompatible_qos_is_reported_on_both_sides(nodes, ros2, offered, reques
         assert (publisher.readers, subscription.writers) == (0, 0)
     for topic in (TO_PEER, FROM_PEER):
         assert any(line.startswith(f"! {topic.name}, ") and words in line for line in output.splitlines()), output
-
-
-def test_list_names_a_peer_whose_type_information_prevents_a_match(domain_id, ros2):
-    """Plain cyclonedds, as this package was before, announces the structure of its types."""
-    with cyclonedds_peer.started(1) as other, ros2.node() as peer:
-        peer.publish(TO_PEER)
-        peer.subscribe(FROM_PEER)
-
-        def listed():
-            """Output once it lists both processes' endpoints of both topics; empty until then."""
-            with started("list", "--verbose") as process:
-                output, _ = output_of(process)
-            ends = {topic.name: 0 for topic in (TO_PEER, FROM_PEER)}
-            for line in output.splitlines():
-                if line.startswith("/"):
-                    name = line.partition(" ")[0]
-                elif line.startswith(" ") and name in ends:
-                    ends[name] += 1
-            return output if set(ends.values()) == {2} else ""
-
-        output = wait_until(listed, peer.state, other)
-    obstacles = [line for line in output.splitlines() if "both announce the structure of" in line]
-    # Fast DDS 2, as in Jazzy, announces no structures, so that there is nothing to compare.
-    assert len(obstacles) == (2 if ros2.name == "kilted" else 0), output
 
 
 def test_late_subscriber_receives_description_and_static_transforms(nodes, ros2):

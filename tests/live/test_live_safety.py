@@ -16,10 +16,10 @@ from quadruped_env.live.messages.imu_messages import read_imu
 from quadruped_env.live.messages.joint_messages import (
     JointReader,
     command_message,
-    positions_message,
     read_positions,
     read_target,
 )
+from quadruped_env.live.middleware.topics import JOINT_POSITIONS
 from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
@@ -136,6 +136,18 @@ def test_live_controller_follows_the_command_and_stands_half_a_second_after_the_
     expected = np.maximum([0.3, 0.1] - np.arange(3, 53)[:, None] * [0.02, 0.08], 0.0)
     np.testing.assert_allclose(bench.controller.commands, expected, atol=1e-12)
     assert bench.mode is Mode.WALKING
+
+
+def test_velocity_command_from_before_the_clock_was_set_back_no_longer_counts():
+    """Its time of receipt lies in the future then, so that its age would never exceed 0.5 s."""
+    bench = Bench().walk((0.3, 0.1))
+    bench.now -= 40.0
+    bench.live_controller.restart("the clock was set back")
+    assert not bench.live_controller.moving(bench.now)
+    bench.controller.commands.clear()
+    bench.pass_time(3.0)
+    assert bench.mode is Mode.WALKING
+    assert set(map(tuple, bench.controller.commands)) == {(0.0, 0.0)}
 
 
 def test_velocity_command_out_of_range_is_clipped():
@@ -289,7 +301,7 @@ def test_an_attitude_that_cannot_be_used_is_refused(changes, words):
 
 
 def test_commands_are_read_as_they_are_written():
-    read = JointReader("/joint_commands", MINI_QUADRUPED)
+    read = JointReader(MINI_QUADRUPED)
     command = command_message(MINI_QUADRUPED, 7, STANCE)
     np.testing.assert_array_equal(read_target(read(command)), STANCE)
     assert read(command).stamp == 7
@@ -301,10 +313,13 @@ def test_commands_are_read_as_they_are_written():
 
 
 def test_commands_of_ros2_control_are_read_as_they_are_written():
-    np.testing.assert_array_equal(read_positions(positions_message(STANCE), MINI_QUADRUPED), STANCE)
+    def array(targets):
+        return cdr.message(JOINT_POSITIONS.type_name, data=targets)
+
+    np.testing.assert_array_equal(read_positions(array(STANCE), MINI_QUADRUPED), STANCE)
     for wrong in (STANCE[:7], np.full(8, np.nan), []):
         with pytest.raises(QuadrupedError, match="send a finite number of rad for each of LF_hip_joint"):
-            read_positions(positions_message(np.array(wrong)), MINI_QUADRUPED)
+            read_positions(array(wrong), MINI_QUADRUPED)
 
 
 @pytest.mark.parametrize("kind", ["policy", "gait"])

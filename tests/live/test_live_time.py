@@ -19,6 +19,7 @@ from quadruped_env.live.control_time import SystemTime
 from quadruped_env.live.live_robot import LiveRobot, LiveViewController
 from quadruped_env.live.middleware.topics import (
     CLOCK,
+    CMD_VEL,
     DIAGNOSTICS,
     ESTOP,
     IMU,
@@ -43,9 +44,9 @@ def test_controller_in_simulated_time_moves_and_starts_again_after_a_jump_back(r
     """Simulated time advances with the states, whatever the speed of this machine."""
     robot = nodes("simulator")
     states, attitudes, commands = robot.publish(JOINT_STATES), robot.publish(IMU), robot.subscribe(JOINT_COMMANDS)
+    velocities, diagnostics = robot.publish(CMD_VEL), robot.subscribe(DIAGNOSTICS)
     clock = robot.publish(CLOCK) if with_clock else None
     log = run_node("controller", "--sim-time")
-    said = log.getvalue
 
     def send(stamp):
         header = cdr.header(stamp)
@@ -56,15 +57,26 @@ def test_controller_in_simulated_time_moves_and_starts_again_after_a_jump_back(r
         time.sleep(0.002)
 
     wait_until(lambda: states.readers and attitudes.readers and (clock is None or clock.readers))
-    for start in (10**9, PERIOD):
-        seen = said().count("following the command")
+    wait_until(lambda: velocities.readers)
+    for start in (100 * 10**9, PERIOD):
+        seen = log.said.count("following the command")
         stamps = itertools.count(start, PERIOD)
+        if start > PERIOD:
+            velocities.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.3}))
         wait_until(lambda stamps=stamps, seen=seen: (
-            send(next(stamps)) or said().count("following the command") > seen
-        ), said)  # fmt: skip
-    assert "waiting for fresh states (the clock was set back)" in said()
-    assert "limp" not in said()
+            send(next(stamps)) or log.said.count("following the command") > seen
+        ), lambda: log.said)  # fmt: skip
+    assert "waiting for fresh states (the clock was set back)" in log.said
+    assert "limp" not in log.said
     assert commands.take()
+
+    def stands():
+        """The velocity command, which came at 100 s by the clock before, has expired."""
+        send(next(stamps))
+        found = [status_values(diagnostics, one) for one in diagnostics.take()]
+        return found and found[-1]["velocity command"] == "False"
+
+    wait_until(stands, lambda: log.said)
 
 
 def test_system_time_stands_still_during_a_pause_but_for_states():
@@ -94,12 +106,18 @@ def test_emergency_stop_makes_the_robot_limp_until_it_is_released():
     assert bench.mode is Mode.WALKING
 
 
+def status_values(diagnostics, received):
+    """Values of the controller's status by key."""
+    return {one.key: one.value for one in diagnostics.decode(received).status[0].values}
+
+
 def status_of_controller(diagnostics):
     """Level, message and values of the newest status, after those that were sent before."""
     diagnostics.take()
-    (status,) = diagnostics.decode(received_from(diagnostics, 2)[-1]).status
+    newest = received_from(diagnostics, 2)[-1]
+    (status,) = diagnostics.decode(newest).status
     assert (status.name, status.hardware_id) == ("/controller: robot", MINI_QUADRUPED.name)
-    return status.level, status.message, {one.key: one.value for one in status.values}
+    return status.level, status.message, status_values(diagnostics, newest)
 
 
 @pytest.mark.slow
@@ -112,7 +130,7 @@ def test_robot_walks_in_a_simulator_that_is_slower_or_faster_than_real_time(star
     watcher.node.close()
 
 
-def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
+def test_simulation_pauses_steps_resets_and_stops(run_node, nodes):
     watcher = Watcher()
     user = nodes("user")
     ends = {topic.name: user.publish(topic) for topic in (PAUSE, STEP, RESET, ESTOP)}
@@ -121,7 +139,7 @@ def test_simulation_pauses_steps_resets_and_stops(start, nodes, domain_id):
     def send(topic, **fields):
         ends[topic.name].send(cdr.message(topic.type_name, **fields))
 
-    sim, controller = start("sim"), start("controller")
+    sim, controller = run_node("sim"), run_node("controller")
     # Both nodes, of each of which the three readers that match a reliable publisher; a volatile one two of them.
     counts = {PAUSE: 4, STEP: 2, RESET: 4, ESTOP: 6}
     wait_until(lambda: all(end.readers == counts[end.topic] for end in ends.values()))

@@ -23,13 +23,12 @@ from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, Sinusoid
 from quadruped_env.live import Network, Topic
 from quadruped_env.live.__main__ import main
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, split_keys
-from quadruped_env.live.listener import common_qos
 from quadruped_env.live.message_recorder import Recorder
 from quadruped_env.live.messages.message_text import as_csv, as_yaml, field_at, plain
 from quadruped_env.live.middleware.dds import open_participant
 from quadruped_env.live.middleware.topics import CMD_VEL, ESTOP, JOINT_STATES, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.nodes.gamepad import Gamepad
-from quadruped_env.live.nodes.hz import rate_text
+from quadruped_env.live.nodes.listen import common_qos, rate_text
 from quadruped_env.live.nodes.teleop import after
 from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED
@@ -275,7 +274,7 @@ def test_tool_without_messages_ends_with_what_it_waited_for_and_what_there_is(to
 
     last = last_line()
     assert f" on domain {domain_id}, this machine only: waited for a publisher of /nothing for 0." in last
-    assert "live display', or look in another domain (--domain-id N, or ROS_DOMAIN_ID)" in last
+    assert "live display', or look in another domain (ROS_DOMAIN_ID)" in last
     nodes().publish(TF)
     wait_until(lambda: last_line().endswith("; published there: /tf"))
 
@@ -381,12 +380,11 @@ def test_gamepad_sends_commands_while_it_is_enabled_and_stops(pad, nodes, run_no
             sent.extend(velocities.decode(one) for one in velocities.take())
             return sent and (sent[-1].linear.x, sent[-1].angular.z) == pytest.approx((forward, turn))
 
-        wait_until(sends, log.getvalue)
+        wait_until(sends, lambda: log.said)
 
-    # The states at the start, the second event in two parts; sticks fully forward and half to the right.
+    # The states at the start; sticks fully forward and half to the right.
     start = event(0x82, 1, -32767) + event(0x82, 3, 16384)
-    os.write(pad, start[:11])
-    os.write(pad, start[11:] + event(0x01, 4, 1))
+    os.write(pad, start + event(0x01, 4, 1))
     until(0.6, -0.8 * 16384 / 32767)
     assert len(sent) < 100
     os.write(pad, event(0x02, 1, 32767) + event(0x02, 3, -3000))

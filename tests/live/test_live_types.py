@@ -7,7 +7,7 @@ from waiting import status_of, wait_until
 from quadruped_env.live import TOPICS, Topic
 from quadruped_env.live.middleware.dds import Network, open_participant
 from quadruped_env.live.middleware.topics import JOINT_STATES
-from quadruped_env.live.middleware.type_information import withhold_type_information
+from quadruped_env.live.middleware.wire import withhold_type_information
 from quadruped_env.ros import Qos
 
 pytest.importorskip("cyclonedds")
@@ -63,25 +63,6 @@ def announced(participant, fields):
     return DdsTopic(participant, "rt/chatter", kind)
 
 
-def test_structures_that_differ_are_named_as_an_obstacle(nodes, participant):
-    from cyclonedds.pub import DataWriter
-    from cyclonedds.sub import DataReader
-
-    node = nodes()
-    writer = DataWriter(participant, announced(participant, {"data": str}))
-    same = DataReader(participant, announced(participant, {"data": str}))
-    wait_until(lambda: len(node.graph.endpoints("/chatter")) == 2)
-    assert node.graph.problems(all_processes=True) == []
-    other = DataReader(participant, announced(participant, {"data": str, "more": str}))
-    wait_until(lambda: len(node.graph.endpoints("/chatter")) == 3)
-    (problem,) = node.graph.problems(all_processes=True)
-    assert "/chatter, from plain (process " in problem
-    assert "perhaps no message will arrive; both announce the structure of std_msgs/msg/String" in problem
-    assert "fastdds.type_propagation=disabled" in problem
-    assert node.graph.problems() == []
-    del writer, same, other
-
-
 def test_library_that_describes_types_in_another_way_is_left_unchanged(nodes, participant, monkeypatch):
     from cyclonedds.internal import DDS
 
@@ -91,3 +72,13 @@ def test_library_that_describes_types_in_another_way_is_left_unchanged(nodes, pa
     topic = announced(participant, {"data": str})
     monkeypatch.setattr(DDS, "_dll_handle", Other())
     assert not withhold_type_information(topic)
+
+
+def test_topic_is_made_once_for_all_readers_and_writers_of_a_node(nodes):
+    """CycloneDDS searches without end, and takes all memory, once a process holds more than some thirty of a type."""
+    node = nodes()
+    for _ in range(10):
+        node.subscribe(TOPICS["/estop"])
+        node.publish(TOPICS["/estop"])
+    assert ("rt/estop", "std_msgs/msg/Bool") in node._participant.quadruped_topics
+    assert len(node._participant.quadruped_topics) == 2, "the other one is that of discovery"

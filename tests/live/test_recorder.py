@@ -40,7 +40,7 @@ def test_recording_gets_its_name_when_it_is_complete(tmp_path, storage):
     assert JointTrajectory.load(tmp_path / "bag").stamps.tolist() == [1]
 
 
-@pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
+@pytest.mark.parametrize("storage", ["mcap", pytest.param("sqlite3", marks=pytest.mark.slow)])
 def test_a_killed_recording_is_kept_under_another_name_and_can_be_salvaged(tmp_path, storage):
     code = """
 import sys
@@ -65,7 +65,7 @@ with Recorder(Path(sys.argv[1]), sys.argv[2]) as recorder:
         Recorder(tmp_path / "bag")
 
 
-@pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
+@pytest.mark.parametrize("storage", ["mcap", pytest.param("sqlite3", marks=pytest.mark.slow)])
 def test_a_recording_on_a_full_disk_ends_with_one_clear_error_and_is_kept(tmp_path, storage):
     """A limit on the size of files stands in for a full disk."""
 

@@ -1,24 +1,21 @@
 """Content of live states: an IMU that repeats itself, joints that freeze or jump, two publishers or controllers."""
 
-import threading
+import itertools
 import time
 
 import numpy as np
 import pytest
 from built_in import STANCE
+from fake_robot import FakeRobot
 from live_nodes import joint_state
 from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES
-from quadruped_env.control.joint_command import LIMP
-from quadruped_env.live import Node
 from quadruped_env.live.messages.imu_messages import Imu
-from quadruped_env.live.messages.joint_messages import JointReader, Joints, read_target
-from quadruped_env.live.middleware.topics import CMD_VEL, DIAGNOSTICS, ESTOP, IMU, JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.messages.joint_messages import Joints
+from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.state_checks import ImuRepetition, JointChecks
-from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.ros import cdr
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -71,7 +68,8 @@ def trot(count, period=0.01):
 
 def problems_of(positions, monkeypatch, targets=None, velocities=None):
     """Problems, and lines said, of a robot with these positions (n, 8) every 10 ms."""
-    monkeypatch.setattr(Pace, "tick", lambda self: True)
+    calls = itertools.count(1)
+    monkeypatch.setattr(Pace, "tick", lambda self: next(calls) % 20 == 0)
     said = []
     checks = JointChecks(JOINT_NAMES, said.append)
     for i, row in enumerate(positions):
@@ -111,117 +109,52 @@ def test_velocities_that_are_not_those_of_the_positions_are_named(monkeypatch):
     assert any("are 0 while the positions change" in problem for problem in problems), problems
 
 
-class FakeRobot:
-    """A robot whose joints follow their targets at once, at 100 Hz, with noise; faults are switched on by name."""
-
-    def __init__(self):
-        self.node = Node("driver")
-        self.states, self.attitudes = self.node.publish(JOINT_STATES), self.node.publish(IMU)
-        self.velocities = self.node.publish(CMD_VEL)
-        self.commands = self.node.subscribe(JOINT_COMMANDS, read=JointReader("", MINI_QUADRUPED))
-        self.diagnostics = self.node.subscribe(DIAGNOSTICS)
-        self.positions, self.limp, self.targets, self.fault = STANCE.copy(), False, 0, ""
-        self.problems = ""
-        self.running, self.thread = True, threading.Thread(target=self.run)
-
-    def __enter__(self):
-        self.thread.start()
-        return self
-
-    def __exit__(self, *_):
-        self.running = False
-        self.thread.join()
-        self.node.close()
-
-    def run(self):
-        rng, number = np.random.default_rng(0), 0
-        while self.running:
-            number += 1
-            for _, joints in self.commands.messages(pytest.fail):
-                target = read_target(joints)
-                self.limp = target is LIMP
-                if not self.limp:
-                    self.targets += 1
-                    self.positions = np.asarray(target)
-            for _, message in self.diagnostics.messages(pytest.fail):
-                self.problems = {one.key: one.value for one in message.status[0].values}["problems"]
-            now = time.time_ns()
-            turn = dict(zip("xyz", np.zeros(3) if self.fault == "imu" else rng.normal(0.0, 0.01, 3), strict=True))
-            header = cdr.header(now)
-            imu = cdr.message(IMU.type_name, header=header, orientation={"w": 1.0}, angular_velocity=turn)
-            self.attitudes.send(imu)
-            measured = self.positions + rng.normal(0.0, 1e-4, 8)
-            if self.fault == "zero":
-                measured[4] = 0.0
-            if self.fault == "jump" and number % 10 == 0:
-                measured[1] += np.pi
-            self.states.send(joint_state(now, JOINT_NAMES, measured))
-            self.velocities.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.3}))
-            time.sleep(0.01)
-
-
 def test_controller_names_implausible_states_and_lets_go_when_the_imu_stops_measuring(run_node, nodes):
     with FakeRobot() as robot:
         log = run_node("controller", "trot")
-        wait_until(lambda: "following the command" in log.getvalue(), log.getvalue)
+        wait_until(lambda: "following the command" in log.said, lambda: log.said)
         for fault, words in (("zero", "LH_hip_joint stays at exactly 0 rad"), ("jump", "LF_knee_joint")):
             robot.fault = fault
-            wait_until(lambda words=words: words in log.getvalue() and words in robot.problems, log.getvalue)
+            wait_until(lambda words=words: words in log.said and words in robot.problems, lambda: log.said)
         robot.fault = ""
-        wait_until(lambda: not robot.problems, log.getvalue)
+        wait_until(lambda: not robot.problems, lambda: log.said)
         other = nodes("other").publish(JOINT_STATES)
 
         def named():
             other.send(joint_state(time.time_ns(), JOINT_NAMES[:2], STANCE[:2]))
-            return "sends LF_hip_joint too" in log.getvalue() and "end one of the two" in robot.problems
+            return "sends LF_hip_joint too" in log.said and "end one of the two" in robot.problems
 
-        wait_until(named, log.getvalue, interval=0.01)
+        wait_until(named, lambda: log.said, interval=0.01)
         assert not robot.limp
         robot.fault = "imu"
-        wait_until(lambda: robot.limp, log.getvalue)
-        assert "/imu/data: repeats the same numbers bit for bit while the robot moves" in log.getvalue()
+        wait_until(lambda: robot.limp, lambda: log.said)
+        assert "/imu/data: repeats the same numbers bit for bit while the robot moves" in log.said
         targets = robot.targets
-        wait_until(lambda: "waiting for /imu/data: repeats the same" in log.getvalue(), log.getvalue)
+        wait_until(lambda: "waiting for /imu/data: repeats the same" in log.said, lambda: log.said)
         assert robot.targets == targets
         robot.fault = ""
-        wait_until(lambda: log.getvalue().count("following the command") > 1, log.getvalue)
+        wait_until(lambda: log.said.count("following the command") > 1, lambda: log.said)
 
 
-def test_second_controller_of_a_robot_is_refused(start, run_node, domain_id):
+def test_second_controller_of_a_robot_is_refused(run_node):
     with FakeRobot() as robot:
         log = run_node("controller", "trot")
-        wait_until(lambda: robot.targets > 10, log.getvalue)
-        for arguments in (("controller", "trot"), ("gait", "--commands")):
-            second = start(*arguments)
-            assert second.status() == 2
-            assert "/joint_commands: controller" in second.said
-            assert "publishes it already" in second.said
-        assert "limp" not in log.getvalue()
+        wait_until(lambda: robot.targets > 10, lambda: log.said)
+        second = run_node("controller", "trot")
+        assert second.status() == 2
+        assert "/joint_commands: controller" in second.said
+        assert "publishes it already" in second.said
+        assert "limp" not in log.said
 
 
-def test_of_two_controllers_that_wait_together_one_ends_before_both_command(start, domain_id):
-    first, second = start("controller", "trot"), start("controller", "trot")
+def test_of_two_controllers_that_wait_together_one_ends_before_both_command(run_node):
+    first, second = run_node("controller", "trot"), run_node("controller", "trot")
     for node in (first, second):
         wait_until(lambda node=node: "waiting for a publisher" in node.said, lambda node=node: node.said)
     with FakeRobot() as robot:
-        wait_until(lambda: first.process.poll() is not None or second.process.poll() is not None)
-        left, ended = (first, second) if first.process.poll() is None else (second, first)
+        wait_until(lambda: first.poll() is not None or second.poll() is not None)
+        left, ended = (first, second) if first.poll() is None else (second, first)
         assert ended.status() == 2
         assert "there can be one publisher only" in ended.said
         wait_until(lambda: "following the command" in left.said, lambda: left.said)
         assert robot.targets
-
-
-def test_scripted_gait_on_commands_lets_go_at_an_emergency_stop(start, domain_id):
-    with FakeRobot() as robot:
-        stops = robot.node.publish(ESTOP)
-        gait = start("gait", "--commands")
-        wait_until(lambda: robot.targets > 10, lambda: gait.said)
-        stops.send(cdr.message(ESTOP.type_name, data=True))
-        assert gait.status() == 0
-        wait_until(lambda: robot.limp, lambda: gait.said)
-        # The stop is latched: the gait that is started now does not begin.
-        targets = robot.targets
-        again = start("gait", "--commands")
-        wait_until(lambda: "waiting for the release of the emergency stop" in again.said, lambda: again.said)
-        assert robot.targets == targets

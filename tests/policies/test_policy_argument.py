@@ -56,7 +56,7 @@ KINDS = [
     ("model_100.pt", r"a checkpoint of torch; .* is code \(docs/training.md#a-policy-that-is-code\)"),
     ("rsl", r"this folder holds checkpoints of torch"),
     ("pages.zip", r"this is a zip archive; unpack it"),
-    ("walk.onnx", r"this is an ONNX graph"),
+    ("walk.onnx", r"this is an ONNX graph; .*import-policy \S*walk.onnx'"),
     ("weights.safetensors", r"a file of tensors without its policy.json"),
     (
         "vecnormalize.pkl",

@@ -240,7 +240,7 @@ class TestLive:
         from quadruped_env.ros import Qos, cdr
 
         node = nodes()
-        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(JOINT_STATES.name, ROBOT))
+        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(ROBOT))
         described = node.subscribe(ROBOT_DESCRIPTION)
         odometry, ask = node.subscribe(ODOMETRY, Qos(1000)), node.publish(CMD_VEL)
         for arguments in (("sim",), ("state",), ("controller", "tuned")):

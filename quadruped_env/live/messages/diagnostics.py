@@ -35,8 +35,7 @@ class Diagnostics:
         if not self._pace.tick():
             return
         shown = dict(values)
-        ends: list[Publisher | Subscription[Any]] = [*self._node.subscriptions, *self._node.publishers]
-        for end in ends:
+        for end in self._node.ends:
             if end is not self._publisher:
                 rate = self._rates.setdefault(end, Rate(since=self._pace.due - 2 * _PERIOD))
                 shown[f"{end.topic.name}, Hz"] = f"{rate.per_second(end.count):.1f}"

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.joint_command import LIMP, MAX_MEASURED, Target
 from quadruped_env.control.timestamp_filter import MAX_AGE
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
-from quadruped_env.ros import cdr
+from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
@@ -60,14 +59,12 @@ class JointReader:
     """Reads the messages of one topic.
 
     Args:
-        topic: topic name for error messages.
         robot: robot whose joints the messages contain, or its driver, whose `limits` take the place of `MAX_MEASURED`.
         states: True for measured states: a message may hold some of the robot's joints and other joints, velocities
             may be NaN, and positions and a timestamp are needed. False for commands, which name each joint once.
     """
 
-    def __init__(self, topic: str, robot: Jointed, states: bool = False) -> None:
-        self._topic = topic
+    def __init__(self, robot: Jointed, states: bool = False) -> None:
         self._joints = robot.joint_names
         self._states = states
         limits = {"position": MAX_MEASURED, "velocity": MAX_MEASURED, **getattr(robot, "limits", {})}
@@ -81,12 +78,7 @@ class JointReader:
             QuadrupedError: if the bytes are corrupt, the names do not fit the robot, the numbers of values and names
                 differ, a position or velocity is invalid or over its limit, or positions or timestamp are missing.
         """
-        try:
-            return self._read(read_joint_state(data))
-        except QuadrupedError as error:
-            raise QuadrupedError(f"{self._topic}: {error}") from error
-
-    def _read(self, raw: RawJointState) -> Joints:
+        raw = read_joint_state(data)
         columns = self._columns.get(raw.names)
         if columns is None:
             if len(self._columns) >= _REMEMBERED:
@@ -272,18 +264,7 @@ def read_target(joints: Joints) -> Target:
         return joints.positions
     if joints.efforts is not None and not joints.efforts.any() and joints.velocities is None:
         return LIMP
-    raise QuadrupedError(
-        f"{JOINT_COMMANDS.name}: has no positions; send positions in rad, or only efforts of 0 to let the robot go limp"
-    )
-
-
-def positions_message(target: NDArray[np.float64]) -> Any:
-    """A `/forward_position_controller/commands` message.
-
-    Args:
-        target: joint targets, rad (J,).
-    """
-    return cdr.message(JOINT_POSITIONS.type_name, data=target)
+    raise QuadrupedError("has no positions; send positions in rad, or only efforts of 0 to let the robot go limp")
 
 
 def read_positions(message: Any, robot: Jointed) -> NDArray[np.float64]:
@@ -295,10 +276,7 @@ def read_positions(message: Any, robot: Jointed) -> NDArray[np.float64]:
     positions = np.array(message.data, dtype=np.float64)
     if positions.shape != (len(robot.joint_names),) or not np.isfinite(positions).all():
         found = positions.tolist() if positions.size <= len(robot.joint_names) else f"{positions.size} numbers"
-        raise QuadrupedError(
-            f"{JOINT_POSITIONS.name}: holds {found}; send a finite number of rad for each of "
-            f"{', '.join(robot.joint_names)}"
-        )
+        raise QuadrupedError(f"holds {found}; send a finite number of rad for each of {', '.join(robot.joint_names)}")
     return positions
 
 

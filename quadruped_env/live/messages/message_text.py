@@ -49,29 +49,6 @@ def field_at(values: Any, path: str) -> Any:
     return values
 
 
-def check_field(type_name: str, path: str) -> None:
-    """Check that messages of a type have a field. The lengths of its lists are known only from a message.
-
-    Args:
-        type_name: `package/msg/Type`.
-        path: as in `field_at`.
-
-    Raises:
-        QuadrupedError: if there is no such field.
-    """
-    one_of_each = ["0" if name.isdecimal() else name for name in path.split(".")]
-    field_at(_shape(type_name), ".".join(one_of_each))
-
-
-def _shape(type_name: str) -> dict[str, Any]:
-    """The structure of a type as returned by `plain`, with one item in each list and without values."""
-    values: dict[str, Any] = {}
-    for field in message_type(type_name).fields:
-        value = _shape(field.base) if field.is_message else None
-        values[field.name] = [value] if field.many else value
-    return values
-
-
 def as_yaml(values: Any) -> str:
     """YAML with one line per list item, and the `---` line that ends a message.
 
@@ -97,13 +74,11 @@ def as_csv(values: Any) -> str:
 def _cells(values: Any) -> Iterator[str]:
     if isinstance(values, dict):
         values = list(values.values())
-    if not isinstance(values, list):
-        yield str(values)
-    elif not values:
-        yield ""
-    else:
-        for one in values:
+    if isinstance(values, list):
+        for one in values or [""]:
             yield from _cells(one)
+    else:
+        yield str(values)
 
 
 def _count(values: Any) -> str:

@@ -20,7 +20,6 @@ class Sensors:
     """The robot's publishers: joint states, IMU, odometry, the base's transform and the clock.
 
     Args:
-        node: the publishing node.
         robot: robot whose readings are sent.
         driver: conversion to the driver's joints; None: they are the robot's.
     """

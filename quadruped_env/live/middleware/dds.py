@@ -4,7 +4,7 @@ import os
 import socket
 import stat
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -41,6 +41,8 @@ _SETTINGS: Final = """
 </Domain></CycloneDDS>
 """
 _SETTINGS_VARIABLE: Final = "CYCLONEDDS_URI"
+_ERRORS: Final = 3
+"""CycloneDDS's log levels fatal and error. With warnings it would print a line for every damaged packet."""
 _FILES: Final = Path("/proc/self/fd")
 _FIRST_PORT: Final = 7400
 _PORTS: Final = 250
@@ -62,17 +64,13 @@ class Network:
             raise QuadrupedError(f"{DOMAIN_VARIABLE}: expected 0 to {MAX_DOMAIN}; found {self.domain_id}")
 
     @classmethod
-    def from_environment(
-        cls, domain_id: int | None = None, subnet: bool = False, environment: Mapping[str, str] = os.environ
-    ) -> "Network":
+    def from_environment(cls, subnet: bool = False) -> "Network":
         """The domain that ROS 2 would use: ROS_DOMAIN_ID, or 0.
 
         Raises:
             QuadrupedError: if the variable is not a valid domain ID.
         """
-        text = environment.get(DOMAIN_VARIABLE, "").strip()
-        if domain_id is not None or not text:
-            return cls(domain_id or 0, subnet)
+        text = os.environ.get(DOMAIN_VARIABLE, "").strip() or "0"
         if not text.isdecimal():
             raise QuadrupedError(f"{DOMAIN_VARIABLE}: expected a whole number, 0 to {MAX_DOMAIN}; found {text!r}")
         return cls(int(text), subnet)
@@ -110,7 +108,9 @@ def open_participant(network: Network, name: str) -> Any:
     import_dds()
     from cyclonedds.core import DDSException, Policy, Qos
     from cyclonedds.domain import DomainParticipant
+    from cyclonedds.internal import DDS
 
+    DDS._dll_handle.dds_set_log_mask(_ERRORS)
     try:
         domain = _domain(network)
         # ROS 2 writes the same user data for a process without access control.
@@ -127,6 +127,7 @@ def open_participant(network: Network, name: str) -> Any:
         _bind_to_loopback(network.domain_id)
     # The domain's settings exist only as long as the domain object is referenced.
     participant.quadruped_domain = domain
+    participant.quadruped_topics = {}
     return participant
 
 
@@ -137,21 +138,21 @@ def _domain(network: Network) -> Any:
     """The domain of an id within this process, with its settings."""
     from cyclonedds.domain import Domain
 
-    known = _DOMAINS.get(network.domain_id)
-    if known is None:
-        own_settings = network.subnet and os.environ.get(_SETTINGS_VARIABLE)
-        general = "" if network.subnet else _LOOPBACK
-        settings = (
-            None
-            if own_settings
-            else _SETTINGS.format(general=general, participants=_PARTICIPANTS, announced=_ANNOUNCED, received=_RECEIVED)
+    if network.domain_id not in _DOMAINS:
+        settings = _SETTINGS.format(
+            general="" if network.subnet else _LOOPBACK,
+            participants=_PARTICIPANTS,
+            announced=_ANNOUNCED,
+            received=_RECEIVED,
         )
-        known = _DOMAINS[network.domain_id] = (network, Domain(network.domain_id, settings))
-    if known[0] != network:
+        users = network.subnet and os.environ.get(_SETTINGS_VARIABLE)
+        _DOMAINS[network.domain_id] = network, Domain(network.domain_id, None if users else settings)
+    joined, domain = _DOMAINS[network.domain_id]
+    if joined != network:
         raise QuadrupedError(
-            f"domain {network.domain_id}: this process has joined it with {known[0]}; it cannot join with {network}"
+            f"domain {network.domain_id}: this process has joined it with {joined}; it cannot join with {network}"
         )
-    return known[1]
+    return domain
 
 
 def _bind_to_loopback(domain_id: int) -> None:

@@ -8,28 +8,29 @@ while True:
         print(received.sent, message)
 """
 
-import statistics
+import contextlib
+import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Final, Generic, NamedTuple, TypeVar, overload
+from typing import Any, Final, Generic, NamedTuple, TypeVar
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.live.middleware.dds import Network, open_participant
 from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.ros_graph import Graph
 from quadruped_env.live.middleware.topics import DISCOVERY_INFO, Topic
-from quadruped_env.live.middleware.type_information import withhold_type_information
-from quadruped_env.live.middleware.wire import wire_type
+from quadruped_env.live.middleware.wire import wire_type, withhold_type_information
 from quadruped_env.ros import MessageType, Qos, cdr
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _TAKEN: Final = 256
 _BLOCKING: Final = 100_000_000
 """Maximum time that a reliable writer blocks on a slow reader, the DDS default, ns."""
-_LATENCIES: Final = 1000
 _SEEN: Final = 256
 """Number of messages among which those that several readers receive are found."""
+_CREATING: Final = threading.Lock()
+"""Held while a topic is made: one that another thread makes meanwhile would share the type that is being changed."""
 _ALL_NODES: Final = Qos(depth=0, transient_local=True)
 
 T = TypeVar("T")
@@ -62,8 +63,8 @@ class Publisher:
         self.topic = topic
         self.count = 0
         """Number of messages sent."""
-        self._wire = wire_type(topic.type_name)
         self.entity = DataWriter(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type))
+        self._wire = wire_type(topic.type_name)
         """The writer on DDS."""
         self.entities = [self.entity]
 
@@ -94,7 +95,7 @@ class Publisher:
     @property
     def readers(self) -> int:
         """Number of matched subscriptions."""
-        return len(self.entity.get_matched_subscriptions())
+        return int(self.entity.get_publication_matched_status().current_count)
 
     def wait_until_read(self, seconds: float) -> bool:
         """Wait until every reliable reader has acknowledged all messages. Returns False on timeout."""
@@ -118,12 +119,8 @@ class Subscription(Generic[T]):
         from cyclonedds.sub import DataReader
 
         self.topic = topic
-        self.constant_name = topic.name
-        """The topic's name without namespace and remapping, with which a `read` may begin its errors."""
         self.count = 0
         """Number of messages received."""
-        self.latencies: deque[float] = deque(maxlen=_LATENCIES)
-        """Latencies from sending to taking of the last messages, s. Between machines they include the clock offset."""
         self._read = read
         self.entities = [
             DataReader(participant, _dds_topic(participant, topic), qos=_dds_qos(qos, topic.type, ignore_own))
@@ -155,13 +152,12 @@ class Subscription(Generic[T]):
         taken: list[Received] = []
         while samples := entity.take(_TAKEN):
             # Read the clock after the call, which may have been delayed, so that no message seems younger than it is.
-            now, at = time.time_ns(), time.monotonic()
+            at = time.monotonic()
             for sample in samples:
                 # A sample without data only reports that a publisher has left.
                 if sample.sample_info.valid_data:
-                    sent = sample.sample_info.source_timestamp
-                    taken.append(Received(sample.data, sent, sample.sample_info.publication_handle, at))
-                    self.latencies.append((now - sent) / NS_PER_SECOND)
+                    info = sample.sample_info
+                    taken.append(Received(sample.data, info.source_timestamp, info.publication_handle, at))
             if len(samples) < _TAKEN:
                 break
         return taken
@@ -203,23 +199,22 @@ class Subscription(Generic[T]):
         # The bytes are untrusted, and a reader may fail on them with any exception.
         except Exception as error:
             reason = f"{len(received.data)} bytes cannot be read: {type(error).__name__}: {error}"
-        raise QuadrupedError(f"{self.topic.name}: {reason.removeprefix(f'{self.constant_name}: ')}")
+        raise QuadrupedError(f"{self.topic.name}: {reason}")
 
     @property
     def matched(self) -> set[int]:
         """Handles of the matched publishers, see `Received.writer`."""
-        # cyclonedds reads these handles as signed numbers, so every second one is not the handle of its messages.
-        return {handle % 2**64 for entity in self.entities for handle in entity.get_matched_publications()}
+        while True:
+            # cyclonedds counts the handles before it reads them, and fails if there are more by then.
+            with contextlib.suppress(IndexError):
+                found = [handle for entity in self.entities for handle in entity.get_matched_publications()]
+                # It reads them as signed numbers, so every second one is not the handle of its messages.
+                return {handle % 2**64 for handle in found}
 
     @property
     def writers(self) -> int:
         """Number of matched publishers."""
         return len(self.matched)
-
-    @property
-    def latency(self) -> float | None:
-        """Median of `latencies`, or None before the first message."""
-        return statistics.median(self.latencies) if self.latencies else None
 
 
 class Node:
@@ -259,14 +254,6 @@ class Node:
         self._announce()
         return publisher
 
-    @overload
-    def subscribe(self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False) -> Subscription[Any]: ...
-
-    @overload
-    def subscribe(
-        self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, *, read: Read[T]
-    ) -> Subscription[T]: ...
-
     def subscribe(
         self, topic: Topic, qos: Qos | None = None, ignore_own: bool = False, read: Read[Any] | None = None
     ) -> Subscription[Any]:
@@ -278,16 +265,19 @@ class Node:
             ignore_own: ignore messages that this node itself publishes.
             read: decodes the CDR bytes; by default to messages of `quadruped_env.ros.cdr`; `bytes` keeps them.
         """
-        if read is None:
-            read = message_reader(topic, lambda message: message)
+        read = read or message_reader(topic, lambda message: message)
         requests = (qos,) if qos else topic.requests or (topic.qos,)
         subscription = Subscription(self._participant, self.names.resolved(topic), requests, read, ignore_own)
-        subscription.constant_name = topic.name
         self.subscriptions.append(subscription)
         for condition in subscription.conditions:
             self._waitset.attach(condition)
         self._announce()
         return subscription
+
+    @property
+    def ends(self) -> list[Publisher | Subscription[Any]]:
+        """Publishers and subscriptions."""
+        return [*self.publishers, *self.subscriptions]
 
     def remove(self, end: Publisher | Subscription[Any]) -> None:
         """Delete a publisher or subscription of this node."""
@@ -352,8 +342,12 @@ def _dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
 
 
 def _dds_topic(participant: Any, topic: Topic) -> Any:
+    """The topic of a participant, made once: CycloneDDS cannot hold more than some thirty of one type in a process."""
     from cyclonedds.topic import Topic as DdsTopic
 
-    made = DdsTopic(participant, topic.dds_name, wire_type(topic.type_name))
-    withhold_type_information(made)
-    return made
+    with _CREATING:
+        made = participant.quadruped_topics
+        if (key := (topic.dds_name, topic.type_name)) not in made:
+            made[key] = DdsTopic(participant, topic.dds_name, wire_type(topic.type_name))
+            withhold_type_information(made[key])
+        return made[key]

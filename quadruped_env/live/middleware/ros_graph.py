@@ -1,19 +1,15 @@
 """The ROS graph of a domain: all publishers and subscriptions, and why some of them do not match."""
 
 import itertools
-import math
 import uuid
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Final
 
 from quadruped_env.live.middleware.topics import ros_name
 from quadruped_env.ros import Qos
-from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _TAKEN: Final = 256
-_LIVELINESS: Final = ("Automatic", "ManualByParticipant", "ManualByTopic")
-"""Kinds of liveliness; a request for one is met by that one and the later ones."""
 _NAMELESS: Final = "a process that gives no name"
 
 
@@ -35,12 +31,6 @@ class Endpoint:
     """Key of the participant that owns it."""
     key: str = ""
     """Key of the endpoint, under which its process announces the node that it belongs to."""
-    deadline: float = math.inf
-    """Maximum time between messages, s."""
-    lease: float = math.inf
-    """Time after which a publisher that does not assert its liveliness counts as gone, s."""
-    liveliness: int = 0
-    """Index in `_LIVELINESS`."""
     structure: str = ""
     """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
@@ -110,35 +100,14 @@ class Graph:
             ends = list(group)
             for writer, reader in itertools.product(ends, ends):
                 concerned = all_processes or self.is_own(writer) or self.is_own(reader)
-                if concerned and writer.writes and not reader.writes:
-                    found.update(dict.fromkeys(self._apart(writer, reader, ends)))
+                if not (concerned and writer.writes and not reader.writes and (reason := _obstacle(writer, reader))):
+                    continue
+                # Another subscription of the same node may receive from the writer.
+                others = [one for one in ends if not one.writes and one.participant == reader.participant]
+                if all(_obstacle(writer, one) or self.owner(one) != self.owner(reader) for one in others):
+                    where = f"{writer.topic}, from {self._whose(writer)} to {self._whose(reader)}"
+                    found[f"{where}: {reason}"] = None
         return list(found)
-
-    def _apart(self, writer: Endpoint, reader: Endpoint, ends: Sequence[Endpoint]) -> Iterator[str]:
-        """Reasons why two of a topic's endpoints do not match."""
-        where = f"{writer.topic}, from {self._whose(writer)} to {self._whose(reader)}"
-        if writer.type_name != reader.type_name:
-            yield f"{where}: no message will arrive; the types differ: {writer.type_name} and {reader.type_name}"
-        elif writer.type_hash and reader.type_hash and writer.type_hash != reader.type_hash:
-            yield (
-                f"{where}: both use the type {writer.type_name}, but its definitions differ "
-                f"({writer.type_hash} and {reader.type_hash}); received messages cannot be trusted"
-            )
-        elif writer.structure and reader.structure and writer.structure != reader.structure:
-            yield (
-                f"{where}: perhaps no message will arrive; both announce the structure of {writer.type_name} (XTypes "
-                f"{writer.structure} and {reader.structure}), and Fast DDS 3 (ROS 2 Kilted) and Cyclone DDS cannot "
-                f"compare them; set the property fastdds.type_propagation=disabled for the participant of Fast DDS"
-            )
-        reason = _incompatible(writer, reader)
-        if reason and not any(self._stands_in(other, writer, reader) for other in ends):
-            yield f"{where}: no message will arrive; {reason}"
-
-    def _stands_in(self, other: Endpoint, writer: Endpoint, reader: Endpoint) -> bool:
-        """True if another subscription of the reader's node receives from the writer."""
-        if other.writes or (other.participant, other.type_name) != (reader.participant, writer.type_name):
-            return False
-        return not _incompatible(writer, other) and self.owner(other) == self.owner(reader)
 
     def _whose(self, endpoint: Endpoint) -> str:
         return "this node" if self.is_own(endpoint) else self.owner(endpoint)
@@ -177,7 +146,6 @@ class Graph:
                         one.sample_info.instance_handle,
                         str(one.participant_key),
                         key,
-                        *_read_timing(one.qos),
                         _structure(one.type_id),
                     )
 
@@ -209,40 +177,23 @@ def _read_type_hash(qos: Any) -> str:
     return ""
 
 
-def _read_timing(qos: Any) -> tuple[float, float, int]:
-    """Deadline, lease and liveliness of a discovered endpoint."""
-    from cyclonedds.util import duration
-
-    def seconds(nanoseconds: int) -> float:
-        return math.inf if nanoseconds >= duration(infinite=True) else nanoseconds / NS_PER_SECOND
-
-    deadline, lease, liveliness = math.inf, math.inf, 0
-    for policy in qos:
-        if policy.__scope__ == "Deadline":
-            deadline = seconds(policy.deadline)
-        elif policy.__scope__ == "Liveliness":
-            liveliness = _LIVELINESS.index(type(policy).__name__.rpartition(".")[2])
-            lease = seconds(policy.lease_duration)
-    return deadline, lease, liveliness
-
-
-def _incompatible(writer: Endpoint, reader: Endpoint) -> str:
-    """The reason why a reader receives nothing from a writer; empty if their QoS is compatible."""
-    kinds = [_LIVELINESS[one.liveliness] for one in (reader, writer)]
+def _obstacle(writer: Endpoint, reader: Endpoint) -> str:
+    """The reason why a reader receives nothing from a writer of its topic; empty if there is none."""
+    if writer.type_name != reader.type_name:
+        return f"no message will arrive; the types differ: {writer.type_name} and {reader.type_name}"
     checks = [
         (reader.qos.reliable > writer.qos.reliable, "reliable delivery", "best effort"),
         (reader.qos.transient_local > writer.qos.transient_local, "transient local (latched)", "volatile"),
-        (reader.deadline < writer.deadline, f"a deadline of {reader.deadline:g} s", _seconds(writer.deadline)),
-        (reader.lease < writer.lease, f"a liveliness lease of {reader.lease:g} s", _seconds(writer.lease)),
-        (reader.liveliness > writer.liveliness, f"liveliness {kinds[0]}", kinds[1]),
     ]
-    return " and ".join(
-        f"the reader requests {requested}, the writer offers {offered}" for fails, requested, offered in checks if fails
-    )
-
-
-def _seconds(time: float) -> str:
-    return "none" if math.isinf(time) else f"{time:g} s"
+    reasons = [f"the reader requests {asked}, the writer offers {offered}" for fails, asked, offered in checks if fails]
+    if reasons:
+        return f"no message will arrive; {' and '.join(reasons)}"
+    if writer.type_hash and reader.type_hash and writer.type_hash != reader.type_hash:
+        return (
+            f"both use the type {writer.type_name}, but its definitions differ ({writer.type_hash} and "
+            f"{reader.type_hash}); received messages cannot be trusted"
+        )
+    return ""
 
 
 def _taken(reader: Any) -> Iterator[Any]:

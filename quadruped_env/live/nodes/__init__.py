@@ -1,17 +1,16 @@
-"""The nodes: one module per node, with a docstring, `add_arguments(parser)` and `run(session, arguments)`.
+"""The nodes. Each has a docstring, `add_arguments(parser)` and `run(session, arguments)`, as a module or a class.
 
 A node that starts other nodes has `start(arguments)` instead of `run`.
 """
 
 import importlib
-from types import ModuleType
-from typing import Final
+from typing import Any, Final
 
 SUMMARIES: Final = {
     "display": "gait + state + viewer, like the tutorial's launch file",
     "walk": "sim + controller + state + viewer + teleop",
     "sim": "the simulated robot in real time",
-    "gait": "a scripted gait on /joint_states, like the tutorial's publisher, or as commands",
+    "gait": "a scripted gait on /joint_states, like the tutorial's publisher",
     "state": "joint states in, transforms out, like robot_state_publisher",
     "controller": "a policy drives the robot: states and /cmd_vel in, joint commands out",
     "calibrate": "move a hanging robot's motors one after another, ask what moved, and write the map of --map",
@@ -26,8 +25,14 @@ SUMMARIES: Final = {
 """Node -> summary, in the order of --help. Kept here so that running a node does not import the others."""
 PRINTING: Final = ("echo", "hz")
 """Nodes whose only result is what they print, and which end when its reader does."""
+_MODULES: Final = {
+    **dict.fromkeys(("display", "walk"), "launch"),
+    **dict.fromkeys(("echo", "list", "hz", "record"), "listen"),
+}
+"""Modules that hold several nodes, as classes."""
 
 
-def node_module(name: str) -> ModuleType:
-    """The module of a node of `SUMMARIES`."""
-    return importlib.import_module(f"{__name__}.{name}")
+def node_module(name: str) -> Any:
+    """The module or class of a node of `SUMMARIES`."""
+    module = importlib.import_module(f"{__name__}.{_MODULES.get(name, name)}")
+    return getattr(module, name.capitalize()) if name in _MODULES else module

@@ -25,8 +25,8 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.keyboard import Keyboard
-from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES
-from quadruped_env.live.motor_swing import Motors, MotorSwing
+from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.motor_swing import ANGLE, SPEED, Motors, MotorSwing
 from quadruped_env.live.node_options import add_robot_argument, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.live.single_publisher import SinglePublisherGuard
@@ -61,38 +61,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--unit", choices=UNITS, default="rad", help="the driver's unit of positions (default: %(default)s)"
     )
     parser.add_argument("--ticks-per-turn", type=float, metavar="N", help="of the encoders, with --unit ticks")
-    parser.add_argument(
-        "--angle", type=float, default=0.15, metavar="RAD", help="of the motion, 0.02 to 0.5 (default: %(default)s)"
-    )
-    parser.add_argument(
-        "--speed", type=float, default=0.3, metavar="RAD/S", help="peak speed, 0.05 to 1 (default: %(default)s)"
-    )
-    parser.add_argument(
-        "--arrays",
-        action="store_true",
-        help=f"send the format of ros2_control on {JOINT_POSITIONS.name}, in the order of --motors; it has no limp "
-        "command: motors keep their torque when a motion ends, and you disable them before you move a leg by hand",
-    )
     add_robot_argument(parser, joint_map=False)
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Ask until the map is complete, and write it."""
     robot, path = robot_of(arguments), arguments.file
-    for name, low, high in (("angle", 0.02, 0.5), ("speed", 0.05, 1.0)):
-        if not low <= (value := getattr(arguments, name)) <= high:
-            raise QuadrupedError(f"--{name}: expected {low:g} to {high:g}; found {value:g}")
     unit = JointRule(unit=arguments.unit, ticks_per_turn=arguments.ticks_per_turn)
     check_rule("calibrate: --unit:", unit)
     check_free([path], arguments.overwrite)
-    if arguments.arrays and arguments.motors is None:
-        raise QuadrupedError("--arrays: needs --motors, the names in the order of the arrays")
-    SinglePublisherGuard(session, JOINT_POSITIONS if arguments.arrays else JOINT_COMMANDS).check()
+    SinglePublisherGuard(session, JOINT_COMMANDS).check()
     names = tuple(arguments.motors or _names(session))
-    swing = MotorSwing(session, Motors(names, unit.factors[0]), arguments.arrays, arguments.angle, arguments.speed)
+    swing = MotorSwing(session, Motors(names, unit.factors[0]))
     with Keyboard() as keyboard:
         wizard = _Wizard(session, swing, keyboard, robot, names, unit)
-        wizard.warn(arguments.angle, arguments.speed)
+        wizard.warn()
         found = wizard.joint_map()
     heading = f"# Joints of {robot.name} by the motors of its driver, as 'mini-quadruped live calibrate' found them."
     write_whole({path: f"{heading}\n\n{found.text()}".encode()})
@@ -105,13 +88,13 @@ def _names(session: Session) -> Sequence[str]:
     states = session.node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=read_joint_state)
     names: dict[str, None] = {}
     end = math.inf
-    while session.running and time.monotonic() < end:
-        session.wait()
+    for _ in session.turns():
+        if time.monotonic() > end:
+            break
         for _, state in states.messages(session.refuse):
             end = min(end, time.monotonic() + _LISTEN)
             names.update(dict.fromkeys(state.names))
         session.wait_for("" if names else JOINT_STATES.name)
-        session.report()
     session.node.remove(states)
     return list(names)
 
@@ -120,7 +103,6 @@ class _Wizard:
     """Questions and answers.
 
     Args:
-        session: the session of this process.
         swing: moves the motors.
         keyboard: of the answers, and to stop a motion.
         robot: the robot.
@@ -141,7 +123,7 @@ class _Wizard:
         self._robot, self._motors, self._unit = robot, motors, unit
         self._keys: deque[str] = deque()
 
-    def warn(self, angle: float, speed: float) -> None:
+    def warn(self) -> None:
         """Tell what will happen, and wait for consent.
 
         Raises:
@@ -152,7 +134,7 @@ class _Wizard:
         )
         self._session.say(
             f"THE ROBOT HAS TO HANG FREE: no leg may reach the ground, a cable or a hand, and its power switch is in "
-            f"your reach. Each of its {len(self._motors)} motors moves by {angle:g} rad, at {speed:g} rad/s at most, "
+            f"your reach. Each of its {len(self._motors)} motors moves by {ANGLE:g} rad, at {SPEED:g} rad/s at most, "
             f"while the others hold. Any key stops it at once, and the robot goes limp."
         )
         self._session.say(f"positions in {self._unit.unit}, is the unit right? {shown}")
@@ -251,9 +233,11 @@ class _Wizard:
         """
         self._session.say(question)
         typed = ""
-        while self._session.running and not self._keyboard.gone:
+        for _ in self._session.turns(lambda: 0.0):
             sys.stdout.write(f"{CLEAR_LINE}> {typed}")
             sys.stdout.flush()
+            if self._keyboard.gone:
+                break
             self._keys.extend(self._keyboard.pressed(POLL_PERIOD))
             while self._keys:
                 key = self._keys.popleft()
@@ -261,7 +245,6 @@ class _Wizard:
                     sys.stdout.write(f"{CLEAR_LINE}> {typed}\n")
                     return typed.strip()
                 typed = typed[:-1] if key in "\x7f\b" else typed + key * (len(key) == 1 and key.isprintable())
-            self._swing.update()
         raise QuadrupedError("ended before the map was complete; no file was written")
 
 

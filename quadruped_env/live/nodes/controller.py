@@ -34,14 +34,13 @@ from quadruped_env.control.task_file import Terms, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.command_publisher import CommandPublisher
-from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
+from quadruped_env.live.control_time import ControlTime, SimTime, SimulatorCommands, SystemTime
 from quadruped_env.live.controller_inputs import Measurements, SlowInputs, VelocityCommands
 from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
 from quadruped_env.live.messages.driver_joints import DriverJoints, add_map_argument
-from quadruped_env.live.middleware.topics import CLOCK, ESTOP, IMU, JOINT_COMMANDS, JOINT_POSITIONS, TF_STATIC
+from quadruped_env.live.middleware.topics import CLOCK, ESTOP, JOINT_COMMANDS, JOINT_POSITIONS
 from quadruped_env.live.session import Session, add_realtime_argument
-from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.policies.by_name import find_controller
 from quadruped_env.policies.files import DEFAULT, SHIPPED, kept_file, read_policy
@@ -85,8 +84,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs=3,
         type=float,
         metavar=("ROLL", "PITCH", "YAW"),
-        help=f"orientation of the IMU in the base frame, rad, as rpy in a URDF (default: looked up on {TF_STATIC.name} "
-        f"by the frame_id of {IMU.name})",
+        help="orientation of the IMU in the base frame, rad, as rpy in a URDF; needed if its frame_id is another",
     )
     parser.add_argument(
         "--sim-time",
@@ -114,7 +112,8 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     if arguments.map is not None:
         session.say(f"--map: drives {', '.join(driver.joint_names)}")
     publisher = CommandPublisher(session.node, driver, arguments.arrays, session.say)
-    guard = _checked_guard(session, arguments.arrays)
+    guard = SinglePublisherGuard(session, JOINT_POSITIONS if arguments.arrays else JOINT_COMMANDS)
+    guard.check()
     try:
         _control(session, arguments, live_controller, driver, publisher, guard)
     finally:
@@ -132,9 +131,9 @@ def _control(
     guard: SinglePublisherGuard,
 ) -> None:
     """Answer the robot's states until the session ends."""
-    node, robot = session.node, live_controller.robot
+    robot = live_controller.robot
     commands = VelocityCommands(session, live_controller)
-    clock: ControlTime = SimTime(node) if arguments.sim_time else SystemTime()
+    clock: ControlTime = SimTime(session.node) if arguments.sim_time else SystemTime()
     simulator, stop = SimulatorCommands(session), EmergencyStop(session, arguments.start_stopped)
     inbox = Measurements(session, robot, driver, live_controller.needs_velocities, _mount(arguments))
 
@@ -149,12 +148,9 @@ def _control(
                 inbox.commanded(LIMP)
 
     slow = SlowInputs(1.0 / live_controller.period, session.say)
-    diagnostics = Diagnostics(node, robot.name)
-    while session.running:
-        session.wait(max(0.0, min(_POLL_PERIOD, live_controller.remaining(clock.now))))
-        simulator.take()
-        stop.take()
-        guard.watch(publishing=live_controller.mode not in (Mode.WAITING, Mode.LIMP))
+    diagnostics = Diagnostics(session.node, robot.name)
+    for _ in session.turns(lambda: min(_POLL_PERIOD, live_controller.remaining(clock.now))):
+        guard.publishing = live_controller.mode not in (Mode.WAITING, Mode.LIMP)
         clock.pause(simulator.paused)
         if simulator.reset:
             live_controller.restart("reset")
@@ -181,9 +177,8 @@ def _control(
         slow.update(inbox.rates)
         problems = [one for one in (live_controller.fault, guard.problem, slow.warning, *inbox.problems) if one]
         moving = live_controller.moving(now)
-        session.report(
-            "" if live_controller.mode is not Mode.WALKING or moving else "standing: no /cmd_vel", *problems[:1]
-        )
+        stands = live_controller.mode is Mode.WALKING and not moving
+        session.details = ["standing: no /cmd_vel" * stands, *problems[:1]]
         values = {
             "policy": arguments.policy,
             "velocity command": moving,
@@ -193,12 +188,6 @@ def _control(
             **{f"{name}, Hz by timestamps": f"{rate:.1f}" for name, rate in inbox.rates.items()},
         }
         _send_status(diagnostics, live_controller, waiting, values)
-
-
-def _checked_guard(session: Session, arrays: bool) -> SinglePublisherGuard:
-    guard = SinglePublisherGuard(session, JOINT_POSITIONS if arrays else JOINT_COMMANDS)
-    guard.check()
-    return guard
 
 
 def _send_status(

@@ -1,7 +1,7 @@
 """Drive the robot with a gamepad or joystick (Linux): sends /cmd_vel while the enable button is held.
 
     mini-quadruped live gamepad                               LB held: left stick walks, right stick turns; B: stop
-    mini-quadruped live gamepad --axes 1 0 --enable-button 5  other sticks and another button
+    mini-quadruped live gamepad --axes 1 0 --buttons 5 1 7    other sticks, and RB held
 
 Releasing the button, unplugging the gamepad, or the end of this program makes the robot stand. The stop button sends
 /estop, which lets it go limp; the start button ends the stop, and the next velocity command makes the robot stand up.
@@ -17,10 +17,10 @@ from typing import Final, Self
 from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.steering import Velocity
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.messages.velocity_messages import VelocityPublisher
+from quadruped_env.live.messages.steering_messages import velocity_message
 from quadruped_env.live.middleware.topics import CMD_VEL, ESTOP
 from quadruped_env.live.pace import Pace
-from quadruped_env.live.session import POLL_PERIOD, Session
+from quadruped_env.live.session import Session
 from quadruped_env.ros import cdr
 
 _PERIOD: Final = 0.05
@@ -32,7 +32,6 @@ _EVENT: Final = struct.Struct("=IhBB")
 """Event of Linux's joystick interface: time in ms, value, type, number (`struct js_event`)."""
 _BUTTON, _AXIS, _INITIAL = 0x01, 0x02, 0x80
 _FULL: Final = 32767
-_READ: Final = 64 * _EVENT.size
 
 
 class Gamepad:
@@ -51,7 +50,6 @@ class Gamepad:
         """Positions in [-1, 1], by number; right and down are positive."""
         self.buttons: dict[int, bool] = {}
         """True while pressed, by number."""
-        self._rest = b""
 
     def __enter__(self) -> Self:
         try:
@@ -72,30 +70,23 @@ class Gamepad:
         Raises:
             QuadrupedError: if the device was unplugged.
         """
-        pressed = set()
-        while data := self._read():
-            data = self._rest + data
-            whole = len(data) - len(data) % _EVENT.size
-            self._rest = data[whole:]
-            for _, value, kind, number in _EVENT.iter_unpack(data[:whole]):
+        pressed: set[int] = set()
+        while True:
+            try:
+                # The device gives whole events.
+                data = os.read(self._file, 64 * _EVENT.size)
+            except BlockingIOError:
+                return pressed
+            except OSError:  # ENODEV
+                data = b""
+            if not data:
+                raise QuadrupedError(f"{self._device}: was unplugged")
+            for _, value, kind, number in _EVENT.iter_unpack(data):
                 if kind & ~_INITIAL == _AXIS:
                     self.axes[number] = max(-1.0, value / _FULL)
                 elif kind & ~_INITIAL == _BUTTON:
                     self.buttons[number] = bool(value)
-                    if value:
-                        pressed.add(number)
-        return pressed
-
-    def _read(self) -> bytes:
-        try:
-            data = os.read(self._file, _READ)
-        except BlockingIOError:
-            return b""
-        except OSError:  # ENODEV
-            data = b""
-        if not data:
-            raise QuadrupedError(f"{self._device}: was unplugged")
-        return data
+                    pressed |= {number} if value else set()
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -111,43 +102,40 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar=("FORWARD", "TURN"),
         help="numbers of the axes (default: 1 3, of an Xbox controller)",
     )
-    for name, number, what in (
-        ("enable", 4, "send commands while it is held"),
-        ("stop", 1, "emergency stop"),
-        ("start", 7, "end the emergency stop"),
-    ):
-        parser.add_argument(
-            f"--{name}-button", type=int, default=number, metavar="N", help=f"{what} (default: %(default)s)"
-        )
+    parser.add_argument(
+        "--buttons",
+        nargs=3,
+        type=int,
+        default=[4, 1, 7],
+        metavar=("ENABLE", "STOP", "START"),
+        help="numbers of the buttons that enable commands while held, stop, and end the stop (default: 4 1 7)",
+    )
 
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Send until the session ends, then make the robot stand."""
-    velocities, stops = VelocityPublisher(session.node), session.node.publish(ESTOP)
+    velocities, stops = session.node.publish(CMD_VEL), session.node.publish(ESTOP)
+    enable, stop, start = arguments.buttons
     pace, enabled, command = Pace(_PERIOD), False, _STAND
     try:
         with Gamepad(arguments.device) as gamepad:
-            while session.running:
-                session.wait(min(pace.remaining, POLL_PERIOD))
+            for _ in session.turns(lambda: pace.remaining):
                 if not pace.tick():
                     continue
                 pressed = gamepad.update()
-                for button, stopped in ((arguments.start_button, False), (arguments.stop_button, True)):
+                for button, stopped in ((start, False), (stop, True)):
                     if button in pressed:
                         stops.send(cdr.message(ESTOP.type_name, data=stopped))
-                before, enabled = enabled, gamepad.buttons.get(arguments.enable_button, False)
+                before, enabled = enabled, gamepad.buttons.get(enable, False)
                 command = velocity(gamepad, arguments.axes) if enabled else _STAND
                 if enabled or before:
-                    velocities.send(command)
+                    velocities.send(velocity_message(command))
                 session.wait_for("" if velocities.readers else f"a subscription to {CMD_VEL.name}")
-                session.report(f"{command[0]:+.2f} m/s, {command[1]:+.2f} rad/s" if enabled else "not enabled")
-    except QuadrupedError:
-        velocities.send(_STAND)
-        velocities.publisher.wait_until_read(0.5)
-        raise
-    if enabled:
-        velocities.send(_STAND)
-        velocities.publisher.wait_until_read(0.5)
+                session.details = [f"{command[0]:+.2f} m/s, {command[1]:+.2f} rad/s" if enabled else "not enabled"]
+    finally:
+        if enabled:
+            velocities.send(velocity_message(_STAND))
+            velocities.wait_until_read(0.5)
     return 0
 
 

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.live.control_time import SimulatorCommands
 from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.messages.joint_messages import JointReader, read_positions, read_target
@@ -35,7 +36,6 @@ from quadruped_env.live.node_options import add_robot_argument, add_terrain_argu
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import POLL_PERIOD, Session, add_realtime_argument
 from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
-from quadruped_env.live.simulator_commands import SimulatorCommands
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 
@@ -78,8 +78,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     factor = arguments.real_time_factor
     if not _SLOWEST <= factor <= _FASTEST:
         raise QuadrupedError(f"--real-time-factor: expected {_SLOWEST:g} to {_FASTEST:g}; found {factor:g}")
-    guard = SinglePublisherGuard(session)
-    guard.check()
+    SinglePublisherGuard(session).check()
     sensors = Sensors(session.node, robot.robot, driver)
     commands = _Commands(session, robot, driver)
     pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
@@ -89,10 +88,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     steps, push_log = _Steps(TIMESTEP / factor), Pace(_PUSH_LOG_PERIOD)
     fell, fell_at = False, 0.0
     simulator, stop = SimulatorCommands(session, steps=True), EmergencyStop(session)
-    while session.running:
-        session.wait(POLL_PERIOD if simulator.paused else steps.pace.remaining)
-        simulator.take()
-        stop.take()
+    for _ in session.turns(lambda: POLL_PERIOD if simulator.paused else steps.pace.remaining):
         if simulator.reset:
             robot.reset()
         commands.take(stop.stopped)
@@ -111,12 +107,11 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             session.say("fallen" if fell else "on its feet")
         if fell and arguments.pick_up is not None and time.monotonic() - fell_at > arguments.pick_up:
             robot.pick_up()
-        guard.watch()
-        session.report(
-            "limp" if robot.limp else "",
-            "paused" if simulator.paused else "",
+        session.details = (
+            "limp" * robot.limp,
+            "paused" * simulator.paused,
             f"{1e3 * steps.pace.latest:.1f} ms late at most",
-            f"{steps.pace.lost} steps lost" if steps.pace.lost else "",
+            f"{steps.pace.lost} steps lost" * bool(steps.pace.lost),
         )
     return 0
 
@@ -161,7 +156,7 @@ class _Commands:
     def __init__(self, session: Session, robot: SimulatedRobot, driver: DriverJoints) -> None:
         self._session = session
         self._robot = robot
-        node, joints = session.node, JointReader(JOINT_COMMANDS.name, driver)
+        node, joints = session.node, JointReader(driver)
 
         def command(data: bytes) -> tuple[int, Target]:
             state = joints(data)

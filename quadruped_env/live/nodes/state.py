@@ -30,7 +30,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     description, fixed = node.publish(ROBOT_DESCRIPTION), node.publish(TF_STATIC)
     transforms = node.publish(TF)
     driver = DriverJoints.load(arguments.map, robot, commands=False)
-    reader = JointReader(JOINT_STATES.name, driver, states=True)
+    reader = JointReader(driver, states=True)
     states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
     description.send(cdr.message(ROBOT_DESCRIPTION.type_name, data=robot.urdf))
     fixed.send_bytes(next(transform_messages([time.time_ns()], robot.fixed_transforms())))
@@ -47,5 +47,4 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             elif not transforms.count:
                 waiting_for = missing_joints(driver.joint_names, joints.others)
         session.wait_for("" if transforms.count else waiting_for)
-        session.report()
     return 0

@@ -14,7 +14,7 @@ import argparse
 from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.steering import FORWARD_STEP, TURN_STEP, Velocity, next_step
 from quadruped_env.live.keyboard import DOWN, LEFT, RIGHT, UP, Keyboard
-from quadruped_env.live.messages.velocity_messages import VelocityPublisher
+from quadruped_env.live.messages.steering_messages import velocity_message
 from quadruped_env.live.middleware.topics import CMD_VEL
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import POLL_PERIOD, Session
@@ -32,25 +32,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(session: Session, arguments: argparse.Namespace) -> int:
     """Read keys until the session ends, then make the robot stand."""
-    publisher = VelocityPublisher(session.node)
+    publisher = session.node.publish(CMD_VEL)
     command: Velocity = (0.0, 0.0)
     pace = Pace(PERIOD)
     with Keyboard() as keyboard:
         session.say("arrows or w a s d: walk and turn; space: stand; q: end")
-        while session.running and not keyboard.gone:
+        for _ in session.turns(lambda: 0.0):
             keys = keyboard.pressed(min(pace.remaining, POLL_PERIOD))
             before = command
             for key in keys:
                 command = after(command, key)
-            if END in keys:
+            if END in keys or keyboard.gone:
                 break
             if command != before:
                 session.say(f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s")
             if pace.tick() or command != before:
-                publisher.send(command)
+                publisher.send(velocity_message(command))
             session.wait_for("" if publisher.readers else f"a subscription to {CMD_VEL.name}")
-            session.report(f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s")
-    _stand(publisher)
+            session.details = [f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s"]
+    publisher.send(velocity_message((0.0, 0.0)))
+    publisher.wait_until_read(0.5)
     return 0
 
 
@@ -67,8 +68,3 @@ def after(command: Velocity, key: str) -> Velocity:
         for value, size, steps, (low, high) in zip(command, sizes, STEPS[key], ranges, strict=True)
     )
     return forward, left
-
-
-def _stand(publisher: VelocityPublisher) -> None:
-    publisher.send((0.0, 0.0))
-    publisher.publisher.wait_until_read(0.5)

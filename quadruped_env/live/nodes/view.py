@@ -12,17 +12,22 @@ import time
 from quadruped_env.live.live_robot import LiveRobot, LiveViewController
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.middleware.topics import JOINT_STATES
-from quadruped_env.live.node_options import add_robot_argument, add_terrain_arguments, chosen_terrain, robot_of
+from quadruped_env.live.node_options import (
+    add_robot_argument,
+    add_terrain_arguments,
+    chosen_terrain,
+    robot_of,
+)
+from quadruped_env.live.nodes.launch import add_view_arguments
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.viewer import PORT, RESULTS, Show
-from quadruped_env.viewer.server import add_allow_host, import_viser
+from quadruped_env.viewer import RESULTS, Show
+from quadruped_env.viewer.server import import_viser
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the viewer's port, the ground, the robot and the map of its driver's joints."""
     add_robot_argument(parser)
-    parser.add_argument("--port", type=int, default=PORT, help="first port to try for the page (default: %(default)s)")
-    add_allow_host(parser)
+    add_view_arguments(parser)
     add_terrain_arguments(parser, "seed of the terrain")
 
 
@@ -37,14 +42,14 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     show = Show(controller, port=arguments.port, allowed_hosts=arguments.allow_host)
     try:
         session.say(f"the live robot: {show.address}")
-        while session.running:
+        for _ in session.turns(lambda: 0.0):
             began = time.monotonic()
             show.run(POLL_PERIOD)
             controller.available = robot.offered()
             session.wait_for("" if robot.receives_states else JOINT_STATES.name)
             for message in controller.messages():
                 session.say(message)
-            session.report("" if time.monotonic() - began < 2 * POLL_PERIOD else "slow")
+            session.details = ["slow" * (time.monotonic() - began > 2 * POLL_PERIOD)]
     finally:
         show.close()
     return 0

@@ -1,12 +1,24 @@
-"""A scripted gait with settings that are changed by messages: `/gait` and `/gait/settings`."""
+"""Messages that steer: velocity commands (`/cmd_vel`), and settings of a scripted gait (`/gait`, `/gait/settings`)."""
 
 from typing import Any
 
+from quadruped_env.control.steering import Velocity
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
-from quadruped_env.live.middleware.topics import GAIT
+from quadruped_env.live.middleware.topics import CMD_VEL, GAIT
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
+
+
+def velocity_message(command: Velocity) -> Any:
+    """A Twist with a forward velocity in m/s and a yaw rate in rad/s."""
+    return cdr.message(CMD_VEL.type_name, linear={"x": command[0]}, angular={"z": command[1]})
+
+
+def read_velocity(message: Any) -> Velocity:
+    """The command of a Twist or TwistStamped: forward velocity in m/s and yaw rate in rad/s."""
+    twist = getattr(message, "twist", message)
+    return twist.linear.x, twist.angular.z
 
 
 def settings_message(settings: GaitSettings) -> Any:
