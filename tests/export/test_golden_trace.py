@@ -16,7 +16,7 @@ from quadruped_env.cli.main import main
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.export.folder import export_policy
 from quadruped_env.export.trace_check import RUNTIMES, ExportedTrace
-from quadruped_env.policies import PolicyData, load_policy
+from quadruped_env.policies import load_policy
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
 pytest.importorskip("onnxruntime", reason="ONNX Runtime is not installed: pip install -e '.[export]'")
@@ -28,16 +28,8 @@ def blind():
     """A policy that observes neither command nor clock, without a history."""
     policy = random_policy("position", observation_history=1)
     fields = tuple(entry for entry in policy.fields if entry.name not in ("gait_clock", "command"))
-    return PolicyData(
-        (policy.weights[0][:30], *policy.weights[1:]),
-        policy.biases,
-        "tanh",
-        policy.control,
-        fields,
-        policy.task,
-        {},
-        policy.robot,
-    )
+    weights = (policy.weights[0][:30], *policy.weights[1:])
+    return replace(policy, weights=weights, fields=fields, card={})
 
 
 POLICIES = {
