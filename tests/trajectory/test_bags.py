@@ -19,8 +19,10 @@ from quadruped_env import (
     asset_path,
     forward_kinematics,
 )
+from quadruped_env.ros import cdr
 
 pytest.importorskip("rosbags")
+from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
 
@@ -224,6 +226,14 @@ class TestBagsOfOthers:
         loaded = JointTrajectory.load(path)
         assert loaded.stamps.tolist() == [0, 2, 4, 6, 8]
         assert loaded.source.notes == ("read /joint_states; there are joint states on /other too (--topic)",)
+
+    @pytest.mark.parametrize("storage", ["MCAP", "SQLITE3"])
+    def test_messages_in_another_serialization_are_refused(self, tmp_path, storage):
+        with Writer(tmp_path / "bag", version=8, storage_plugin=StoragePlugin[storage]) as writer:
+            kind = {"typestore": cdr.typestore(), "serialization_format": "json"}
+            writer.write(writer.add_connection("/joint_states", JOINT_STATE, **kind), 0, b"{}")
+        with pytest.raises(QuadrupedError, match=r"/joint_states is serialized as 'json'; only 'cdr' is known"):
+            JointTrajectory.load(tmp_path / "bag")
 
     def test_timestamps_may_be_the_times_of_recording(self, tmp_path):
         path = write_bag(tmp_path / "bag", [(5, fields()), (8, fields())])
