@@ -49,8 +49,6 @@ DEFAULT: Final = SHIPPED[0]
 """The one that programs take."""
 SHOWN: Final = SHIPPED[1]
 """The one that pages show: it crosses all their terrains, where `DEFAULT` marches on the spot at the first stair."""
-_MAX_KEPT_BYTES: Final = 1_000_000
-"""Maximum size of a task file that is shown and compared: far larger than any written by hand."""
 
 
 def is_code(source: str | Path) -> bool:
@@ -150,12 +148,7 @@ def kept_file(source: str | Path) -> tuple[Path, TaskFile] | None:
 def kept_content(directory: Path, recorded: TaskFile) -> bytes:
     """Content of the copy that a run keeps of its task file; empty without one, or if it is not as recorded."""
     path = directory / KEPT_FILE
-    try:
-        if not path.is_file() or path.stat().st_size > _MAX_KEPT_BYTES:
-            return b""
-        content = path.read_bytes()
-    except OSError:
-        return b""
+    content = path.read_bytes() if path.is_file() else b""
     return content if hashlib.sha256(content).hexdigest() == recorded.sha256 else b""
 
 

@@ -303,13 +303,11 @@ def _check_clip(normalization: _Normalization, space: Any) -> None:
     """Warn if observations that the env can give are clipped by the normalization, which a policy's file cannot."""
     mean, deviation, clip = normalization
     low, high = space.low[: len(mean)], space.high[: len(mean)]
-    reach = np.maximum(np.abs(low - mean), np.abs(high - mean)) / deviation
-    if (reach > clip).any():
-        worst = int(np.argmax(reach))
+    beyond = np.maximum(np.abs(low - mean), np.abs(high - mean)) > clip * deviation
+    if beyond.any():
         warnings.warn(
             f"Policy.from_sb3: VecNormalize clips observations at {clip:g} standard deviations, which "
-            f"{int((reach > clip).sum())} columns can exceed (column {worst}: {reach[worst]:.0f}); the policy does not "
-            f"clip there. A larger clip_obs in training avoids the difference",
+            f"{beyond.sum()} columns can exceed, and the policy does not clip there; train with a larger clip_obs",
             QuadrupedWarning,
             stacklevel=4,
         )

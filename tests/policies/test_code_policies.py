@@ -80,6 +80,17 @@ def test_file_defines_a_policy_with_its_name_hash_and_env(path):
     assert (evaluated.progress_file, evaluated.task_file, evaluated.recipe) == (None, None, "swinging")
 
 
+def test_agent_is_told_of_the_envs_that_begin_among_others(path):
+    policy = load_policy(path)
+    env = policy.make_vec_env(3)
+    env.reset(seed=0)
+    task, controller = env.unwrapped.task, PolicyController(policy)
+    for steps in ([1, 1, 1], [2, 2, 2], [1, 3, 1]):
+        task.control.steps[:] = steps
+        controller.act(task.observe(), task.control)
+    assert [begun.tolist() for begun in policy.agent.resets] == [[True] * 3, [True, False, True]]
+
+
 def test_class_in_a_file_is_made_for_each_use(path):
     path.write_text(FILE.replace("policy = Swinging()", "policy = Swinging"))
     assert type(agent_of(path)).__name__ == "Swinging"

@@ -123,6 +123,15 @@ def test_a_policy_with_weights_that_are_not_finite_is_not_saved(tmp_path, field)
     assert not (tmp_path / "run").exists()
 
 
+def test_bound_of_the_actions_counts_the_larger_side_of_an_activation_function():
+    """selu(-0.1) is -0.167, and selu(0.1) is 0.105."""
+    policy = make_policy("selu", hidden=(10,))
+    weights = np.zeros_like(policy.weights[0]), np.full((10, 8), 1e37 / 0.13, np.float32)
+    biases = np.full(10, 0.1, np.float32), np.zeros(8, np.float32)
+    with pytest.raises(QuadrupedError, match=r"here: layer1 can exceed float32"):
+        dataclasses.replace(policy, weights=weights, biases=biases).check_finite("here")
+
+
 def test_files_of_a_policy_have_the_same_permissions(tmp_path):
     make_policy().save(tmp_path)
     (tmp_path / "neighbour").touch()
