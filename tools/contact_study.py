@@ -25,7 +25,7 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 import numpy as np
 
 from quadruped_env.control.control_interface import Controller
-from quadruped_env.control.controllers import CommandedGaitController
+from quadruped_env.control.controllers import GaitController
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import evaluation_task
 from quadruped_env.evaluation.measures import measure
@@ -112,7 +112,7 @@ def reached(source: str, case: Case, seeds: int, seconds: float) -> tuple[list[s
     """Forward velocity and yaw rate reached at each command, as text, and the number of falls."""
     controller: Controller
     if source == "tuned":
-        controller, config = CommandedGaitController(), TaskConfig()
+        controller, config = GaitController(), TaskConfig()
     else:
         policy = load_policy(source)
         controller, config = PolicyController(policy), policy.config.on_terrain("flat")

@@ -34,7 +34,6 @@ from quadruped_env.evaluation.suite.suite import (
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
-    CommandedGaitController,
     GaitController,
     Policy,
     PolicyController,
@@ -128,8 +127,8 @@ def reference_controllers(policies: Mapping[str, Policy]) -> list[MeasuredContro
         MeasuredController(
             "article", GaitController(SinusoidalGait.preset("article", MINI_QUADRUPED), "article"), config
         ),
-        MeasuredController("sinusoid", CommandedGaitController(CommandedGait.preset("sinusoid"), "sinusoid"), config),
-        MeasuredController("tuned", CommandedGaitController(), config),
+        MeasuredController("sinusoid", GaitController(CommandedGait.preset("sinusoid"), "sinusoid"), config),
+        MeasuredController("tuned", GaitController(), config),
         *(MeasuredController.of_policy(policy, name) for name, policy in policies.items()),
     ]
 

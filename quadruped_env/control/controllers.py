@@ -114,9 +114,6 @@ class GaitController:
         return edited(now, replace(self._settings, phases=shifted))
 
 
-CommandedGaitController = GaitController
-
-
 class TrajectoryController:
     """Plays recorded joint positions back as joint targets.
 

@@ -18,7 +18,6 @@ from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollou
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
     Agent,
-    CommandedGaitController,
     Controller,
     GaitController,
     Policy,
@@ -283,7 +282,7 @@ def compare(
     configs["tuned"] = dataclasses.replace(config, clock_frequency=tuned.angular_frequency / math.tau)
     controllers: tuple[Controller, ...] = (
         *(PolicyController(policy, name) for name, policy in known.items()),
-        CommandedGaitController(tuned),
+        GaitController(tuned),
         GaitController(SinusoidalGait.preset("article", config.robot), "article"),
         ZeroController(config.action.mode),
     )

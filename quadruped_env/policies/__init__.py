@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import (
-    CommandedGaitController,
     GaitController,
     PolicyController,
     TrajectoryController,
@@ -26,7 +25,6 @@ __all__ = [
     "DEFAULT",
     "SHIPPED",
     "Agent",
-    "CommandedGaitController",
     "Controller",
     "ControllerSpec",
     "GaitController",

@@ -21,7 +21,7 @@ from quadruped_env.evaluation.trace import Trace
 from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.node_options import chosen_terrain, robot_of
 from quadruped_env.live.simulated import SimulatedRobot
-from quadruped_env.policies import CommandedGaitController, ZeroController, find_controllers, load_policy
+from quadruped_env.policies import GaitController, ZeroController, find_controllers, load_policy
 from quadruped_env.reporting.films.film import Camera, size_of
 from quadruped_env.reporting.ground_mesh import ground_mesh
 from quadruped_env.robot import MINI_QUADRUPED
@@ -52,7 +52,7 @@ def ramp(grid):
 
 def test_rollout_on_a_terrain_measures_clearance_over_it():
     config = TaskConfig.from_dict({"terrain": {"name": "hills", "seed": 2}, "action": {"mode": "residual"}})
-    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], [1, 2], 6.0, config, physics=True)
+    rollout = roll_out(GaitController(), [(0.3, 0.0)], [1, 2], 6.0, config, physics=True)
     assert rollout.terrain == HILLS.ground == rollout.select([1]).terrain
     assert not rollout.fallen.any()
     on_ground = rollout.physics.height[-200:][rollout.physics.force[-200:] > 1.0]

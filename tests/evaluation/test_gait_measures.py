@@ -12,7 +12,7 @@ from quadruped_env.evaluation.measures import gait_measures
 from quadruped_env.evaluation.rollout import PhysicsSamples, roll_out
 from quadruped_env.evaluation.suite import gait
 from quadruped_env.evaluation.suite.suite_definition import full_suite
-from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies import GaitController
 from quadruped_env.reporting.pages.suite_section import _GAIT_ROWS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
@@ -187,7 +187,7 @@ def test_physics_samples_hold_every_physics_step():
         soles.append(task.context.sole_height.copy())
 
     seeds = [1_600_000, 1_600_001]
-    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], seeds, 3.0, before_step=record, physics=True)
+    rollout = roll_out(GaitController(), [(0.3, 0.0)], seeds, 3.0, before_step=record, physics=True)
     physics = rollout.physics
     assert physics.height.shape == (150 * 4, 2, 4)
     # The first physics step of a control step begins where the control step before has ended.

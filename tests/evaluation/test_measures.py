@@ -8,7 +8,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.evaluation import measures
 from quadruped_env.evaluation.measures import METRICS, measure
 from quadruped_env.evaluation.rollout import PhysicsSamples, roll_out
-from quadruped_env.policies import CommandedGaitController, ZeroController
+from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.motors import JointMotor, MotorConfig
 from quadruped_env.task import TaskConfig
@@ -80,7 +80,7 @@ def test_power_in_a_rollout_is_that_of_the_torques_and_of_the_tasks_motors_in_ev
 
     monkeypatch.setattr(PhysicsSamples, "of", keep)
     motors = MotorConfig(knee=JointMotor(stall_torque=8.0, no_load_speed=6.0))
-    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], [1], 3.0, TaskConfig(motor=motors), physics=True)
+    rollout = roll_out(GaitController(), [(0.3, 0.0)], [1], 3.0, TaskConfig(motor=motors), physics=True)
     values = measure(rollout)
     torque, speed = (np.concatenate(kind)[50 * 4 :, 0] for kind in zip(*samples, strict=True))
     mechanical = sum(max(0.0, t * w) for t, w in zip(torque.ravel(), speed.ravel(), strict=True)) / len(torque)
@@ -153,7 +153,7 @@ def test_slip_of_each_foot_while_it_is_on_the_ground():
 
 def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():
     def run(seeds):
-        return roll_out(CommandedGaitController(), [(0.0, 0.0), (0.3, 0.0)], seeds, seconds=4.0, physics=True)
+        return roll_out(GaitController(), [(0.0, 0.0), (0.3, 0.0)], seeds, seconds=4.0, physics=True)
 
     rollout = run([1, 2])
     values = measure(rollout)
@@ -180,7 +180,7 @@ def test_measuring_a_rollout_gives_every_metric_and_depends_on_seeds_alone():
 
 
 def test_rollout_is_a_trace_of_float32_samples_after_each_step():
-    rollout = roll_out(CommandedGaitController(), [(0.0, 0.0), (0.3, 0.1)], [1, 2], seconds=0.2)
+    rollout = roll_out(GaitController(), [(0.0, 0.0), (0.3, 0.1)], [1, 2], seconds=0.2)
     declared = rollout.quantities()
     types = {name: getattr(rollout, name).dtype for name in declared if name != "command"}
     assert types == {name: np.bool_ if name in ("fell", "contact") else np.float32 for name in types}
@@ -198,7 +198,7 @@ def test_commands_that_change_within_an_episode_are_recorded_from_the_step_that_
         if step == 3:
             task.set_command(np.array([1]), (0.2, 0.1))
 
-    rollout = roll_out(CommandedGaitController(), [(0.0, 0.0), (0.3, 0.0)], [1], seconds=0.2, before_step=change)
+    rollout = roll_out(GaitController(), [(0.0, 0.0), (0.3, 0.0)], [1], seconds=0.2, before_step=change)
     np.testing.assert_array_equal(rollout.command[:3], np.tile([[0.0, 0.0], [0.3, 0.0]], (3, 1, 1)))
     # Approached by 1 m/s^2 and 4 rad/s^2.
     np.testing.assert_allclose(rollout.command[3:, 1, 0], [0.3, 0.28, 0.26, 0.24, 0.22, 0.2, 0.2])

@@ -15,7 +15,7 @@ from quadruped_env.evaluation.recorded_episode import play, publish
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.gait import SinusoidalGait
-from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies import GaitController
 from quadruped_env.replay.replay import replay
 from quadruped_env.reporting.films import film, overlay, video
 from quadruped_env.reporting.films.film import Camera, Clip
@@ -35,7 +35,7 @@ def camera():
 
 @pytest.fixture(scope="module")
 def walk():
-    rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [7], 2.0)
+    rollout = roll_out(GaitController(), [(0.4, 0.0)], [7], 2.0)
     return Clip.of_rollout(rollout, 0, "a walk", 1.0, 2.0)
 
 
@@ -82,7 +82,7 @@ def test_episode_is_turned_to_begin_at_the_origin_facing_ahead():
 
 
 def test_film_of_an_episode_ends_at_its_fall():
-    rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [7], 1.0)
+    rollout = roll_out(GaitController(), [(0.4, 0.0)], [7], 1.0)
     valid = rollout.valid.copy()
     valid[20:] = False
     fallen = dataclasses.replace(rollout, fell=falls(valid))

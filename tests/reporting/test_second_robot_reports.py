@@ -23,7 +23,7 @@ from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.identification import identification_report, identify
 from quadruped_env.identification.fit import joint_spec
 from quadruped_env.identification.fitted_parameters import with_values
-from quadruped_env.policies import CommandedGaitController, Policy, find_controllers, load_policy
+from quadruped_env.policies import GaitController, Policy, find_controllers, load_policy
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
 from quadruped_env.replay.replay_report import write_replay_report
@@ -82,7 +82,7 @@ def shuffled(trajectory):
 
 @pytest.fixture(scope="module")
 def rollout():
-    return roll_out(CommandedGaitController(), COMMANDS, [1, 2], 3.0, CONFIG, physics=True)
+    return roll_out(GaitController(), COMMANDS, [1, 2], 3.0, CONFIG, physics=True)
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.gait import CommandedGait
-from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies import GaitController
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.units import scale_of, scaled_values
 from quadruped_env.simulation import BatchSimulation, build_model
@@ -209,7 +209,7 @@ def test_time_scaled_joint_targets_walk_at_the_scaled_speed_in_plain_mujoco():
 def test_the_scripted_gait_walks_on_the_half_size_robot(speed):
     config = TaskConfig().for_robot(ROBOT)
     measured = MeasuredController(
-        "sinusoid", CommandedGaitController(CommandedGait.preset("sinusoid", ROBOT), "sinusoid"), config
+        "sinusoid", GaitController(CommandedGait.preset("sinusoid", ROBOT), "sinusoid"), config
     )
     rollout = measured.run([(speed * TIME, 0.0)], [0, 1], 8.0)
     assert not rollout.fallen.any()

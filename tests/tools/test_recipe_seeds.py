@@ -11,7 +11,7 @@ import recipe_seeds
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.policies import CommandedGaitController, load_policy
+from quadruped_env.policies import GaitController, load_policy
 from quadruped_env.task import TaskConfig
 
 HEADER = "timesteps,seconds,return,fall_rate,forward_velocity_error,yaw_rate_error\n"
@@ -82,9 +82,7 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
 
 
 def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
-    row = recipe_seeds.errors(
-        MeasuredController("tuned", CommandedGaitController(), TaskConfig()), say_nothing, episodes=2
-    )
+    row = recipe_seeds.errors(MeasuredController("tuned", GaitController(), TaskConfig()), say_nothing, episodes=2)
     assert len(row) == len(recipe_seeds.STRAIGHT_COMMANDS) + len(recipe_seeds.TURN_COMMANDS)
     assert row["0 m/s"] == pytest.approx(0.0, abs=0.01)
     assert row["0.3 m/s"] == pytest.approx(0.0, abs=0.02)

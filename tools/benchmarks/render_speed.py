@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies import GaitController
 from quadruped_env.reporting.films.film import MULTISAMPLES, SHADOW_SIZE, Camera, Clip
 from quadruped_env.reporting.films.video import encode_mp4
 
@@ -57,7 +57,7 @@ def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
         QuadrupedError: if there is no OpenGL.
         MissingExtraError: if a library of the `report` extra is not installed.
     """
-    rollout = roll_out(CommandedGaitController(), [(0.4, 0.0)], [FIRST_SEED], _SECONDS)
+    rollout = roll_out(GaitController(), [(0.4, 0.0)], [FIRST_SEED], _SECONDS)
     walk = Clip.of_rollout(rollout, 0, "searched gait")
     say("| shadow | multisampling | rendering, pictures/s | film, pictures/s | difference | |")
     say("|---|---|---|---|---|---|")

@@ -6,7 +6,7 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.envs import MAX_EPISODE_STEPS
-from quadruped_env.policies import CommandedGaitController
+from quadruped_env.policies import GaitController
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import Task, TaskConfig
 
@@ -25,7 +25,7 @@ class Drive:
     def __init__(self, config: TaskConfig, num_envs: int) -> None:
         simulation = BatchSimulation(build_model(config.physics_timestep, terrain=config.ground), num_envs)
         self._task = Task(simulation, config, MAX_EPISODE_STEPS)
-        self._controller = CommandedGaitController()
+        self._controller = GaitController()
         self._spent = 0.0
         self._task.reset(np.arange(num_envs), range(num_envs))
         step = simulation.step

@@ -15,7 +15,7 @@ from quadruped_env.evaluation.comparison import Command, commands_for, evaluatio
 from quadruped_env.evaluation.confidence import bootstrap_mean
 from quadruped_env.evaluation.measures import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
-from quadruped_env.policies import CommandedGaitController, Controller, Policy, PolicyController, ZeroController
+from quadruped_env.policies import Controller, GaitController, Policy, PolicyController, ZeroController
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
 from second_engine.engines import Drake, MuJoCo
@@ -212,7 +212,7 @@ def run_transfer(
     standing = [command for command in checked if motion_of(command, policy.config.robot) == "standing"]
     runs: list[tuple[Controller, Sequence[Command]]] = [
         (PolicyController(policy), checked),
-        (CommandedGaitController(), checked),
+        (GaitController(), checked),
         (ZeroController(), standing),
     ]
     runs = [(controller, chosen) for controller, chosen in runs if chosen]

@@ -10,7 +10,7 @@ from quadruped_env.evaluation.suite import regulation
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import PARTS
 from quadruped_env.evaluation.suite.suite_definition import Factor, full_suite
-from quadruped_env.policies import CommandedGaitController, ZeroController
+from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.task import TaskConfig
 
 PART = replace(full_suite().regulation, commands=((0.3, 0.0), (-0.2, 0.0), (0.3, 0.5)))
@@ -62,7 +62,7 @@ def test_robots_stand_on_an_incline_as_on_its_plane(slope):
 def test_measures_hold_the_signed_share_of_each_command():
     part = replace(PART, num_seeds=2, seconds=4.0, commands=((0.3, 0.0), (-0.2, 0.0)), factors=(Factor("nominal"),))
     part = replace(part, together=Factor("hard"), together_seeds=1, together_seconds=2.0)
-    result = regulation.run(part, MeasuredController("tuned", CommandedGaitController(), TaskConfig()))
+    result = regulation.run(part, MeasuredController("tuned", GaitController(), TaskConfig()))
     ahead, back = result["nominal"]["commands"]
     assert ahead["share"][0] == pytest.approx(ahead["velocity"][0] / 0.3)
     assert (ahead["share"][1], back["share"][1]) == (None, None)

@@ -28,7 +28,7 @@ from quadruped_env.evaluation.suite.suite import (
 )
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait, SinusoidalGait
-from quadruped_env.policies import CommandedGaitController, GaitController, ZeroController
+from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig
 from quadruped_env.task import TaskConfig, TerminationConfig
 
@@ -110,8 +110,8 @@ def test_suite_ranks_controllers_in_their_known_order():
     controllers = (
         ZeroController(),
         GaitController(SinusoidalGait.preset("article"), "article"),
-        CommandedGaitController(CommandedGait.preset("sinusoid"), "sinusoid"),
-        CommandedGaitController(),
+        GaitController(CommandedGait.preset("sinusoid"), "sinusoid"),
+        GaitController(),
     )
     suite = replace(
         QUICK,
@@ -215,7 +215,7 @@ def test_reference_rows_count_only_where_they_are_comparable(result, tmp_path):
 def test_gait_scores_the_same_on_the_robot_of_half_the_size():
     scores = []
     for robot in (MINI_QUADRUPED, half_robot.ROBOT):
-        controller = CommandedGaitController(CommandedGait.preset("sinusoid", robot), "sinusoid")
+        controller = GaitController(CommandedGait.preset("sinusoid", robot), "sinusoid")
         measured = MeasuredController("sinusoid", controller, TaskConfig().for_robot(robot))
         part, (run, score) = for_robot(QUICK, robot).gait, PARTS["gait"]
         scores.append(score(run(part, measured, None), part))

@@ -10,12 +10,12 @@ from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import terrains
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import full_suite
-from quadruped_env.policies import CommandedGaitController, ZeroController
+from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 
 PART = replace(full_suite().terrain, num_seeds=4, terrain_seeds=full_suite().terrain.terrain_seeds[:1])
-TUNED = MeasuredController("tuned", CommandedGaitController(), TaskConfig())
+TUNED = MeasuredController("tuned", GaitController(), TaskConfig())
 
 
 def levels(*shares):
