@@ -71,7 +71,7 @@ class Evaluation:
         comparison = compare(
             policy, seeds, seconds, progress=progress("running"), terrain=terrain, randomization=randomization
         )
-        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"))
+        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"), comparison)
         results = None if suite is None else suite()
         document = write_numbers(evaluated, comparison, command_line, results, gain)
         return cls(evaluated, comparison, gain, results, document, command_line)
@@ -103,7 +103,7 @@ class Evaluation:
             print_report(report, missing)
 
     def __str__(self) -> str:
-        judged = verdict(self.comparison, self.suite, self.gain)
+        judged = verdict(self.comparison, self.gain)
         return f"{summary_table(self.comparison)}\n\n{self.gain.table()}\n\n{judged.text()}"
 
 
@@ -121,14 +121,12 @@ def train(runs: str | Path = "runs", task_file: str | Path | None = None, **sett
         MissingExtraError: if the libraries of the extra `train` are not installed.
     """
     from quadruped_env.task import BUILT_IN, load_task_file
-    from quadruped_env.training.default_settings import with_recipe
+    from quadruped_env.training.recipes import with_recipe
     from quadruped_env.training.train import train as train_run
-    from quadruped_env.training.train_config import TrainConfig, check_fields
 
-    check_fields(settings)
     file = None if task_file is None else Path(task_file)
     robot = (BUILT_IN if file is None else load_task_file(file)).robot
-    config = TrainConfig(**with_recipe(settings, robot, ()))
+    config = with_recipe(settings, robot)
     given = ", ".join(f"{name}={value!r}" for name, value in settings.items())
     directory, _ = train_run(config, Path(runs), f"quadruped_env.train({given})", task_file=file)
     return directory

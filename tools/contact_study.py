@@ -28,7 +28,7 @@ from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import CommandedGaitController
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import evaluation_task
-from quadruped_env.evaluation.metrics import measure
+from quadruped_env.evaluation.measures import measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import PolicyController, load_policy

@@ -40,11 +40,12 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.learning_gain import learning_gain
+from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
 from quadruped_env.evaluation.suite import command_map, joystick, terrains
-from quadruped_env.evaluation.suite import gait_measures as suite_gait
+from quadruped_env.evaluation.suite import gait as suite_gait
 from quadruped_env.evaluation.suite import regulation as suite_regulation
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Joystick, full_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.reporting.plots.learning_plots import read_progress
@@ -79,12 +80,11 @@ def learning(measured: MeasuredController, progress: Progress) -> Row:
     return {
         "return per second": policy.return_per_second.mean,
         "zero action": zero.return_per_second.mean,
-        "gain, standard errors": gain.standard_errors,
+        "gain, 95 % from": gain.difference.low,
         "commands met, %": 100.0 * policy.commands_met.mean,
         "zero action, %": 100.0 * zero.commands_met.mean,
         "falls, %": 100.0 * policy.falls.mean,
         "power, W": policy.electrical_power.mean,
-        "own action, rad": policy.own_action,
     }
 
 

@@ -16,10 +16,8 @@ from pathlib import Path
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.gait import PRESETS
 from quadruped_env.utils.files import free_path
-from quadruped_env.utils.program import Extras
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -48,13 +46,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="random starts that the metrics are computed from (default: %(default)s)",
     )
-    parser.add_argument(
-        "--seed",
-        type=int,
-        default=FIRST_SEED,
-        metavar="N",
-        help="seed of the first random start (default: %(default)s)",
-    )
     options.add_robot_file(parser, terrain=True)
     options.add_terrain(parser, "flat")
     options.add_output(
@@ -63,7 +54,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "NAME.csv, or NAME for a rosbag2 bag with /tf from odom on "
         f"(default: results/baseline-PRESET.csv, {options.NEXT_FREE})",
     )
-    options.add_video(parser)
     options.add_overwrite(parser)
 
 
@@ -71,26 +61,20 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Measure, record, and print the metrics."""
     from quadruped_env.control.task_file import load_robot
     from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
-    from quadruped_env.reporting.films.film import Clip
-    from quadruped_env.reporting.films.video import prepare_video
 
     name = f"baseline-{arguments.preset}{'-commands' if arguments.commands else ''}.csv"
     output = arguments.output or free_path(Path("results") / name)
     check_target(output, arguments.overwrite)
-    prepare_video(arguments.video, arguments.overwrite)
     baseline = run_baseline(
         arguments.preset,
         arguments.seconds,
         arguments.rate,
         arguments.episodes,
-        arguments.seed,
-        ProgressLine("measuring"),
-        load_robot(arguments.task),
-        options.named_terrain(arguments),
+        progress=ProgressLine("measuring"),
+        robot=load_robot(arguments.task),
+        terrain=options.named_terrain(arguments),
     )
     baseline.save(output, arguments.commands, arguments.overwrite)
     print(baseline.table())
     print(f"\n{'commands' if arguments.commands else 'measured joints'}: {output}\nmetrics: {report_path(output)}")
-    extras = Extras()
-    options.save_video(arguments.video, lambda: [Clip(arguments.preset, baseline.recording)], extras)
-    return extras.status
+    return 0

@@ -10,10 +10,8 @@ from typing import Any, Final
 
 from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, compare
-from quadruped_env.evaluation.learning_gain import LearningGain, gain_beside
+from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
-from quadruped_env.policies import Policy
 from quadruped_env.policies.files import DEFAULT, SHIPPED
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.films.video import STILLS, SUFFIXES, save_film
@@ -180,27 +178,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
     add_task_file(parser)
     add_terrain(parser, "that of the policy's task")
     add_randomization(parser, "none")
-    parser.add_argument("--no-video", action="store_true", help="write the report without a video")
-    add_video(parser)
-    add_overwrite(parser, "replace files that exist, such as that of --video")
     add_output(parser, "DIR", f"directory of the report (default: {default_output})")
-
-
-def compared(policies: Policy | Mapping[str, Policy], arguments: argparse.Namespace) -> Comparison:
-    """Run an evaluation with these options."""
-    return compare(
-        policies,
-        arguments.seeds,
-        arguments.seconds,
-        progress=ProgressLine("running"),
-        terrain=named_terrain(arguments),
-        randomization=arguments.randomization or "none",
-    )
-
-
-def gain_of(policy: Policy, arguments: argparse.Namespace) -> LearningGain:
-    """The policy against the zero action, with these options."""
-    return gain_beside(policy, arguments.seeds, arguments.seconds, ProgressLine("measuring what it learned"))
 
 
 _READING: Final[Mapping[str, Mapping[str, Any]]] = {

@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 from quadruped_env.cli.common_options import (
     add_evaluation_options,
+    add_overwrite,
     add_run,
+    add_video,
     evaluation_options,
     named_terrain,
     save_video,
@@ -31,6 +33,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the policy and the options of a report."""
     add_run(parser)
     add_evaluation_options(parser, "RUN/evaluation, or results/flat")
+    parser.add_argument("--no-video", action="store_true", help="write the report without a video")
+    add_video(parser)
+    add_overwrite(parser, "replace files that exist, such as that of --video")
     parser.add_argument(
         "--suite",
         action="store_true",
@@ -41,12 +46,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--quick",
         action="store_true",
         help="with --suite: few episodes, to see whether it works; never comparable with the full suite",
-    )
-    parser.add_argument(
-        "--learning-film",
-        type=Path,
-        metavar="FILE",
-        help="also write the report's film of the robot before, half way through and after the training to a file",
     )
     parser.add_argument(
         "--joints",
@@ -69,7 +68,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         with_zero_action,
     )
     from quadruped_env.reporting.films.video import prepare_video
-    from quadruped_env.reporting.pages.learning import learning_clips
     from quadruped_env.reporting.pages.pictures import filmed, recorded
     from quadruped_env.reporting.report_directory import prepare_output
     from quadruped_env.trajectory import saving
@@ -80,8 +78,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     prepare_output(evaluated.output)
     if arguments.joints:
         saving.check(arguments.joints, arguments.overwrite)
-    for film in (arguments.video, arguments.learning_film):
-        prepare_video(film, arguments.overwrite)
+    prepare_video(arguments.video, arguments.overwrite)
     interrupted = evaluated.policy.card.get("interrupted")
     print(f"evaluating {evaluated.name}{f', whose training ended early: {short(interrupted)}' if interrupted else ''}")
     found = Evaluation.measure(
@@ -109,7 +106,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
             print(f"joints:  {arguments.joints}")
     found.write(extras, not arguments.no_video, ProgressLine("filming"))
     save_video(arguments.video, lambda: filmed(found.comparison), extras)
-    save_video(arguments.learning_film, lambda: learning_clips(evaluated, found.comparison), extras)
     return extras.status
 
 

@@ -42,6 +42,7 @@ from quadruped_env.cli.common_options import (
 )
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.progress_line import ProgressLine
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.identification import BASES, FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import check_free, free_path
@@ -105,7 +106,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Fit, write the results, and print them."""
     from quadruped_env.control.task_file import load_robot
-    from quadruped_env.identification import find_commands, identify
+    from quadruped_env.identification import identify
     from quadruped_env.identification.identification_report import (
         check_report_extra,
         identification_files,
@@ -123,7 +124,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     measured = load_with(arguments.file, arguments, ProgressLine("reading"))
     others = {"topic": arguments.commands_topic, "columns": arguments.commands_columns}
     given = {name: value for name, value in others.items() if value is not None}
-    file = arguments.commands or (arguments.file if given else find_commands(arguments.file))
+    file = arguments.commands or (arguments.file if given else _commands_beside(arguments.file))
     commands = JointTrajectory.load(file, **reading_options(arguments) | given)
     found = identify(
         measured,
@@ -142,3 +143,14 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     with extras.part(REPORT_FILE):
         print(f"report: {write_report(found, output, document)}")
     return extras.status
+
+
+def _commands_beside(measured: Path) -> Path:
+    """Path of the file of joint targets next to the measurements, named as by `mini-quadruped baseline`."""
+    path = measured.with_name(f"{measured.stem}-commands.csv")
+    if not path.is_file():
+        raise QuadrupedError(
+            f"{measured}: no joint targets: there is no {path.name} next to it; name the file (--commands), the topic "
+            f"in the bag (--commands-topic), or the columns of the targets in {measured.name} (--commands-columns)"
+        )
+    return path

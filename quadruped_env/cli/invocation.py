@@ -20,7 +20,7 @@ SUMMARIES: Final = {
     "page": "write one HTML file in which a policy's robot walks in any browser",
     "export": "write a policy as ONNX with a manifest, for a robot or a model hub",
     "check-export": "compare runtimes, or a program of your own, with an export's golden trace",
-    "import-policy": "make a policy of a zip of Stable-Baselines3",
+    "import-policy": "make a policy of a zip of Stable-Baselines3, or of ONNX",
     "view": "watch and steer the robot in a browser",
     "live": "run the robot on live ROS 2 topics, without a ROS installation",
     "convert": "convert a recording of joint states to another format",

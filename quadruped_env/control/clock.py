@@ -59,19 +59,13 @@ def frequency_of(value: Plain) -> Frequency:
     if isinstance(value, CommandedFrequency):
         return value
     if isinstance(value, Mapping):
-        fields = ("speeds", "frequencies", "turn_arm")
-        unknown = sorted(str(name) for name in set(value) - set(fields))
-        if unknown:
+        try:
+            return CommandedFrequency(**value)
+        except TypeError as error:
             raise QuadrupedError(
-                f"config.{FIELD}: unknown field {short(unknown[0])}; valid fields are {', '.join(fields)}"
-            )
-        for name in fields[:2]:
-            if name not in value:
-                raise QuadrupedError(
-                    f"config.{FIELD}: field {name!r} is missing; give speeds and frequencies, such as "
-                    f"{{'speeds': [0.0, 0.6], 'frequencies': [2.6, 3.2]}}, or one number (Hz)"
-                )
-        return CommandedFrequency(**value)
+                f"config.{FIELD}: expected a frequency (Hz), or speeds and frequencies, such as "
+                f"{{'speeds': [0.0, 0.6], 'frequencies': [2.6, 3.2]}}, and turn_arm; found {short(value)}"
+            ) from error
     if not is_quantity(value, SMALLEST):
         raise QuadrupedError(
             f"config: {FIELD} must be positive (Hz), at most {LARGEST:g}, or a mapping with speeds and frequencies; "

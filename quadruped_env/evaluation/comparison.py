@@ -1,4 +1,4 @@
-"""Comparison of a trained policy with the scripted gaits and with standing still, on the same commands and starts."""
+"""Comparison of a policy with the scripted gaits and with its zero action, on the same commands and starts."""
 
 import dataclasses
 import math
@@ -13,7 +13,7 @@ from quadruped_env.control.control_config import Range
 from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
-from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW, measure
+from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW, measure
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
@@ -68,9 +68,9 @@ CONTROLLERS: Final = {
     "policy": "Trained policy",
     "tuned": "Searched gait",
     "article": "Article's gait",
-    "zero": "Standing still",
+    "zero": "Zero action",
 }
-"""Name -> label, in the order of tables."""
+"""Name -> label, in the order of tables. The zero action is that of the first policy: its gait alone, or the stance."""
 
 
 def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> list[Command]:
@@ -121,6 +121,8 @@ class Comparison:
     """Controller -> K * S episodes, grouped by command"""
     values: dict[str, dict[str, NDArray[np.float64]]]
     """Controller -> metric -> (K, S)"""
+    condition: str = "undisturbed, on the task's own ground"
+    """Randomization and ground of the episodes in words, which every table names"""
 
     @property
     def robot(self) -> Robot:
@@ -185,6 +187,7 @@ class Comparison:
                 {"forward_velocity": v, "yaw_rate": w, "motion": motion_of((v, w), self.robot)}
                 for v, w in self.commands
             ],
+            "condition": self.condition,
             "seeds": list(self.seeds),
             "seconds": self.seconds,
             "controllers": {
@@ -228,7 +231,7 @@ def compare(
     terrain: str | Terrain | None = None,
     randomization: str = "none",
 ) -> Comparison:
-    """Run policies, the searched gait, the tutorial's gait (`article`) and standing still on the same episodes.
+    """Run policies, the searched gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
     Each policy runs the task that it was trained for, with a preset in place of its randomization, a user's own
     included: by default, only the start of an episode is random. The scripted controllers run the first policy's task,
@@ -273,7 +276,7 @@ def compare(
         if policy.config.robot != config.robot:
             raise QuadrupedError(
                 f"{name}: is a policy for {policy.config.robot!r}, the first one for {config.robot!r}; compare "
-                f"policies for one robot with each other, as 'mini-quadruped compare' does"
+                f"policies for one robot with each other, and evaluate those for other robots by themselves"
             )
     tuned = CommandedGait.tuned(config.robot)
     # With a clock of its own frequency the searched gait is in phase, so that the reward's terms of the clock judge it.
@@ -282,10 +285,13 @@ def compare(
         *(PolicyController(policy, name) for name, policy in known.items()),
         CommandedGaitController(tuned),
         GaitController(SinusoidalGait.preset("article", config.robot), "article"),
-        ZeroController(),
+        ZeroController(config.action.mode),
     )
     by_name = {controller.name: controller for controller in controllers}
-    return run(by_name, configs, config, commands, num_seeds, seconds, progress)
+    law = "undisturbed" if randomization == "none" else f"with the randomization {randomization}"
+    ground = "the task's own ground" if terrain is None else f"the terrain {config.terrain['name']}"
+    found = run(by_name, configs, config, commands, num_seeds, seconds, progress)
+    return dataclasses.replace(found, condition=f"{law}, on {ground}")
 
 
 def run(
@@ -302,8 +308,9 @@ def run(
     rollouts, values = {}, {}
     for i, (name, controller) in enumerate(controllers.items()):
         part = part_of(progress, i / len(controllers), (i + 1) / len(controllers))
-        rollout = rollouts[name] = roll_out(controller, commands, seeds, seconds, configs.get(name, config), part)
+        rollout = roll_out(controller, commands, seeds, seconds, configs.get(name, config), part, physics=True)
         values[name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
+        rollouts[name] = dataclasses.replace(rollout, physics=None)
     return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
 
 
@@ -316,8 +323,14 @@ def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomizati
         forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
         yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
     )
-    terrain = config.terrain.replace(curriculum=False) if "curriculum" in config.terrain else config.terrain
-    return dataclasses.replace(config.randomized(randomization), command=ranges, terrain=terrain)
+    return dataclasses.replace(without_curriculum(config).randomized(randomization), command=ranges)
+
+
+def without_curriculum(config: TaskConfig) -> TaskConfig:
+    """A task in which every episode starts on the tile that its seed gives."""
+    if "curriculum" not in config.terrain:
+        return config
+    return dataclasses.replace(config, terrain=config.terrain.replace(curriculum=False))
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:

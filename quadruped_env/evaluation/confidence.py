@@ -82,48 +82,6 @@ def _resample_counts(conditions: int, size: int) -> NDArray[np.float64]:
     return counts.reshape(RESAMPLES, conditions * size).astype(np.float64)
 
 
-def mean_interval(values: ArrayLike) -> Estimate:
-    """The mean of independent values (S,) with Student's t interval; without an interval for a single value.
-
-    For differences of pairs, this is the interval of the paired t test.
-    """
-    values = np.asarray(values, dtype=np.float64)
-    count = values.size
-    if count < 2:
-        return Estimate(float(values.mean()) if count else math.nan, math.nan, math.nan, count)
-    mean = float(values.mean())
-    half = _student_quantile(count - 1) * standard_error(values)
-    return Estimate(mean, mean - half, mean + half, count)
-
-
-def standard_error(values: ArrayLike) -> float:
-    """Standard error of the mean of two or more independent values (S,)."""
-    values = np.asarray(values, dtype=np.float64)
-    return float(values.std(ddof=1)) / math.sqrt(values.size)
-
-
-def _student_quantile(dof: int) -> float:
-    """Number that Student's t with this many degrees of freedom exceeds in size with probability 1 - `CONFIDENCE`.
-
-    Bisects the finite sums of Abramowitz & Stegun 1964, 26.7.3 and 26.7.4, over the angle atan(t / sqrt(dof)).
-    """
-
-    def inside(angle: float) -> float:
-        cosine, odd = math.cos(angle), dof % 2
-        total, power = 0.0, cosine if odd else 1.0
-        for exponent in range(odd, dof - 1, 2):
-            total += power
-            power *= cosine**2 * (exponent + 1) / (exponent + 2)
-        share = math.sin(angle) * total
-        return 2.0 / math.pi * (angle + share) if odd else share
-
-    low, high = 0.0, 0.5 * math.pi
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if inside(middle) < CONFIDENCE else (low, middle)
-    return math.sqrt(dof) * math.tan(low)
-
-
 def proportion(events: ArrayLike) -> Estimate:
     """The share of True among events of any shape, with its Wilson score interval.
 

@@ -7,11 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.comparison import Command, Comparison
-from quadruped_env.evaluation.metrics import METRICS, heading_of, window_means, without_fall_in_words
+from quadruped_env.evaluation.measures import METRICS, window_means, without_fall_in_words
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.evaluation.verdict import tolerances
+from quadruped_env.evaluation.verdict import tolerance
 from quadruped_env.robot import Robot
-from quadruped_env.utils.rotations import tilt, up_in_body
+from quadruped_env.utils.rotations import tilt, up_in_body, yaw
 
 SHOWN: Final = 3
 _ERRORS: Final = ("forward_velocity_error", "yaw_rate_error")
@@ -61,7 +61,7 @@ def worst_episodes(comparison: Comparison, controller: str = "policy", count: in
 
 def _tolerances(robot: Robot) -> NDArray[np.float64]:
     """Errors of forward velocity, m/s, and yaw rate, rad/s, that count as 1 (2,)."""
-    return np.array([tolerances(metric, robot)[1] for metric in _ERRORS])
+    return np.array([tolerance(metric, robot) for metric in _ERRORS])
 
 
 def _failure(rollout: Rollout, row: int, command: Command, badness: float) -> Failure:
@@ -116,7 +116,7 @@ def _drift(one: Rollout, command: Command) -> str:
     """Sideways displacement of a robot whose command is to go straight; empty if it is small."""
     if command[1]:
         return ""
-    heading = heading_of(one.orientation)[0, 0]
+    heading = yaw(one.orientation[0, 0])
     x, y = one.base_position[-1, 0, :2] - one.base_position[0, 0, :2]
     across = float(y * np.cos(heading) - x * np.sin(heading))
     if abs(across) < _DRIFT:

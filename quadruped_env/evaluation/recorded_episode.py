@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.metrics import TILTED, without_fall_in_words
+from quadruped_env.evaluation.measures import TILTED, without_fall_in_words
 from quadruped_env.evaluation.trace import Recorder, Trace
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
@@ -47,7 +47,7 @@ class Recording(Trace):
 
     @property
     def stayed_on_its_feet(self) -> bool:
-        """True without a fall and without a tilt of more than `metrics.TILTED`."""
+        """True without a fall and without a tilt of more than `measures.TILTED`."""
         return self.fell_at is None and not (tilt(self.orientation) > TILTED).any()
 
     def outcome(self) -> str:

@@ -1,21 +1,21 @@
-"""Run a controller on fixed commands, many episodes at once, and record the readings that the metrics need."""
+"""Run a controller, many episodes at once, and record the readings that the measures need."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Final, Self
+from functools import cached_property
+from typing import Any, Final, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.trace import CommandedTrace, Flag, PerLeg, PerTerm, Recorder
+from quadruped_env.evaluation.trace import CommandedTrace, Flag, PerTerm, Recorder, Scalar
 from quadruped_env.policies import Controller
-from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import BatchSimulation, Simulation
 from quadruped_env.task import Task, TaskConfig, Transition
-from quadruped_env.task.quantities import sliding_squared
+from quadruped_env.task.quantities import electrical_power, mean_over_steps, mechanical_power, sliding_squared
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.seeds import EVALUATION_SEEDS
 
@@ -30,38 +30,71 @@ Engine = Callable[[TaskConfig, int], Simulation]
 """Makes N simulated robots for a task."""
 
 
+class PhysicsSamples(NamedTuple):
+    """K physics steps of N robots with L feet and J joints: the same number of steps for each control step."""
+
+    height: NDArray[Any]
+    """Height of each sole's lowest point over the ground below it, m (K, N, L); negative where it penetrates it."""
+    rise: NDArray[Any]
+    """Upward velocity of each sole, m/s (K, N, L)."""
+    force: NDArray[Any]
+    """Normal force on each foot, N (K, N, L)."""
+    slip: NDArray[Any]
+    """Horizontal velocity of each sole's lowest point, m/s (K, N, L)."""
+    torque: NDArray[Any]
+    """Motor torques, N m (K, N, J)."""
+
+    @classmethod
+    def of(cls, task: Task) -> Self:
+        """The physics steps of a task's latest control step."""
+        now, radius = task.context.substeps, task.config.robot.foot_radius
+        return cls(
+            now.foot_position[..., 2] - radius - task.context.ground_height(now.foot_position),
+            now.foot_velocity[..., 2],
+            now.foot_force,
+            np.sqrt(sliding_squared(now.foot_velocity, now.foot_angular_velocity, radius)),
+            now.joint_torque,
+        )
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Rollout(CommandedTrace):
     """N episodes of T control steps of one controller, each with its command.
 
-    Sample t is the reading after control step t + 1. Readings are float32. Readings after a fall are meaningless;
-    `valid` masks them.
+    Sample t is the reading after control step t + 1, and the command that was in force during it. Readings are float32.
+    Readings after a fall are meaningless, unless the robot began again; `valid` masks them.
     """
 
     controller: str
-    motors: MotorConfig
-    """Motors that moved the robot"""
     seeds: NDArray[np.int64]
     """Seed of each episode (N,)"""
-    valid: Flag
-    """True until the robot falls, (T, N)"""
-    slip_speed: PerLeg
-    """Sliding speed of the lowest point of each foot on the ground, m/s (T, N, L); 0 for a foot in the air"""
-    foot_height: PerLeg
-    """Height of each sole's lowest point over the ground below it, m (T, N, L); negative where it penetrates it"""
+    fell: Flag
+    """True where the robot fell in the control step, (T, N)"""
+    electrical_power: Scalar
+    """Mechanical power of the motors and heat in their windings, mean over the control step, W (T, N)"""
+    mechanical_power: Scalar
+    """Positive mechanical power of the motors, mean over the control step, W (T, N)"""
     reward_terms: PerTerm
     """Weighted terms of the task's reward (T, N, K)"""
     term_names: tuple[str, ...]
     """Names of the K reward terms"""
+    physics: PhysicsSamples | None = None
+    """Every physics step; None: not recorded"""
+
+    @cached_property
+    def valid(self) -> NDArray[np.bool_]:
+        """True until the robot falls, (T, N), or (T,) for one episode."""
+        return ~np.logical_or.accumulate(self.fell, axis=0)
 
     @property
     def fallen(self) -> NDArray[np.bool_]:
-        """True for episodes that ended in a fall or diverged, (N,)."""
+        """True for episodes in which the robot fell or diverged, (N,)."""
         return ~self.valid[-1]
 
     def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
         """Copy of some of the episodes, by indices or mask (N,); an index alone is `env`."""
-        return replace(super().select(envs), seeds=self.seeds[envs])
+        physics = None if self.physics is None else PhysicsSamples(*(values[:, envs] for values in self.physics))
+        return replace(super().select(envs), seeds=self.seeds[envs], physics=physics)
 
 
 def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
@@ -77,27 +110,29 @@ def in_mujoco(config: TaskConfig, num_envs: int) -> Simulation:
 
 def run_episodes(
     controller: Controller,
-    command: NDArray[np.float64],
+    command: NDArray[np.float64] | None,
     seeds: NDArray[np.int64],
     steps: int,
     config: TaskConfig,
     before_step: BeforeStep | None = None,
     tiles: NDArray[np.intp] | None = None,
     engine: Engine = in_mujoco,
+    restart: bool = False,
 ) -> Iterator[tuple[Task, Transition]]:
-    """Run N episodes at the same time, without restarting any, and yield the task after every control step.
+    """Run N episodes at the same time, and yield the task after every control step.
 
-    Commands (N, 2) are in m/s and rad/s. The config has the controller's action mode. `tiles` are kind and level of the
-    tile on which each episode starts (N, 2), as in `Task.reset`.
+    Commands (N, 2) are in m/s and rad/s; None: the task draws them. The config has the controller's action mode.
+    `tiles` are kind and level of the tile on which each episode starts (N, 2), as in `Task.reset`. With `restart`, a
+    robot that falls begins a new episode, as in training.
     """
-    task = Task(engine(config, len(command)), config)
+    task = Task(engine(config, len(seeds)), config)
     # Consecutive episodes with the same command are reset at once.
-    changes = np.flatnonzero((np.diff(command, axis=0) != 0.0).any(axis=1)) + 1
-    for block in np.split(np.arange(len(command)), changes):
+    new = np.zeros(len(seeds) - 1, np.bool_) if command is None else (np.diff(command, axis=0) != 0.0).any(axis=1)
+    for block in np.split(np.arange(len(seeds)), np.flatnonzero(new) + 1):
         task.reset(
             block,
             seeds=[int(seed) for seed in seeds[block]],
-            command=command[block[0]],
+            command=None if command is None else command[block[0]],
             tiles=None if tiles is None else tiles[block],
         )
     observation = task.observe()
@@ -107,32 +142,40 @@ def run_episodes(
         transition = task.act(controller, observation)
         observation = transition.observation
         yield task, transition
+        if restart and transition.terminated.any():
+            task.reset(np.flatnonzero(transition.terminated))
+            observation = task.observe()
 
 
 def roll_out(
     controller: Controller,
-    commands: ArrayLike,
+    commands: ArrayLike | None,
     seeds: Sequence[int],
     seconds: float = DEFAULT_SECONDS,
     config: TaskConfig | None = None,
     progress: Progress | None = None,
     before_step: BeforeStep | None = None,
     engine: Engine = in_mujoco,
+    physics: bool = False,
+    restart: bool = False,
 ) -> Rollout:
-    """Run a controller on every command with every seed; an episode ends at a fall and is not restarted.
+    """Run a controller on every command with every seed.
 
     A seed gives the same start (attitude, joint positions, velocities) for every command and controller, so that
     differences between controllers are paired.
 
     Args:
         controller: controller to run.
-        commands: forward velocity in m/s and yaw rate in rad/s, (K, 2).
+        commands: forward velocity in m/s and yaw rate in rad/s, (K, 2); None: one episode per seed, in which the task
+            draws the commands.
         seeds: one episode per command and seed.
         seconds: length of an episode, s.
         config: task configuration, with its robot; the action mode is the controller's. None takes the defaults.
         progress: called with the fraction done.
         before_step: called before every control step; it may change commands or push robots.
         engine: simulates the robots.
+        physics: record every physics step, which the measures of the gait need.
+        restart: begin a new episode after a fall, as in training. Otherwise the episode ends.
 
     Returns:
         A rollout with K * S episodes, in the order of `grid`.
@@ -148,42 +191,59 @@ def roll_out(
             f"roll_out: expected at least one seed and {config.control_timestep:g} s; "
             f"found {len(seeds)} seeds and {seconds:g} s"
         )
-    command, seed = grid(commands, seeds)
-    if command.ndim != 2 or command.shape[1] != 2 or not len(command):
-        raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
+    command, seed = None, np.array(seeds, np.int64)
+    if commands is not None:
+        command, seed = grid(commands, seeds)
+        if command.ndim != 2 or command.shape[1] != 2 or not len(command):
+            raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     robot = config.robot
+    coefficient = config.motor.joule_coefficients(robot.joint_kinds)
     recorder = Recorder(Rollout, robot, steps, np.float32)
-    alive = np.ones(len(command), dtype=np.bool_)
-    commanded = np.broadcast_to(command, (steps, *command.shape))
-    if before_step is not None:
-        commanded = commanded.copy()
+    ended = np.zeros(len(seed), dtype=np.bool_)
+    fixed = command is not None and before_step is None
+    commanded = np.broadcast_to(np.zeros((len(seed), 2)) if command is None else command, (steps, len(seed), 2))
+    commanded = commanded if fixed else commanded.copy()
+    samples: PhysicsSamples | None = None
     term_names: tuple[str, ...] = ()
-    for task, transition in run_episodes(controller, command, seed, steps, config, before_step, engine=engine):
+
+    def prepare(task: Task, step: int) -> None:
         if before_step is not None:
-            commanded[recorder.written :] = task.command
-        alive &= ~transition.terminated
-        readings, contact = task.simulation.readings, task.context.foot_contact
-        slip = sliding_squared(readings.foot_velocity, readings.foot_angular_velocity, robot.foot_radius)
+            before_step(task, step)
+        if not fixed:
+            commanded[step:] = task.command
+
+    for task, transition in run_episodes(
+        controller, command, seed, steps, config, prepare, engine=engine, restart=restart
+    ):
+        substeps = task.context.substeps
+        torque, speed = substeps.joint_torque, substeps.joint_velocity
+        if physics:
+            latest = PhysicsSamples.of(task)
+            count = len(latest.force)
+            samples = samples or PhysicsSamples(*(np.zeros((steps * count, *v.shape[1:]), np.float32) for v in latest))
+            for array, values in zip(samples, latest, strict=True):
+                array[recorder.written * count :][:count] = values
         recorder.write(
-            readings,
-            valid=alive,
-            contact=contact,
-            slip_speed=np.sqrt(slip * contact),
-            foot_height=task.context.sole_height,
+            task.simulation.readings,
+            fell=transition.terminated & ~ended,
+            contact=task.context.foot_contact,
+            electrical_power=mean_over_steps(electrical_power(torque, speed, coefficient)),
+            mechanical_power=mean_over_steps(mechanical_power(torque, speed)),
             reward_terms=transition.terms,
         )
         term_names = task.term_names
         if progress is not None:
             progress(recorder.written / steps)
-        if not alive.any():
+        ended |= transition.terminated & (not restart)
+        if ended.all():
             break
     return recorder.trace(
         controller=controller.name,
-        motors=config.motor,
         timestep=config.control_timestep,
         command=commanded,
         seeds=seed,
         term_names=term_names,
         terrain=config.ground,
         first_stamp=round(config.control_timestep * NS_PER_SECOND),
+        physics=samples,
     )

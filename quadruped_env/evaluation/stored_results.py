@@ -28,7 +28,7 @@ class StoredPerformance(TypedDict):
     commands_met: StoredEstimate
     falls: StoredEstimate
     electrical_power: StoredEstimate
-    own_action: float
+    own_action: NotRequired[float]
 
 
 class StoredMotion(TypedDict):
@@ -47,7 +47,8 @@ class StoredGain(TypedDict):
     episodes: int
     seconds: float
     difference: StoredEstimate
-    standard_errors: float | None
+    standard_errors: NotRequired[float | None]
+    condition: NotRequired[str | None]
     policy: StoredPerformance
     zero: StoredPerformance
     motions: NotRequired[list[StoredMotion]]
@@ -66,7 +67,7 @@ class StoredSuite(TypedDict):
     """Results of the suite on a card."""
 
     suite: StoredSuiteName
-    findings: dict[str, str]
+    findings: NotRequired[dict[str, str]]
     score: NotRequired[Any]
     met: NotRequired[Any]
     envelope: NotRequired[Any]
@@ -82,7 +83,7 @@ class StoredVerdict(TypedDict):
 
     level: str
     headline: str
-    findings: dict[str, str]
+    findings: NotRequired[dict[str, str]]
 
 
 class CardResults(TypedDict, total=False):

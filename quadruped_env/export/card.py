@@ -5,12 +5,12 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
+from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, gain_rows, reward_in_words
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
-from quadruped_env.export.golden_trace import INT8_TRACE_FILE, TRACE_FILE
-from quadruped_env.export.hub import PAGE_FILE, RESULTS_FILE, mean_of, model_index
-from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
+from quadruped_env.export.golden_trace import TRACE_FILE
+from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE, PAGE_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
 
 CARD_PAGE: Final = "README.md"
@@ -52,7 +52,7 @@ def _front_matter(manifest: Mapping[str, Any]) -> str:
         "library_name: " + LIBRARY,
     ]
     if results := _by_motion(manifest["evaluation"]):
-        fields.append(f"model-index: {json.dumps(model_index(manifest['name'], results, _SHOWN))}")
+        fields.append(f"model-index: {json.dumps(_model_index(manifest['name'], results, _SHOWN))}")
     return "\n".join(["---", *fields, "---"])
 
 
@@ -63,10 +63,9 @@ def _introduction(manifest: Mapping[str, Any]) -> str:
         "position": "Its actions are relative to the stance.",
         "residual": "Its actions are added to a scripted gait, which is part of the graph.",
     }[control["action_mode"]]
-    symmetric = " It is left/right symmetric." if manifest["graph"]["symmetric"] else ""
     return _filled(
         f"A policy for the robot `{manifest['robot']['name']}` ({len(manifest['joints'])} joints), made with "
-        f"{manifest['package']}. It follows a command ({ranges}) at {control['rate_hz']:g} Hz. {mode}{symmetric}"
+        f"{manifest['package']}. It follows a command ({ranges}) at {control['rate_hz']:g} Hz. {mode}"
     )
 
 
@@ -166,13 +165,16 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
     verdict = evaluation.get("verdict")
     parts = []
     if isinstance(verdict, Mapping):
-        parts.append(f"{verdict['headline']}\n\n{_findings(verdict)}")
+        parts.append(verdict["headline"] + _findings(verdict))
     elif verdict:
         parts.append(_verbatim(str(verdict)))
-    # The verdict of an evaluation has them already.
-    suite = evaluation.get("suite") or {}
-    if "findings" in suite:
-        parts.append(f"In the suite {suite['suite']['name']} {suite['suite']['version']}:\n\n{_findings(suite)}")
+    if (suite := evaluation.get("suite")) and "score" in suite:
+        name = suite.get("suite", suite)
+        quick = ", quick" if name.get("quick") else ""
+        parts.append(
+            f"Score in the suite {name['name']} {name['version']}{quick}: {suite['score']['total']:.3f} of 1."
+            + _findings(suite)
+        )
     if by_motion := _by_motion(evaluation):
         parts.append(_metrics_table(by_motion))
     return "\n\n".join(parts)
@@ -198,7 +200,9 @@ def _learning(learning: Mapping[str, Any] | None) -> str:
 
 
 def _findings(results: Mapping[str, Any]) -> str:
-    return "\n".join(_item(f"{topic}: {words}") for topic, words in results["findings"].items())
+    """Sentences on results that older versions wrote, as a list after a blank line; empty for others."""
+    items = [_item(f"{topic}: {words}") for topic, words in results.get("findings", {}).items()]
+    return "".join(["\n\n", "\n".join(items)]) if items else ""
 
 
 def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
@@ -207,7 +211,7 @@ def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
     for motion, values in by_motion.items():
         cells = []
         for name in known:
-            mean = mean_of(values.get(name))
+            mean = _mean(values.get(name))
             cells.append("-" if mean is None else f"{mean:.3g}")
         lines.append(f"| {motion} | {' | '.join(cells)} |")
     return "\n".join(lines)
@@ -221,12 +225,10 @@ def _files(files: Iterable[str]) -> str:
     meanings = {
         GRAPH_FILE: "the policy: readings to joint targets, ONNX",
         TRACE_FILE: "readings and all that the loop makes of them, step by step, to compare your own loop with",
-        INT8_TRACE_FILE: "the same for weights of 8 bits: a loop of the C form is compared with it",
         MANIFEST_FILE: "joints, gains, limits, command, entry pose, training, results, and the SHA-256 of every file",
         "policy.json": 'the policy for this package: `load_policy(FOLDER)`, or from a hub `load_policy("hf://OWNER/NAME")`',
         "policy.safetensors": "its weights",
         "progress.csv": "the learning curve",
-        RESULTS_FILE: "the evaluation",
         PAGE_FILE: "the robot walks in your browser: one file, which makes no request",
         "film.webp": "the robot walks forwards, turns, and walks backwards",
         HEADER_FILE: "the policy for a microcontroller: readings and functions",
@@ -245,3 +247,26 @@ def _filled(text: str) -> str:
 
 def _item(text: str) -> str:
     return textwrap.fill(text, 120, initial_indent="- ", subsequent_indent="  ", break_on_hyphens=False)
+
+
+def _model_index(name: str, results: Mapping[str, Mapping[str, Any]], metrics: Iterable[str]) -> list[dict[str, Any]]:
+    """Results as a hub lists them with a model.
+
+    Args:
+        name: of the model.
+        results: motion -> metric -> number, or its estimate with a field `mean`; None where it was not measured.
+        metrics: those to list.
+    """
+    values = [(metric, motion, _mean(found.get(metric))) for motion, found in results.items() for metric in metrics]
+    listed = [
+        {"type": metric, "name": f"{metric.replace('_', ' ')}, {motion}", "value": value}
+        for metric, motion, value in values
+        if value is not None
+    ]
+    task = {"type": "reinforcement-learning", "name": "walking as commanded"}
+    return [{"name": name, "results": [{"task": task, "dataset": {"name": ENV_ID, "type": ENV_ID}, "metrics": listed}]}]
+
+
+def _mean(value: Any) -> float | None:
+    """A metric's number: itself, or the mean of an estimate; None where it was not measured."""
+    return value["mean"] if isinstance(value, Mapping) else value

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
@@ -54,21 +53,6 @@ class Recorded:
     def columns(self, signal: str) -> slice:
         """Columns of a signal in an array (T, S)."""
         return columns(signal, self.robot.num_joints)
-
-
-def find_commands(measured: Path) -> Path:
-    """Path of the file of joint targets next to the measurements, named as by `mini-quadruped baseline`.
-
-    Raises:
-        QuadrupedError: if the file does not exist.
-    """
-    path = measured.with_name(f"{measured.stem}-commands.csv")
-    if not path.is_file():
-        raise QuadrupedError(
-            f"{measured}: no joint targets: there is no {path.name} next to it; name the file (--commands), the topic "
-            f"in the bag (--commands-topic), or the columns of the targets in {measured.name} (--commands-columns)"
-        )
-    return path
 
 
 def whole(
@@ -175,13 +159,8 @@ def align(
 def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory) -> tuple[str, ...]:
     """Remarks on the quality of a recording, in sentences."""
     found = [*measured.source.notes, *(note for note in commands.source.notes if note not in measured.source.notes)]
-    for part, what in ((measured, "measurements"), (commands, "commands")):
-        gaps = part.gaps()
-        if gaps:
-            longest = max(gaps, key=lambda gap: gap.seconds)
-            found.append(
-                f"{len(gaps)} gaps in the {what}, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s."
-            )
+    gaps = (measured.gaps_in_words("the measurements"), commands.gaps_in_words("the commands"))
+    found += [f"{one}." for one in gaps if one]
     commanded = np.ptp(recorded.control, axis=0)
     moved = np.ptp(recorded.measured[:, recorded.columns("position")], axis=0)
     for name, target, motion in zip(recorded.robot.joint_names, commanded, moved, strict=True):

@@ -1,11 +1,13 @@
-"""The least-squares problem of identification, in the terms of MuJoCo's toolbox `mujoco.sysid`."""
+"""The least-squares problem of identification: simulated joints against measured ones."""
 
-import io
-from collections.abc import Mapping, Sequence
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Final
 
 import mujoco
 import numpy as np
+from mujoco import minimize
+from mujoco.rollout import rollout
 from numpy.typing import NDArray
 
 from quadruped_env.identification.dataset import Recorded
@@ -59,9 +61,6 @@ class MotorFit:
     def __init__(
         self, recorded: Recorded, base: str, start: MotorConfig, fitted: Sequence[str], progress: Progress | None = None
     ) -> None:
-        from mujoco import sysid
-
-        self.sysid = sysid
         self.recorded = recorded
         self.base = base
         self.start = start
@@ -71,6 +70,8 @@ class MotorFit:
         self._iterations = 0
         self._spec = joint_spec(recorded.robot, base, recorded.timestep)
         self._max_delay = max(MAX_FIT_DELAY, start.delay)
+        self._datas = [mujoco.MjData(self._model(start)) for _ in range(os.cpu_count() or 1)]
+        """One for each thread of a rollout"""
         self._weights = np.ones(recorded.measured.shape[1])
         self._horizon = np.inf
         """End of the time that the fit uses, s."""
@@ -106,12 +107,8 @@ class MotorFit:
 
     def predict(self, motors: MotorConfig) -> NDArray[np.float64]:
         """Simulated signals over the whole recording, at the times of the measurements, (T, S)."""
-        trajectory = self._sequences(len(self.recorded.control)).measured_rollout[0]
-        model = self._model(motors)
-        (rollout,) = self.sysid.sysid_rollout(
-            [model], [mujoco.MjData(model)], [trajectory.control], [trajectory.initial_state]
-        )
-        return self._at(self.recorded.times, self._signals(rollout.state.data, rollout.sensordata.data))
+        (signals,) = self._simulate([motors], self.recorded.times)
+        return signals
 
     def mismatch(self) -> float:
         """Smallest error over a grid of delays with all other parameters at the start: the misfit of this base.
@@ -157,61 +154,81 @@ class MotorFit:
 
     def _scan_delay(self, values: dict[str, float]) -> float:
         """The best of a grid of delays, with all other parameters at the start."""
-        parameters = self._parameters(values)
+        residuals, start, _, _ = self._problem(values)
         candidates = np.arange(0.0, 0.5 * MAX_FIT_DELAY, max(self.recorded.timestep, _FINEST_DELAY))
-        points = np.tile(parameters.as_vector()[:, None], (1, len(candidates)))
-        points[list(values).index(DELAY)] = candidates / quantity(DELAY).scale
-        residuals, _, _ = self._residual_function()(points, parameters)
-        self._tell(())
-        return float(candidates[np.argmin((residuals[0] ** 2).sum(axis=0))])
+        points = np.tile(start, (len(candidates), 1))
+        points[:, list(values).index(DELAY)] = candidates / quantity(DELAY).scale
+        self._tell()
+        return float(candidates[np.argmin((residuals(points) ** 2).sum(axis=(1, 2)))])
 
     def _search(self, values: Mapping[str, float]) -> dict[str, float]:
         """The best values near a solution, which may be a local minimum of the rough error."""
-        found = search(*self._problem(values), lambda: self._tell(()))
+        found = search(*self._problem(values), self._tell)
         return from_coordinates(dict(zip(values, found.tolist(), strict=True)))
-
-    def _problem(self, values: Mapping[str, float]) -> tuple[Any, Any, Any, Any]:
-        """The residuals as a function of coordinates (n, P), the coordinates of the values, and their bounds."""
-        parameters = self._parameters(values)
-        evaluate = self._residual_function()
-        rows = int(np.count_nonzero(self._rows()))
-
-        def residuals(points: NDArray[np.float64]) -> NDArray[np.float64]:
-            found = evaluate(np.ascontiguousarray(points.T), parameters)[0][0]
-            result: NDArray[np.float64] = np.asarray(found).T.reshape(len(points), rows, -1)
-            return result
-
-        low, high = map(np.asarray, parameters.get_bounds())
-        # Not the parameters' own coordinates, which have a margin to the bounds.
-        return residuals, np.clip(list(to_coordinates(values).values()), low, high), low, high
 
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
         """The smallest error at a fixed delay, and its values."""
-        found = self._solve({**values, DELAY: delay}, frozen=(DELAY,), iterations=_ITERATIONS_PER_DELAY)
-        parameters = self._parameters(found)
-        residuals = self._residual_function()(parameters.as_vector(), parameters)[0]
-        return float((residuals[0] ** 2).sum()), found
+        free = {name: value for name, value in values.items() if name != DELAY}
+        found = self._solve(free, _ITERATIONS_PER_DELAY, {DELAY: delay})
+        residuals, point, _, _ = self._problem(found, {DELAY: delay})
+        every = {name: found.get(name, delay) for name in values}
+        return float((residuals(point[None]) ** 2).sum()), every
 
     def _solve(
-        self, values: Mapping[str, float], frozen: Sequence[str] = (), iterations: int = _ITERATIONS
+        self,
+        values: Mapping[str, float],
+        iterations: int = _ITERATIONS,
+        fixed: Mapping[str, float] = {},
     ) -> dict[str, float]:
         """Values at a local optimum, which may be due to the roughness of the error."""
-        parameters = self._parameters(values, frozen)
-        found, _ = self.sysid.optimize(
-            parameters,
-            self._residual_function(),
-            optimizer="mujoco",
-            verbose=False,
-            max_iters=iterations,
+        if not values:
+            return {}
+        residuals, start, low, high = self._problem(values, fixed)
+        # The fit could stall on a bound.
+        margin = 2e-3 * (high - low)
+
+        def columns(points: NDArray[np.float64]) -> NDArray[np.float64]:
+            """Residuals (M, n) of points (P, n)."""
+            found = residuals(points.reshape(len(values), -1).T)
+            return found.reshape(len(found), -1).T
+
+        found, _ = minimize.least_squares(
+            np.clip(start, low + margin, high - margin),
+            columns,
+            [low, high],
             eps=_STEP,
             xtol=_TOLERANCE,
+            max_iter=iterations,
+            verbose=minimize.Verbosity.SILENT,
+            iter_callback=lambda trace: self._tell(),
             x_scale="jac",
-            output=io.StringIO(),
-            iter_callback=self._tell,
         )
-        return _values_of(found)
+        return from_coordinates(dict(zip(values, np.maximum(found, 0.0).ravel().tolist(), strict=True)))
 
-    def _tell(self, trace: Sequence[Any]) -> None:
+    def _problem(
+        self,
+        values: Mapping[str, float],
+        fixed: Mapping[str, float] = {},
+    ) -> tuple[Callable[[NDArray[np.float64]], NDArray[np.float64]], Any, Any, Any]:
+        """Weighted residuals (n, T, S) as a function of coordinates (n, P), those of the values, and their bounds."""
+        rows = self._rows()
+        measured = self.recorded.measured[rows]
+
+        def residual(signals: NDArray[np.float64]) -> NDArray[np.float64]:
+            # A diverged simulation gets the maximum error.
+            signals = np.nan_to_num(signals, nan=_DIVERGED, posinf=_DIVERGED, neginf=-_DIVERGED)
+            return np.where(np.isfinite(measured), (signals - measured) * self._weights, 0.0) / np.sqrt(len(measured))
+
+        def residuals(points: NDArray[np.float64]) -> NDArray[np.float64]:
+            coordinates = (dict(zip(values, point, strict=True)) for point in np.maximum(points, 0.0).tolist())
+            motors = [with_values(self.start, {**from_coordinates(one), **fixed}) for one in coordinates]
+            return np.stack([residual(signals) for signals in self._simulate(motors, self.recorded.times[rows])])
+
+        low = np.array([LOWEST if quantity(name).positive else 0.0 for name in values])
+        high = np.array([MAX_FIT_DELAY / quantity(name).scale if name == DELAY else HIGHEST for name in values])
+        return residuals, np.clip(list(to_coordinates(values).values()), low, high), low, high
+
+    def _tell(self) -> None:
         self._iterations += 1
         if self._progress is not None:
             # The number of iterations is unknown; the estimate grows when it is exceeded.
@@ -251,70 +268,6 @@ class MotorFit:
             weights[part] = 1.0 / max(np.sqrt(np.nanmean(values[:, part] ** 2)), 1e-9)
         return weights
 
-    def _parameters(self, values: Mapping[str, float], frozen: Sequence[str] = ()) -> Any:
-        parameters = self.sysid.ParameterDict()
-        for name, coordinate in to_coordinates(values).items():
-            low = LOWEST if quantity(name).positive else 0.0
-            high = MAX_FIT_DELAY / quantity(name).scale if name == DELAY else HIGHEST
-            # The fit could stall on a bound.
-            margin = 0.0 if name in frozen else 2e-3 * (high - low)
-            inside = float(np.clip(coordinate, low + margin, high - margin))
-            parameters.add(self.sysid.Parameter(name, inside, low, high, frozen=name in frozen))
-        return parameters
-
-    def _residual_function(self) -> Any:
-        def build(parameters: Any, spec: mujoco.MjSpec) -> mujoco.MjModel:
-            return self._model(with_values(self.start, _values_of(parameters)))
-
-        steps = int(np.ceil(self.recorded.times[self._rows()][-1] / self.recorded.timestep)) + 1
-        return self.sysid.build_residual_fn(
-            models_sequences=[self._sequences(steps)],
-            build_model=build,
-            modify_residual=self._residual,
-            custom_rollout=self._rollout,
-            resample_true=False,
-        )
-
-    def _rollout(
-        self, models: Sequence[Any], datas: Sequence[Any], control_signal: Any, initial_states: Any, **rest: Any
-    ) -> list[Any]:
-        """The toolbox's `CustomRolloutFn`, without the motors' command history, which is most of a state.
-
-        A few models at a time, because the states of all models over a minute take a gigabyte.
-        """
-        del rest
-        kept = []
-        for first in range(0, len(models), len(datas)):
-            part = slice(first, first + len(datas))
-            trajectories = self.sysid.sysid_rollout(
-                models[part], datas[: len(models[part])], control_signal[part], initial_states[part]
-            )
-            for trajectory in trajectories:
-                state = trajectory.state.data[:, : 1 + sum(self._sizes)].copy()
-                kept.append(trajectory.replace(state=self.sysid.TimeSeries(trajectory.state.times, state)))
-        return kept
-
-    @property
-    def _sizes(self) -> tuple[int, int]:
-        """Numbers of positions and velocities."""
-        robot = self.recorded.robot
-        if self.base == "fixed":
-            return robot.num_joints, robot.num_joints
-        return robot.num_positions, robot.num_velocities
-
-    def _residual(
-        self, params: Any, predicted: Any, measured: Any, model: Any, return_all: bool, state: Any
-    ) -> tuple[NDArray[np.float64], Any, Any]:
-        """The toolbox's `ModifyResidualFn`: weighted differences over the fit's time."""
-        rows = self._rows()
-        signals = self._at(self.recorded.times[rows], self._signals(state, predicted.data))
-        measured_here = self.recorded.measured[rows]
-        # A diverged simulation gets the maximum error.
-        signals = np.nan_to_num(signals, nan=_DIVERGED, posinf=_DIVERGED, neginf=-_DIVERGED)
-        difference = np.where(np.isfinite(measured_here), (signals - measured_here) * self._weights, 0.0)
-        series = self.sysid.TimeSeries(self.recorded.times[rows], difference)
-        return difference / np.sqrt(len(difference)), series, series
-
     def _rows(self) -> NDArray[np.bool_]:
         """Mask of the measurements that the fit uses (T,)."""
         times = self.recorded.times
@@ -325,45 +278,32 @@ class MotorFit:
         motors.write(spec, self.recorded.robot.joint_kinds, self._max_delay)
         return spec.compile()
 
-    def _sequences(self, steps: int) -> Any:
-        """The recording's first physics steps, for the toolbox."""
-        spec = self._spec.copy()
-        self.start.write(spec, self.recorded.robot.joint_kinds, self._max_delay)
-        model = spec.compile()
-        data = mujoco.MjData(model)
-        positions, velocities = self.recorded.start
+    def _simulate(self, motors: Sequence[MotorConfig], times: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
+        """Simulated signals with each of these motors, at times (T,) in s from the start of the recording, (T, S)."""
+        recorded, joints = self.recorded, self.recorded.robot.num_joints
+        data = mujoco.MjData(model := self._model(self.start))
+        positions, velocities = recorded.start
         if self.base == "free":
-            data.qpos[:7] = self.recorded.robot.resting_pose(positions)
-        data.qpos[-len(positions) :] = positions
-        data.qvel[-len(velocities) :] = velocities
-        fill_command_history(model, data.history[None], self.recorded.control[:1])
+            data.qpos[:7] = recorded.robot.resting_pose(positions)
+        data.qpos[-joints:], data.qvel[-joints:] = positions, velocities
+        fill_command_history(model, data.history[None], recorded.control[:1])
         kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
-        state = np.empty(mujoco.mj_stateSize(model, kind))
-        mujoco.mj_getState(model, data, state, kind)
-        # The toolbox drops the last control: it expects no measurement after it.
-        control = self.recorded.control[:steps]
-        control = np.concatenate([control, control[-1:]])
-        clock = np.arange(len(control)) * self.recorded.timestep
-        measured = self.sysid.TimeSeries(self.recorded.times, self.recorded.measured)
-        return self.sysid.ModelSequences(
-            self.recorded.robot.name, spec, "recording", state, self.sysid.TimeSeries(clock, control), measured
-        )
-
-    def _signals(self, state: NDArray[np.float64], sensordata: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Positions, velocities and efforts (K, S) after each physics step, from the toolbox's rollout."""
-        joints = self.recorded.robot.num_joints
-        positions, velocities = self._sizes
+        start = np.empty(mujoco.mj_stateSize(model, kind))
+        mujoco.mj_getState(model, data, start, kind)
+        control = recorded.control[: int(np.ceil(times[-1] / recorded.timestep)) + 1]
         # A state is the time, the positions, the velocities, and what the motors remember.
-        after_positions = 1 + positions
-        after_velocities = after_positions + velocities
-        return np.concatenate(
-            [
-                state[:, after_positions - joints : after_positions],
-                state[:, after_velocities - joints : after_velocities],
-                sensordata[:, self.recorded.columns("effort")],
-            ],
-            axis=1,
-        )
+        after_positions, after_velocities = 1 + model.nq, 1 + model.nq + model.nv
+        # A few models at a time, because the states of all models over a minute take a gigabyte.
+        for first in range(0, len(motors), len(self._datas)):
+            models = [self._model(one) for one in motors[first : first + len(self._datas)]]
+            states, sensors = rollout(models, self._datas[: len(models)], start[None], control[None])
+            for state, sensordata in zip(states, sensors, strict=True):
+                parts = [
+                    state[:, after_positions - joints : after_positions],
+                    state[:, after_velocities - joints : after_velocities],
+                    sensordata[:, recorded.columns("effort")],
+                ]
+                yield self._at(times, np.concatenate(parts, axis=1))
 
     def _at(self, times: NDArray[np.float64], signals: NDArray[np.float64]) -> NDArray[np.float64]:
         """Signals (K, S) after each physics step, at times (T,) in s; linear in between."""
@@ -404,9 +344,3 @@ def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Values (T, S) less the mean of each column, NaN aside."""
     count = np.isfinite(values).sum(axis=0)
     return values - np.nansum(values, axis=0) / np.maximum(count, 1)
-
-
-def _values_of(parameters: Any) -> dict[str, float]:
-    """The values behind the toolbox's parameters."""
-    # The toolbox's steps to a bound may end a rounding error beyond it.
-    return from_coordinates({name: max(0.0, float(parameter.value[0])) for name, parameter in parameters.items()})

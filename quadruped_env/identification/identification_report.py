@@ -21,7 +21,7 @@ NUMBERS_FILE: Final = "identification.json"
 
 
 def identification_files(directory: Path) -> list[Path]:
-    """Files that `save` writes into a directory."""
+    """Files that are written into a directory."""
     return [directory / name for name in (MOTORS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
@@ -31,19 +31,12 @@ def check_report_extra() -> None:
         raise MissingExtraError("The report", "report")
 
 
-def save(found: Identification, directory: Path, command_line: str, overwrite: bool = False) -> None:
-    """Write motors, numbers and report.
+def save_numbers(found: Identification, directory: Path, command_line: str, overwrite: bool = False) -> dict[str, Any]:
+    """Write motors and numbers, and return the document of these.
 
     Raises:
         QuadrupedError: if one of the files is there already and is not to be overwritten, or cannot be written.
-        MissingExtraError: if a library of the `report` extra is not installed.
     """
-    check_report_extra()
-    write_report(found, directory, save_numbers(found, directory, command_line, overwrite))
-
-
-def save_numbers(found: Identification, directory: Path, command_line: str, overwrite: bool = False) -> dict[str, Any]:
-    """Write motors and numbers, and return the document of these; see `save`."""
     check_free(identification_files(directory), overwrite)
     document = {**found.report(), **provenance(command_line)}
     write_json(directory / MOTORS_FILE, found.config())
@@ -52,7 +45,7 @@ def save_numbers(found: Identification, directory: Path, command_line: str, over
 
 
 def write_report(found: Identification, directory: Path, document: dict[str, Any]) -> Path:
-    """Write the report, and return its path; see `save`."""
+    """Write the report, and return its path."""
     context = {
         "title": f"Motors identified from {Path(found.source).name}",
         "headline": found.verdict(),

@@ -257,9 +257,9 @@ def identify(
     Raises:
         QuadrupedError: if the recordings do not overlap, the commands are constant, something in them would spoil the
             fit (the message says what repairs it), or an argument is out of range.
-        MissingExtraError: if MuJoCo's toolbox is not installed.
+        MissingExtraError: if SciPy is not installed.
     """
-    if importlib.util.find_spec("tabulate") is None or importlib.util.find_spec("scipy") is None:
+    if importlib.util.find_spec("scipy") is None:
         raise MissingExtraError("Identification", "identify")
     if base not in BASES:
         raise QuadrupedError(f"identify: base must be one of {', '.join(BASES)}; found {base!r}")

@@ -3,7 +3,6 @@
 Only the policy's two files are downloaded, JSON and safetensors, into the cache of the hub's own client. No code is.
 """
 
-import time
 import warnings
 from pathlib import Path
 from typing import Final
@@ -14,10 +13,6 @@ from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 SCHEME: Final = "hf://"
 TIMEOUT: Final = 10.0
 """Timeout for an answer of the hub, s."""
-TRIES: Final = 2
-"""Times that a hub is asked that does not answer as one."""
-_PAUSE: Final = 1.0
-"""Time between two tries, s."""
 
 
 def is_on_hub(source: object) -> bool:
@@ -28,38 +23,41 @@ def is_on_hub(source: object) -> bool:
 def hub_directory(address: str) -> Path:
     """Directory of the cache with the two files of a policy, which are downloaded if the hub has newer ones.
 
-    If the hub cannot be reached in `TRIES` tries of `TIMEOUT` each, the files are those of the cache.
-
     Raises:
         MissingExtraError: if the hub's client is not installed.
         QuadrupedError: if the address has another form, the repository, its revision or one of the files does not
             exist, or the hub cannot be reached and the cache does not have them.
 
     Warns:
-        QuadrupedWarning: before each further try.
+        QuadrupedWarning: if the hub cannot be reached, so that the files of the cache are used.
     """
     try:
-        import huggingface_hub
-        from huggingface_hub import errors
+        from huggingface_hub import errors, get_hf_file_metadata, hf_hub_download, hf_hub_url
     except ImportError as error:
         raise MissingExtraError(f"{short(address)}", "hub") from error
     repository, _, revision = address.removeprefix(SCHEME).partition("@")
     if repository.count("/") != 1:
         raise QuadrupedError(f"{short(address)}: expected hf://OWNER/NAME or hf://OWNER/NAME@REVISION")
+    named = (errors.EntryNotFoundError, errors.RepositoryNotFoundError, errors.RevisionNotFoundError)
     unreachable = ""
     try:
-        unreachable = _unreachable(address, repository, revision or None)
+        url = hf_hub_url(repository, CARD_FILE, revision=revision or None)
+        try:  # once, where the client would try for minutes
+            if get_hf_file_metadata(url, timeout=TIMEOUT).commit_hash is None:
+                unreachable = "the answer is not that of a hub"
+        except named:
+            raise
+        except errors.OfflineModeIsEnabled:
+            unreachable = "the client is offline"
+        except Exception as error:  # of the client's HTTP library, which is another one in each of its versions
+            unreachable = _first_line(error)
         card, _ = (
-            Path(
-                huggingface_hub.hf_hub_download(
-                    repository, name, revision=revision or None, local_files_only=bool(unreachable)
-                )
-            )
+            hf_hub_download(repository, name, revision=revision or None, local_files_only=bool(unreachable))
             for name in (CARD_FILE, TENSORS_FILE)
         )
     except errors.LocalEntryNotFoundError as error:
         problem = "and its policy is not in the cache; connect, or name a directory"
-        raise QuadrupedError(f"{address}: the hub cannot be reached{unreachable}, {problem}") from error
+        raise QuadrupedError(f"{address}: the hub cannot be reached ({unreachable}), {problem}") from error
     except errors.RevisionNotFoundError as error:
         raise QuadrupedError(f"{address}: the repository has no revision {short(revision)}; leave it out") from error
     except errors.RepositoryNotFoundError as error:
@@ -68,32 +66,13 @@ def hub_directory(address: str) -> Path:
     except errors.EntryNotFoundError as error:
         problem = f"has no {CARD_FILE} with {TENSORS_FILE}, so it is not a policy of this package"
         raise QuadrupedError(f"{address}: {problem}; upload one with 'mini-quadruped export --hub'") from error
-    except Exception as error:  # also those of the client's HTTP library, which is another one in each of its versions
+    except Exception as error:  # as above
         problem = f"cannot be downloaded ({_first_line(error)}); check the name, and try again"
         raise QuadrupedError(f"{address}: {problem}") from error
-    return card.parent
-
-
-def _unreachable(address: str, repository: str, revision: str | None) -> str:
-    """Reason in brackets if no hub answers; empty if one does. Raises what a hub says about the names."""
-    from huggingface_hub import errors, get_hf_file_metadata, hf_hub_url
-
-    url, reason = hf_hub_url(repository, CARD_FILE, revision=revision), ""
-    for attempt in range(TRIES):
-        if attempt:
-            warnings.warn(f"{address}: no answer of the hub{reason}; trying again", QuadrupedWarning, stacklevel=3)
-            time.sleep(_PAUSE)
-        try:
-            if get_hf_file_metadata(url, timeout=TIMEOUT).commit_hash is not None:
-                return ""
-            reason = " (the answer is not that of a hub)"
-        except errors.OfflineModeIsEnabled:
-            return " (the client is offline)"
-        except (errors.EntryNotFoundError, errors.RepositoryNotFoundError, errors.RevisionNotFoundError):
-            raise
-        except Exception as error:  # as in `hub_directory`
-            reason = f" ({_first_line(error)})"
-    return reason
+    if unreachable:
+        problem = f"the hub cannot be reached ({unreachable}); its policy in the cache is used"
+        warnings.warn(f"{address}: {problem}", QuadrupedWarning, stacklevel=2)
+    return Path(card).parent
 
 
 def _first_line(error: Exception) -> str:

@@ -1,11 +1,14 @@
 """Layers of networks that other libraries trained, as a policy's file holds them."""
 
+from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.task import TaskConfig
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
@@ -30,6 +33,33 @@ def affine_before(layer: Layer, scale: NDArray[Any], shift: NDArray[Any]) -> Lay
     weight, bias = (part.astype(np.float64) for part in layer)
     folded = scale[:, None] * weight, bias + shift @ weight
     return folded[0].astype(np.float32), folded[1].astype(np.float32)
+
+
+def check_fits(source: Path, observation: object, action: object, config: TaskConfig) -> None:
+    """Refuse a network for another env.
+
+    Args:
+        source: the file that holds it.
+        observation: shape of its observations; those of the task have (columns,).
+        action: shape of its actions, (joints,).
+        config: config of the task.
+
+    Raises:
+        QuadrupedError: if a shape is not that of the task.
+    """
+    history, fields = config.control.observation_history, config.definition.observations
+    width = history * ObservationLayout(config.robot, fields).width
+    columns = f"{history} x ({', '.join(entry.name for entry in fields)})"
+    for what, found, expected, meaning, fix in (
+        ("observations", observation, (width,), columns, "task"),
+        ("actions", action, (config.robot.num_joints,), "one per joint", "robot"),
+    ):
+        if found != expected:
+            raise QuadrupedError(
+                f"{source}: its {what} have the shape {found}, and this task's have {expected}: {meaning}; give the "
+                f"{fix} of its training with --task (config=... or task_file=... in Python). A policy of another env "
+                f"cannot walk here"
+            )
 
 
 def check_same_actions(found: NDArray[Any], expected: NDArray[Any], refuse: Any, what: str) -> None:

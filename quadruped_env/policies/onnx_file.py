@@ -10,9 +10,8 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.policies.layers import SAMPLES, Network, check_same_actions
+from quadruped_env.policies.layers import SAMPLES, Network, check_fits, check_same_actions
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.documents import check_regular
 
@@ -58,8 +57,8 @@ class OnnxActor:
     network: Network
 
     @classmethod
-    def read(cls, path: Path) -> Self:
-        """See `Policy.from_onnx`."""
+    def read(cls, path: Path, config: TaskConfig) -> Self:
+        """See `Policy.from_onnx`; the network fits the task's observations and actions."""
         try:
             import onnx
         except ImportError as error:
@@ -68,13 +67,15 @@ class OnnxActor:
         try:
             model = onnx.load(path)  # with the weights next to it, where torch writes those of large networks
             onnx.checker.check_model(model)
-            return cls(path, model, _network(path, model.graph, onnx))
+            network = _network(path, model.graph, onnx)
         except QuadrupedError:
             raise
         except Exception as error:  # of protobuf, of the checker, and of missing files of weights
             raise QuadrupedError(
                 f"{path}: cannot be read as ONNX ({type(error).__name__}: {short(str(error))}); export it again"
             ) from error
+        check_fits(path, (len(network.layers[0][0]),), (len(network.layers[-1][1]),), config)
+        return cls(path, model, network)
 
     @property
     def facts(self) -> dict[str, Any]:
@@ -93,27 +94,14 @@ class OnnxActor:
         actions = np.concatenate([evaluator.run(None, {name: row[None]})[0].reshape(1, -1) for row in seen])
         check_same_actions(predict(seen), np.clip(actions, -1.0, 1.0), _refused(self.path), "the graph")
 
-    def check_fits(self, config: TaskConfig) -> None:
-        """Refuse a task with another number of observations or actions."""
-        history, fields = config.control.observation_history, config.definition.observations
-        columns = f"{history} x ({', '.join(entry.name for entry in fields)})"
-        (first, _), (_, last) = self.network.layers[0], self.network.layers[-1]
-        for what, found, expected, which in (
-            ("input", len(first), history * ObservationLayout(config.robot, fields).width, columns),
-            ("output", len(last), config.robot.num_joints, "one per joint"),
-        ):
-            if found != expected:
-                raise QuadrupedError(
-                    f"{self.path}: its {what} has {found} columns, and this task's has {expected}: {which}; give the "
-                    f"task and the robot of the training (--task, or config=..., task_file=..., robot=...)"
-                )
-
 
 def _refused(path: Path) -> Callable[[str], QuadrupedError]:
     def refused(reason: str) -> QuadrupedError:
         return QuadrupedError(
-            f"{path}: {reason}; a policy's file holds a chain of linear layers with one activation function between "
-            f"them ({', '.join(_ACTIVATIONS.values())}), with or without a normalization before it"
+            f"{path}: {reason}; a policy can be a chain of linear layers (Gemm, MatMul and Add) with one activation "
+            f"function between them ({', '.join(_ACTIVATIONS)}, x * Sigmoid(x)), with or without a normalization "
+            f"before it; export its actor alone, or use the protocol of two methods, reset and predict "
+            f"(docs/training.md#your-own-algorithm)"
         )
 
     return refused
@@ -173,7 +161,7 @@ class _Chain:
             return
         if self._clipped:
             raise self._refused(f"it has the operator {kind} after its Clip")
-        if kind in ("Gemm", "MatMul") and value_first and not linear:
+        if kind in ("Gemm", "MatMul") and value_first and not linear and not attributes.get("transA"):
             weight = attributes.get("alpha", 1.0) * (given[0].T if attributes.get("transB") else given[0])
             bias = np.zeros(weight.shape[1]) + (attributes.get("beta", 1.0) * given[1] if len(given) > 1 else 0.0)
             scale, shift = (np.broadcast_to(part, len(weight)) for part in self._before)

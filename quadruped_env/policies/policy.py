@@ -135,8 +135,7 @@ class Policy(PolicyData):
             QuadrupedError: if the file is no such graph, or its observations or actions do not fit the env.
         """
         config = task_config(**{"action_mode": None, "config": None, **env_kwargs})
-        actor = onnx_file.OnnxActor.read(Path(path))
-        actor.check_fits(config)
+        actor = onnx_file.OnnxActor.read(Path(path), config)
         policy = cls._of_network(actor.network, config, actor.facts if card is None else card)
         actor.check(policy.predict)
         return policy

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.recorded_episode import Recording, play
 from quadruped_env.evaluation.trace import Trace
-from quadruped_env.replay.saturation import Saturation, saturation
-from quadruped_env.replay.signal_comparison import Signals, lags, side_by_side
+from quadruped_env.replay.saturation import saturation
+from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
 from quadruped_env.reporting.films.film import FRAME_RATE, Clip
 from quadruped_env.reporting.report_directory import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
@@ -76,11 +76,9 @@ class Replay:
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
     @cached_property
-    def saturation(self) -> Saturation | None:
-        """Requested torques, and where they exceed the motors' limits; None in kinematic mode, which has no motors."""
-        return (
-            None if self.motion is None else saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
-        )
+    def torques(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Requested torques and their part beyond the motors' limits in dynamic mode, N m, each (T, J)."""
+        return saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
 
     @cached_property
     def comparison(self) -> Signals:
@@ -107,14 +105,12 @@ class Replay:
     def report(self) -> dict[str, Any]:
         """The replay as JSON-serializable values; errors in rad, times in s."""
         error = self.tracking_error()
-        nothing: list[tuple[float | None, float | None]] = [(None, None)] * self.robot.num_joints
-        late = nothing if self.motion is None else lags(self.targets, self.played)
+        late = [None] * self.robot.num_joints if self.motion is None else lag(self.targets, self.played)
         joints = {
             name: {
                 **_summary(error[:, i]),
                 "max_at": float(self.played.times[np.argmax(np.abs(error[:, i]))]),
-                "lag": late[i][0],
-                "lag_repeats_after": late[i][1],
+                "lag": late[i],
             }
             for i, name in enumerate(self.robot.joint_names)
         }
@@ -154,24 +150,28 @@ class Replay:
         speeds = self.recorded.velocities
         if speeds is None and len(self.recorded) > 1:
             speeds = self.recorded.differentiate().velocities
-        found: dict[str, dict[str, Any]] = {
-            name: {
+        found: dict[str, dict[str, Any]] = {}
+        for i, name in enumerate(self.robot.joint_names):
+            found[name] = {
                 "positions_clipped": int(self.clipped[i]),
                 "fastest_recorded": None if speeds is None else float(np.abs(speeds[:, i]).max()),
                 "speed_limit": float(self.robot.velocity_limit[i]),
             }
-            for i, name in enumerate(self.robot.joint_names)
-        }
-        saturated = self.saturation
-        if saturated is not None:
+            if self.motion is None:
+                continue
             assert self.played.efforts is not None
             assert self.played.velocities is not None
-            for i, (name, entry) in enumerate(saturated.report().items()):
-                found[name] |= {
-                    "saturated": entry,
-                    "largest_torque": float(np.abs(self.played.efforts[:, i]).max()),
-                    "fastest": float(np.abs(self.played.velocities[:, i]).max()),
-                }
+            asked, excess = (torques[:, i] for torques in self.torques)
+            at_limit = np.flatnonzero(excess > 0.0)
+            found[name] |= {
+                "saturated": {
+                    "share": len(at_limit) / len(excess),
+                    "largest_torque_asked": float(np.abs(asked).max()),
+                    "first_at": float(self.played.times[at_limit[0]]) if len(at_limit) else None,
+                },
+                "largest_torque": float(np.abs(self.played.efforts[:, i]).max()),
+                "fastest": float(np.abs(self.played.velocities[:, i]).max()),
+            }
         return found
 
     def tables(self, compare: bool = False) -> list[Table]:
@@ -191,7 +191,7 @@ class Replay:
             ]
             + [["all", "", _shown(everything["rms"], 4), _shown(everything["max"], 4), "", ""]],
             "Played minus recorded position at the same time. The lag is the first time shift with about the smallest "
-            "error; of a motion that repeats, it is known up to whole periods.",
+            "error; in a motion that repeats, it is known up to whole periods.",
         )
         limits = Table(
             "Limits",
@@ -230,14 +230,12 @@ class Replay:
         remarks = list(self.recorded.source.notes)
         if self.clipped.any():
             names = ", ".join(name for name, count in zip(self.robot.joint_names, self.clipped, strict=True) if count)
-            remarks.append(f"{self.clipped.sum()} recorded positions were moved to a joint's limit: {names}.")
-        gaps = self.recorded.gaps()
-        if gaps:
-            longest = max(gaps, key=lambda gap: gap.seconds)
-            remarks.append(
-                f"{len(gaps)} gaps in the recording, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s; "
-                f"positions were interpolated linearly across them."
-            )
+            moved = np.abs(self.recorded.positions - self.targets.positions) > LIMIT_TOLERANCE
+            first = self.recorded.times[moved.any(axis=1).argmax()]
+            n = self.clipped.sum()
+            remarks.append(f"{n} recorded positions were moved to a joint's limit, first at {first:.2f} s: {names}.")
+        if gaps := self.recorded.gaps_in_words("the recording"):
+            remarks.append(f"{gaps}; positions were interpolated linearly across them.")
         fast = [
             name
             for name, entry in self._limits.items()
@@ -246,17 +244,6 @@ class Replay:
         if fast and self.motion is not None:
             limits = " or ".join(f"{limit:g}" for limit in np.unique(self.robot.velocity_limit))
             remarks.append(f"Recorded faster than the motors' {limits} rad/s: {', '.join(fast)}.")
-        repeated = {
-            name: error["lag_repeats_after"]
-            for name, error in self.report["tracking_error"]["joints"].items()
-            if error["lag_repeats_after"] is not None
-        }
-        if repeated:
-            after = dict.fromkeys(f"{end(repeated.values()):.2g}" for end in (min, max))
-            remarks.append(
-                f"The motion repeats, so a lag that is longer by {' to '.join(after)} s fits as well: "
-                f"{', '.join(repeated)}."
-            )
         if self.motion is not None:
             remarks.append(self.motion.outcome())
         return remarks

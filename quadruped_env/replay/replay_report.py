@@ -62,15 +62,14 @@ def _tracking_figure(replay: Replay) -> dict[str, str]:
 
 
 def _motor_figures(replay: Replay) -> list[dict[str, str]]:
-    saturation = replay.saturation
-    assert saturation is not None
+    asked, _ = replay.torques
     assert replay.played.efforts is not None
     assert replay.played.velocities is not None
     times = replay.played.times
     motors = replay.motors.of_joints(replay.robot.joint_kinds)
     stall, top = (np.array([getattr(motor, name) for motor in motors]) for name in ("stall_torque", "no_load_speed"))
     torque = {
-        "requested": Line(times, np.clip(saturation.asked, -2 * stall, 2 * stall), VERMILION),
+        "requested": Line(times, np.clip(asked, -2 * stall, 2 * stall), VERMILION),
         "applied": Line(times, replay.played.efforts, BLUE),
     }
     speed = {"played": Line(times, replay.played.velocities, BLUE)}

@@ -16,7 +16,7 @@ SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}
 """Array of a `JointTrajectory` -> unit."""
 
 MAX_LAG: Final = 0.4
-"""Maximum lag that `lags` finds, s."""
+"""Maximum lag that `lag` finds, s."""
 _LAG_STEP: Final = 0.002
 """Resolution of the lag, s."""
 _LAG_ROWS: Final = 5000
@@ -47,10 +47,6 @@ class Signals:
     """True if the recorded velocities were computed from the recorded positions"""
     source: str
     """Name of the recording"""
-
-    def difference(self, signal: str) -> NDArray[np.float64]:
-        """Simulated minus recorded values (T, J); NaN where nothing was recorded."""
-        return self.simulated[signal] - self.recorded[signal]
 
     def report(self) -> dict[str, Any]:
         """The comparison as JSON-serializable values."""
@@ -115,48 +111,34 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
 
 
 def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
-    """Lag of each joint behind its target, s; see `lags`."""
-    return [first for first, _ in lags(target, played)]
+    """Lag of each joint behind its target, s.
 
-
-def lags(target: JointTrajectory, played: JointTrajectory) -> list[tuple[float | None, float | None]]:
-    """Lag of each joint behind its target, and its ambiguity, s.
-
-    The lag is the first time shift, up to `MAX_LAG`, with about the smallest error. A lag that is longer by the
-    ambiguity fits as well, as the motion repeats. None for a joint that hardly moves, and in place of an ambiguity if
-    no other lag fits. Both trajectories have the same joints in the same order.
+    The lag is the first time shift, up to `MAX_LAG`, with about the smallest error: a motion that repeats fits again
+    after a period. None for a joint that hardly moves. Both trajectories have the same joints in the same order.
     """
     shifts = np.arange(0.0, MAX_LAG, _LAG_STEP)
     # At the start, target and motion are equal for every lag.
     rows = np.flatnonzero(played.times >= MAX_LAG)
     if len(rows) < 2:
-        return [(None, None)] * len(played.names)
+        return [None] * len(played.names)
     rows = rows[:: -(-len(rows) // _LAG_ROWS)]
-    offset = (int(played.stamps[0]) - int(target.stamps[0])) / NS_PER_SECOND
+    times = played.times[rows] + (int(played.stamps[0]) - int(target.stamps[0])) / NS_PER_SECOND
     errors = np.array(
-        [
-            np.mean((played.positions[rows] - target.positions_at(played.times[rows] + offset - shift)) ** 2, axis=0)
-            for shift in shifts
-        ]
+        [np.mean((played.positions[rows] - target.positions_at(times - shift)) ** 2, axis=0) for shift in shifts]
     )
-    found: list[tuple[float | None, float | None]] = []
-    for error, moving in zip(errors.T, np.ptp(target.positions, axis=0) > _MIN_RANGE, strict=True):
-        first, *others = shifts[_minima(error)].tolist()
-        found.append((first, others[0] - first if others else None) if moving else (None, None))
-    return found
+    moving = np.ptp(target.positions, axis=0) > _MIN_RANGE
+    return [
+        float(shifts[_first_minimum(error)]) if moved else None for error, moved in zip(errors.T, moving, strict=True)
+    ]
 
 
-def _minima(error: NDArray[np.float64]) -> list[int]:
-    """Indices of the minima of an error (K,) that are about as small as the smallest, in their order.
-
-    Without the end, where the error may still fall, unless it is the only one.
-    """
+def _first_minimum(error: NDArray[np.float64]) -> int:
+    """Index of the first minimum of an error (K,) that is about as small as the smallest."""
     height = (error - error.min()) / max(float(np.ptp(error)), 1e-300)
     # Noise has minima within a valley, so valleys are parted by a clear rise.
     valleys = np.split(np.arange(len(error)), np.flatnonzero(np.diff(height > _RISE)) + 1)
     lowest = [int(valley[height[valley].argmin()]) for valley in valleys]
-    found = [index for index in lowest if height[index] <= _ALIKE]
-    return [index for index in found if index < len(error) - 1] or found
+    return next(index for index in lowest if height[index] <= _ALIKE)
 
 
 def _agreement(recorded: NDArray[np.float64], simulated: NDArray[np.float64]) -> dict[str, float | None]:

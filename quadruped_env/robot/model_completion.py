@@ -20,21 +20,24 @@ _TOUCH_MARGIN: Final = 0.005
 _WHOLE_LINK: Final = 10.0
 """Radius of a zone that holds any link, m: a touch sensor counts the contacts of its own link only."""
 _IMU: Final = "sensed_base"
-_OF_JOINTS: Final = {"joint_position": "JOINTPOS", "joint_velocity": "JOINTVEL", "joint_torque": "ACTUATORFRC"}
-_OF_BASE: Final = {
-    "orientation": "FRAMEQUAT",
-    "angular_velocity_b": "GYRO",
-    "linear_acceleration_b": "ACCELEROMETER",
-    "base_position": "FRAMEPOS",
-    "linear_velocity_b": "VELOCIMETER",
+_SENSORS: Final = {
+    "joint_position": ("JOINTPOS", "JOINT"),
+    "joint_velocity": ("JOINTVEL", "JOINT"),
+    "joint_torque": ("ACTUATORFRC", "ACTUATOR"),
+    "orientation": ("FRAMEQUAT", "base"),
+    "angular_velocity_b": ("GYRO", "base"),
+    "linear_acceleration_b": ("ACCELEROMETER", "base"),
+    "base_position": ("FRAMEPOS", "base"),
+    "linear_velocity_b": ("VELOCIMETER", "base"),
+    "up_b": ("FRAMEZAXIS", "world"),
+    "foot_force": ("TOUCH", "feet"),
+    "foot_position": ("FRAMEPOS", "feet"),
+    "foot_velocity": ("FRAMELINVEL", "feet"),
+    "foot_angular_velocity": ("FRAMEANGVEL", "feet"),
+    "trunk_force": ("TOUCH", "trunk"),
 }
-_OF_FEET: Final = {
-    "foot_force": "TOUCH",
-    "foot_position": "FRAMEPOS",
-    "foot_velocity": "FRAMELINVEL",
-    "foot_angular_velocity": "FRAMEANGVEL",
-}
-"""Field of `Readings` -> type of MuJoCo's sensor: one per joint, of the base, and one per foot."""
+"""Field of `Readings` -> type of MuJoCo's sensor, and what it is on: each joint, the base, each foot, or the base and
+the first link of each leg."""
 
 
 def read_model(path: Path) -> tuple[str, dict[str, bytes]]:
@@ -150,13 +153,13 @@ def make_servos(spec: mujoco.MjSpec, joint_names: Sequence[str]) -> None:
 
 def own_sensors(joint_names: Sequence[str], leg_names: Sequence[str]) -> dict[str, tuple[str, ...]]:
     """Names of the sensors that `add_sensors` adds, for each field of `Readings`."""
-    of = {
-        **dict.fromkeys(_OF_JOINTS, joint_names),
-        **dict.fromkeys((*_OF_BASE, "up_b"), ("base",)),
-        **dict.fromkeys(_OF_FEET, leg_names),
-        "trunk_force": ("base", *leg_names),
+    names = {
+        **dict.fromkeys(("JOINT", "ACTUATOR"), joint_names),
+        **dict.fromkeys(("base", "world"), ("base",)),
+        "feet": leg_names,
+        "trunk": ("base", *leg_names),
     }
-    return {field: tuple(f"sensed_{field}_{name}" for name in names) for field, names in of.items()}
+    return {field: tuple(f"sensed_{field}_{name}" for name in names[of]) for field, (_, of) in _SENSORS.items()}
 
 
 def add_sensors(
@@ -184,24 +187,23 @@ def add_sensors(
         site.parent.add_site(name=feet[-1], type=zone, pos=site.pos, size=[foot_radius + _TOUCH_MARGIN] * 3, group=5)
         trunk.append(f"sensed_hip_of_{foot}")
         spec.body(hip).add_site(name=trunk[-1], type=zone, size=[_WHOLE_LINK] * 3, group=5)
-    joints = [actuator.target for actuator in spec.actuators]
-    actuators = [actuator.name for actuator in spec.actuators]
+    objects = {
+        "JOINT": [actuator.target for actuator in spec.actuators],
+        "ACTUATOR": [actuator.name for actuator in spec.actuators],
+        "base": [_IMU],
+        "world": ["world"],
+        "feet": feet,
+        "trunk": trunk,
+    }
+    kinds = {"JOINT": "JOINT", "ACTUATOR": "ACTUATOR", "world": "BODY"}
     for field, names in sensors.items():
-        kind = {**_OF_JOINTS, **_OF_BASE, **_OF_FEET, "trunk_force": "TOUCH", "up_b": "FRAMEZAXIS"}[field]
-        objects, target = [_IMU], "SITE"
-        reference = {}
-        if field in _OF_JOINTS:
-            objects, target = (actuators, "ACTUATOR") if kind == "ACTUATORFRC" else (joints, "JOINT")
-        elif field in _OF_FEET or field == "trunk_force":
-            objects = trunk if field == "trunk_force" else feet
-        elif field == "up_b":
-            objects, target = ["world"], "BODY"
-            reference = {"reftype": mujoco.mjtObj.mjOBJ_SITE, "refname": _IMU}
-        for name, of in zip(names, objects, strict=True):
+        sensor, of = _SENSORS[field]
+        reference = {"reftype": mujoco.mjtObj.mjOBJ_SITE, "refname": _IMU} if of == "world" else {}
+        for name, on in zip(names, objects[of], strict=True):
             spec.add_sensor(
                 name=name,
-                type=getattr(mujoco.mjtSensor, f"mjSENS_{kind}"),
-                objtype=getattr(mujoco.mjtObj, f"mjOBJ_{target}"),
-                objname=of,
+                type=getattr(mujoco.mjtSensor, f"mjSENS_{sensor}"),
+                objtype=getattr(mujoco.mjtObj, f"mjOBJ_{kinds.get(of, 'SITE')}"),
+                objname=on,
                 **reference,
             )

@@ -9,6 +9,7 @@ from typing import Any, Final
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.policies import Policy
+from quadruped_env.policies.layers import check_fits
 from quadruped_env.policies.not_a_policy import SB3_MEMBERS, not_a_policy
 from quadruped_env.policies.sb3 import was_normalized
 from quadruped_env.task import TaskConfig
@@ -40,14 +41,13 @@ _NEVER_USED: Final[dict[str, Any]] = {
 function often cannot be read by another version of Python."""
 
 
-def import_policy(path: Path, algo: str, config: TaskConfig, vecnormalize: Path | None = None) -> Policy:
+def import_policy(path: Path, config: TaskConfig, vecnormalize: Path | None = None) -> Policy:
     """The policy of a zip of Stable-Baselines3 or sb3-contrib.
 
     The zip and the statistics are unpickled: both can execute any code.
 
     Args:
         path: the zip that `model.save` wrote.
-        algo: the model's algorithm by its name, or `FILE.py:CLASS`.
         config: config of the task in which the model was trained.
         vecnormalize: file that `VecNormalize.save` wrote, for a model that was trained in one.
 
@@ -56,16 +56,16 @@ def import_policy(path: Path, algo: str, config: TaskConfig, vecnormalize: Path 
             are not given, its observations or actions do not fit the task, or a policy's file cannot hold its actor.
         MissingExtraError: if sb3-contrib is needed, and is not installed.
     """
-    kind = algorithm_class(algo)
-    with_code = "name its class with --algo NAME or --algo FILE.py:CLASS"
-    model = _unpickled(path, lambda: kind.load(path, device="cpu", custom_objects=_NEVER_USED), with_code)
+    kind = algorithm_class(_algorithm_of(path))
+    in_python = "load it in Python with its own class, and save Policy.from_sb3(model)"
+    model = _unpickled(path, lambda: kind.load(path, device="cpu", custom_objects=_NEVER_USED), in_python)
     if vecnormalize is None and was_normalized(model):
         raise QuadrupedError(
             f"{path}: this {kind.__name__} was trained in a VecNormalize, whose statistics are not in the zip; name "
             f"their file, which VecNormalize.save writes (vecnormalize.pkl of rl_zoo3), with --vecnormalize FILE"
         )
+    check_fits(path, model.observation_space.shape, model.action_space.shape, config)
     env: Any = make_sb3_vec_env(1, config=config)
-    _check_spaces(path, model, env, config)
     if vecnormalize is not None:
         from stable_baselines3.common.vec_env import VecNormalize
 
@@ -79,12 +79,8 @@ def import_policy(path: Path, algo: str, config: TaskConfig, vecnormalize: Path 
     return policy.with_card({**policy.card, "imported_from": source})
 
 
-def algorithm_of(path: Path) -> str:
-    """Name of the algorithm of a zip, from the names in its data, which is read as JSON.
-
-    Raises:
-        QuadrupedError: if the file is no zip of Stable-Baselines3, or the algorithm is not known.
-    """
+def _algorithm_of(path: Path) -> str:
+    """Name of the algorithm of a zip, from the names in its data, which is read as JSON."""
     check_regular(path, "name the zip that model.save wrote")
     try:
         with zipfile.ZipFile(path) as archive:
@@ -96,7 +92,9 @@ def algorithm_of(path: Path) -> str:
         raise QuadrupedError(f"{path}: not a zip that model.save of Stable-Baselines3 wrote; name one")
     found = next((name for field, name in _FIELDS.items() if field in data), None)
     if found is None:
-        raise QuadrupedError(f"{path}: its algorithm is unknown; name its class with --algo FILE.py:CLASS")
+        raise QuadrupedError(
+            f"{path}: its algorithm is unknown; load it in Python with its own class, and save Policy.from_sb3(model)"
+        )
     return found
 
 
@@ -108,18 +106,3 @@ def _unpickled(path: Path, load: Any, fix: str) -> Any:
         raise QuadrupedError(
             f"{path}: cannot be loaded ({type(error).__name__}: {short(str(error))}); {fix}"
         ) from error
-
-
-def _check_spaces(path: Path, model: Any, env: Any, config: TaskConfig) -> None:
-    """Refuse a model of another env than the task's."""
-    history, fields = config.control.observation_history, config.definition.observations
-    for what, columns, fix in (
-        ("observation", f": {history} x ({', '.join(field.name for field in fields)})", "the task"),
-        ("action", ", one per joint", "the robot"),
-    ):
-        found, expected = (getattr(x, f"{what}_space") for x in (model, env))
-        if getattr(found, "shape", None) != expected.shape:
-            raise QuadrupedError(
-                f"{path}: its {what}_space is {short(found)}, and that of this task has the shape {expected.shape}"
-                f"{columns}; give {fix} of its training with --task. A model of another env cannot walk here"
-            )

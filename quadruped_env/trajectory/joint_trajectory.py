@@ -315,6 +315,14 @@ class JointTrajectory:
         """Times between rows longer than `factor` times the median."""
         return find_gaps(self.stamps, factor)
 
+    def gaps_in_words(self, name: str) -> str:
+        """The gaps in words, without a full stop, with the recording's name; empty without gaps."""
+        gaps = self.gaps()
+        if not gaps:
+            return ""
+        longest = max(gaps, key=lambda gap: gap.seconds)
+        return f"{len(gaps)} gaps in {name}, the longest of {longest.seconds:.3g} s at {longest.start:.2f} s"
+
     @property
     def kinds(self) -> tuple[str, ...]:
         """Names of the arrays: positions, and velocities and efforts if they were recorded."""

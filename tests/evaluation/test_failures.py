@@ -6,17 +6,18 @@ import math
 import numpy as np
 import pytest
 from comparisons import TINY
+from synthetic import falls
 
 from quadruped_env.evaluation import failures
 
 
-def with_falls(comparison, **falls):
+def with_falls(comparison, **ends):
     """The comparison, in which the policy falls in the given envs (r3 is the fourth) after the given samples."""
     policy = comparison.rollouts["policy"]
     valid = policy.valid.copy()
-    for row, samples in falls.items():
+    for row, samples in ends.items():
         valid[samples:, int(row[1:])] = False
-    fallen = dataclasses.replace(policy, valid=valid)
+    fallen = dataclasses.replace(policy, fell=falls(valid))
     return dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
 
 

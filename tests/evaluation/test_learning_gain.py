@@ -2,18 +2,19 @@
 
 import dataclasses
 import json
-import math
 
 import numpy as np
 import pytest
 from comparisons import random_policy
 from half_robot import ROBOT
+from synthetic import synthetic_rollout
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation import learning_gain as learning_gain_module
-from quadruped_env.evaluation.comparison import Comparison, compare
-from quadruped_env.evaluation.confidence import Estimate, proportion
-from quadruped_env.evaluation.learning_gain import NO_GAIN, commands_met, gain_rows, learning_gain
+from quadruped_env.evaluation.comparison import MOTIONS, Comparison, compare
+from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
+from quadruped_env.evaluation.learning_gain import NO_GAIN, gain_beside, gain_rows, learning_gain
+from quadruped_env.evaluation.measures import CLOSE, commands_met
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import BUILT_IN, ActionConfig, CommandConfig, TaskConfig, TerminationConfig
@@ -59,21 +60,16 @@ def summed_rewards(agent):
     return total, fell
 
 
-def test_difference_and_its_t_interval_are_those_of_independent_rollouts_with_falls():
+def test_difference_and_its_interval_are_those_of_independent_rollouts_with_falls():
     gain = learning_gain(with_action(0.6), ROBOTS, SECONDS)
     (ours, fell), (zeros, fell_without) = (summed_rewards(with_action(action)) for action in (0.6, 0.0))
     assert fell.any()
     differences = (ours - zeros) / SECONDS
     assert gain.policy.return_per_second.mean == pytest.approx(ours.mean() / SECONDS)
     assert gain.zero.return_per_second.mean == pytest.approx(zeros.mean() / SECONDS)
-    error = math.sqrt(sum((d - differences.mean()) ** 2 for d in differences) / 3.0 / 4.0)
-    # 3.182446 is the quantile 0.975 of Student's t with 3 degrees of freedom.
-    expected = differences.mean() - 3.182446 * error, differences.mean() + 3.182446 * error
-    assert (gain.difference.low, gain.difference.high) == pytest.approx(expected, rel=1e-6)
-    assert gain.standard_errors == pytest.approx(differences.mean() / error)
+    expected = bootstrap_mean(differences)
+    assert dataclasses.astuple(gain.difference) == pytest.approx(dataclasses.astuple(expected), rel=1e-4)
     assert (gain.policy.falls.mean, gain.zero.falls.mean) == (fell.mean(), fell_without.mean())
-    # 0.4 rad is the scale of the mode.
-    assert (gain.policy.own_action, gain.zero.own_action) == pytest.approx((0.6 * 0.4, 0.0))
 
 
 def test_policy_without_an_action_of_its_own_is_exactly_as_good_as_doing_nothing():
@@ -88,29 +84,37 @@ def test_policy_without_an_action_of_its_own_is_exactly_as_good_as_doing_nothing
     standing = learning_gain(random_policy("position"), ROBOTS, SECONDS).zero
     assert gain.zero.electrical_power.mean > 2.0 * standing.electrical_power.mean
     document = json.loads(json.dumps(gain.to_dict(), allow_nan=False))
-    assert document["standard_errors"] is None
     rows = gain_rows(document)
-    assert [row[0] for row in rows] == [
-        "forwards 0.1 m/s",
-        "forwards 0.2 m/s",
-        "forwards 0.3 m/s",
-        "forwards 0.4 m/s",
-        "forwards 0.5 m/s",
-        "standing",
-        "backwards 0.2 m/s",
-        "turning 0.5 rad/s",
-        "curve 0.3 m/s, 0.5 rad/s",
-        "random commands",
-    ]
+    assert [row[0] for row in rows] == [*MOTIONS, "own task"]
     for _, *cells, result in rows:
         assert cells[:3] == cells[3:]
-        assert result in ("equal", "")
+        assert result in ("equally accurate", "")
+
+
+def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
+    """Its motors hold torque and do next to no work."""
+    policy = random_policy("position")
+    gain = learning_gain(policy, ROBOTS, SECONDS, motion_seeds=1)
+    envs = policy.make_vec_env(ROBOTS)
+    envs.reset(seed=[FIRST_SEED + i for i in range(ROBOTS)])
+    heat = []
+    for _ in range(STEPS):
+        *_, info = envs.step(np.zeros((ROBOTS, 8), np.float32))
+        heat.append((info["joint_torque"] ** 2).sum(axis=1) * 0.5)
+    expected = np.mean(heat)
+    assert expected > 0.1
+    # Between control steps, the robot's landing takes more.
+    assert 0.9 * expected < gain.zero.electrical_power.mean < 2.0 * expected
+    (standing,) = (motion["zero"] for motion in gain.to_dict()["motions"] if motion["motion"] == "standing")
+    work = gain.comparison.estimate("zero", "mechanical_power", "standing").mean
+    assert standing["electrical_power"] > 3.0 * work
+    assert f"{gain.zero.electrical_power.mean:.1f} W" in gain.table()
 
 
 def test_verdict_needs_the_whole_interval_above_zero():
     gain = learning_gain(with_action(0.0), ROBOTS, SECONDS)
-    better = dataclasses.replace(gain, difference=Estimate(1.5, 0.1, 2.9, ROBOTS), standard_errors=3.41)
-    assert better.verdict() == "is better than the zero action by 1.50 return/s (3.4 standard errors)"
+    better = dataclasses.replace(gain, difference=Estimate(1.5, 0.1, 2.9, ROBOTS))
+    assert better.verdict() == "is better than the zero action by 1.50 return/s (95 % interval +0.10 to +2.90)"
     assert "difference +1.50 [+0.10, +2.90]" in better.table()
     for low in (0.0, -0.1):
         unsure = dataclasses.replace(better, difference=Estimate(1.5, low, 2.9, ROBOTS))
@@ -119,8 +123,8 @@ def test_verdict_needs_the_whole_interval_above_zero():
 
 def test_a_whole_interval_below_zero_is_worse_and_falls_come_before_any_gain():
     gain = learning_gain(with_action(0.0), ROBOTS, SECONDS, motion_seeds=0)
-    worse = dataclasses.replace(gain, difference=Estimate(-1.99, -2.77, -1.22, 8), standard_errors=-5.1)
-    assert worse.verdict() == "is worse than the zero action by 1.99 return/s (5.1 standard errors)"
+    worse = dataclasses.replace(gain, difference=Estimate(-1.99, -2.77, -1.22, 8))
+    assert worse.verdict() == "is worse than the zero action by 1.99 return/s (95 % interval -2.77 to -1.22)"
 
     def falling(share):
         ours, zeros = (
@@ -129,7 +133,8 @@ def test_a_whole_interval_below_zero_is_worse_and_falls_come_before_any_gain():
         return dataclasses.replace(worse, policy=ours, zero=zeros, difference=Estimate(2.0, 1.0, 3.0, 8))
 
     assert falling(0.84).verdict() == (
-        "falls in 84 % of its episodes, the zero action in 3 %; it collects 2.00 return/s more (5.1 standard errors), "
+        "falls in 84 % of its episodes, the zero action in 3 %; it collects 2.00 return/s more (95 % interval +1.00 "
+        "to +3.00), "
         "which does not make up for the falls"
     )
     assert not falling(0.84).is_better
@@ -140,23 +145,15 @@ def test_a_whole_interval_below_zero_is_worse_and_falls_come_before_any_gain():
 
 
 def test_rows_of_motions_are_those_of_the_evaluation():
-    """Undisturbed, from the same starts: the numbers of `compare` for the policy."""
+    """Undisturbed, from the same starts: the numbers of `compare`, which may also be given."""
     policy = random_policy("residual")
-    gain = learning_gain(policy, 2, SECONDS, motion_seeds=2)
-    comparison = compare(policy, 2, SECONDS)
-    by_label = {motion.label: motion for motion in gain.motions}
-    for label, rows in (("forwards 0.3 m/s", [2]), ("backwards 0.2 m/s", [6]), ("turning 0.5 rad/s", [7, 8])):
-        motion = by_label[label]
-        for metric, estimate in motion.policy.items():
-            assert estimate == comparison.estimate("policy", metric, rows)
-    assert set(by_label["curve 0.3 m/s, 0.5 rad/s"].policy) == {
-        "forward_velocity_error",
-        "yaw_rate_error",
-        "fall_rate",
-        "electrical_power",
+    gain, comparison = learning_gain(policy, 2, SECONDS, motion_seeds=2), compare(policy, 2, SECONDS)
+    assert gain.to_dict() == gain_beside(policy, 2, SECONDS, None, comparison).to_dict() | {"episodes": 2} | {
+        name: gain.to_dict()[name] for name in ("verdict", "difference", "policy", "zero")
     }
+    assert gain.comparison.condition == "undisturbed, on the task's own ground"
     # The zero action of mode `residual` is the gait, which walks.
-    assert by_label["forwards 0.3 m/s"].zero["forward_velocity_error"].mean < 0.1
+    assert gain.to_dict()["motions"][0]["zero"]["forward_velocity_error"] < 0.1
 
 
 @pytest.mark.parametrize(
@@ -165,7 +162,7 @@ def test_rows_of_motions_are_those_of_the_evaluation():
         # Errors and share of falls of policy and zero action, in 8 episodes.
         ((0.02, 0.0), (0.05, 0.0), "more accurate"),
         ((0.05, 0.0), (0.02, 0.0), "less accurate"),
-        ((0.05, 0.0), (0.052, 0.0), "equal"),
+        ((0.05, 0.0), (0.052, 0.0), "equally accurate"),
         ((0.02, 1.0), (0.05, 0.0), "falls more"),
         ((0.05, 0.0), (0.02, 1.0), "falls less"),
     ],
@@ -180,12 +177,12 @@ def test_result_of_a_motion_counts_falls_first(policy, zero, result):
         for name, (error, falls) in (("policy", policy), ("zero", zero))
     }
     comparison = Comparison(((0.3, 0.0),), tuple(range(8)), 20.0, TaskConfig(), {}, values)
-    motion = learning_gain_module._motion(comparison, (0.3, 0.0), [0])
-    assert (motion.label, motion.result) == ("forwards 0.3 m/s", result)
+    (motion,) = learning_gain_module._motions(comparison)
+    assert (motion["motion"], motion["result"]) == ("forwards", result)
 
 
 def test_commands_are_met_by_their_means_after_a_second_and_without_a_fall():
-    command, velocity, fallen = np.zeros((600, 2, 2)), np.zeros((600, 2, 2)), np.zeros((600, 2), bool)
+    command, velocity, fell = np.zeros((600, 2, 2)), np.zeros((600, 2, 2)), np.zeros((600, 2), bool)
     # Met: far off in the first second, then a swing around a mean with errors of 0.04 m/s and 0.09 rad/s.
     command[:150, 0] = 0.3, 0.5
     velocity[50:150, 0] = 0.34, 0.41
@@ -195,12 +192,15 @@ def test_commands_are_met_by_their_means_after_a_second_and_without_a_fall():
     velocity[150:300, 0, 0] -= 0.06
     command[300:399, 0] = 0.1, 0.0
     command[399:, 0] = velocity[399:, 0] = -0.2, 0.0
-    fallen[420, 0] = True
+    fell[420, 0] = True
     # After the fall, the same command is another one, and met. The other robot turns 0.11 rad/s too fast.
     velocity[:, 1, 1] = 0.11
-    np.testing.assert_array_equal(commands_met(velocity, command, fallen, DT), [True, False, False, True, False])
-    wide = commands_met(velocity, command, fallen, DT, (0.07, 0.12))
-    np.testing.assert_array_equal(wide, [True, True, False, True, True])
+    rollout = synthetic_rollout(600, 2, command=command, velocity=velocity, fell=fell)
+    np.testing.assert_array_equal(commands_met(rollout, CLOSE), [True, False, False, True, False])
+    np.testing.assert_array_equal(commands_met(rollout, (0.07, 0.12)), [True, True, False, True, True])
+    # The command to stand of the other robot is met by standing still alone.
+    marching = dataclasses.replace(rollout, joint_velocity=np.ones((600, 2, 8)))
+    np.testing.assert_array_equal(commands_met(marching, (0.07, 0.12)), [True, True, False, True, False])
 
 
 @pytest.mark.parametrize(

@@ -5,9 +5,8 @@ import numpy as np
 import pytest
 
 from quadruped_env import CommandedGait
+from quadruped_env.evaluation.measures import gait_measures
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.evaluation.suite.gait_measures import PhysicsRecorder, measures
-from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import GaitController
 
 pytestmark = pytest.mark.skipif(
@@ -33,10 +32,9 @@ STARTS = 16
 def test_gait_lifts_every_foot_once_per_stride_from_every_start(name, clearance, dragging, bounces, settled):
     """At 2.6 Hz, two feet dragged in one episode of eight, and some touched down 1.6 times per stride."""
     controller = GaitController(CommandedGait.preset(name))
-    recorder = PhysicsRecorder()
     seeds = range(FIRST_SEED, FIRST_SEED + STARTS)
-    rollout = roll_out(controller, [(speed, 0.0) for speed in SPEEDS], seeds, 8.0, before_step=recorder)
-    got = measures(rollout, recorder.samples(), full_suite().gait)
+    rollout = roll_out(controller, [(speed, 0.0) for speed in SPEEDS], seeds, 8.0, physics=True)
+    got = gait_measures(rollout)
     assert not rollout.fallen.any()
     lowest = got["clearance"].min(axis=1)
     # A walking robot is chaotic: on another processor a start may lead to another stride.

@@ -26,12 +26,9 @@ def random_policy(mode, **config):
     return Policy.for_task(weights, biases, "tanh", task, card)
 
 
-def write_comparison(policies, comparison, output, command="", with_video=True, progress=None, ranked=None, gains=None):
-    """Numbers and page of a comparison, as the program writes them: the page, the numbers, and what is missing."""
+def write_comparison(policies, comparison, output, ranked=None, gains=None):
+    """Page and numbers of a comparison, as the program writes them."""
     from quadruped_env.reporting.pages import run_comparison
 
-    document = run_comparison.write_numbers(policies, comparison, output, command, ranked, gains)
-    page, missing = run_comparison.write_page(
-        policies, comparison, output, document, with_video, progress, ranked, gains
-    )
-    return page, output / "metrics.json", missing
+    document = run_comparison.write_numbers(policies, comparison, output, "", ranked, gains)
+    return run_comparison.write_page(policies, comparison, output, document, ranked, gains), output / "metrics.json"

@@ -8,6 +8,13 @@ from quadruped_env.robot import MINI_QUADRUPED
 DT = 0.02
 
 
+def falls(valid):
+    """Samples in which robots fall (T, N), from those before a fall, in which they are valid."""
+    fell = ~valid
+    fell[1:] &= valid[:-1]
+    return fell
+
+
 def synthetic_rollout(steps=250, envs=1, **changes):
     """Rollout of robots that stand still, with other values of some quantities (T, N, ...)."""
     shape = (steps, envs)
@@ -19,16 +26,15 @@ def synthetic_rollout(steps=250, envs=1, **changes):
         "velocity": np.zeros((*shape, 2)),
         "command": np.zeros((*shape, 2)),
         "contact": np.ones((*shape, 4), dtype=bool),
-        "slip_speed": np.zeros((*shape, 4)),
-        "foot_height": np.zeros((*shape, 4)),
-        "valid": np.ones(shape, dtype=bool),
+        "fell": np.zeros(shape, dtype=bool),
+        "electrical_power": np.zeros(shape),
+        "mechanical_power": np.zeros(shape),
         "reward_terms": np.zeros((*shape, 1)),
         **changes,
     }
     return Rollout(
         robot=MINI_QUADRUPED,
         controller="synthetic",
-        motors=MINI_QUADRUPED.motors,
         timestep=DT,
         seeds=np.arange(envs),
         term_names=("none",),

@@ -29,7 +29,6 @@ from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.policies import find_controllers, load_policy
 
 warnings.simplefilter("always")
-hub._PAUSE = 0.0
 for address in sys.argv[2:]:
     hub.TIMEOUT = 0.5 if "hangs" in address else 10.0
     try:
@@ -62,14 +61,14 @@ class Hub(BaseHTTPRequestHandler):
         parts = self.path.strip("/").split("/")
         owner, name, _, revision, file = parts if len(parts) == 5 else ("", "", "", "", "")
         code, content = "", b""
-        if (owner, name) not in (("me", "walker"), ("me", "empty")):
+        if (owner, name) not in (("me", "walker"), ("me", "empty"), ("me", "damaged")):
             code = "RepoNotFound"
         elif revision not in ("main", "v1", COMMIT):
             code = "RevisionNotFound"
         elif name == "empty" or file not in self.files:
             code = "EntryNotFound"
         else:
-            content = self.files[file]
+            content = self.files[file][: -1 if (name, file) == ("damaged", "policy.safetensors") else None]
         self.send_response(404 if code else 200)
         self.send_header("X-Repo-Commit", COMMIT)
         self.send_header("ETag", f'"{sha256(content).hexdigest()}"')
@@ -167,8 +166,8 @@ def test_policy_of_the_hub_acts_as_the_uploaded_one_also_offline_and_only_two_fi
 
 
 def test_errors_name_the_address_and_the_fix(load):
-    (repository, revision, form, files, name), _ = load(
-        "hf://me/nothing", "hf://me/walker@v2", "hf://walker", "hf://me/empty", "hf://me/a b"
+    (repository, revision, form, files, name, damaged), _ = load(
+        "hf://me/nothing", "hf://me/walker@v2", "hf://walker", "hf://me/empty", "hf://me/a b", "hf://me/damaged"
     )
     assert repository.startswith("hf://me/nothing: there is no such repository, or it is private")
     assert revision == "hf://me/walker@v2: the repository has no revision 'v2'; leave it out"
@@ -179,33 +178,24 @@ def test_errors_name_the_address_and_the_fix(load):
     assert offline.startswith(
         "hf://me/walker: the hub cannot be reached (the client is offline), and its policy is not"
     )
-    Hub.files["policy.safetensors"] = Hub.files["policy.safetensors"][:-1]
-    (damaged,), _ = load("hf://me/walker")
     assert "policy.safetensors: its SHA-256 differs from weights_sha256 in policy.json" in damaged
 
 
-@pytest.mark.parametrize(
-    ("name", "problem"),
-    [
-        ("reset", "the hub cannot be reached (*), and its policy is not in the cache; connect, or name a directory"),
-        ("garbage", "the hub cannot be reached (*), and its policy is not in the cache; connect, or name a directory"),
-        ("loop", "the hub cannot be reached (*), and its policy is not in the cache; connect, or name a directory"),
-        ("hangs", "the hub cannot be reached (*), and its policy is not in the cache; connect, or name a directory"),
-        (
-            "portal",
-            "the hub cannot be reached (the answer is not that of a hub), and its policy is not in the cache; *",
-        ),
-        ("down", "the hub cannot be reached (*500*), and its policy is not in the cache; connect, or name a directory"),
-        ("cut", "cannot be downloaded (*); check the name, and try again"),
-    ],
-)
-def test_broken_hub_is_one_line_after_an_announced_try(load, name, problem):
-    lines, _ = load(f"hf://me/{name}")
-    assert len(lines) == 1
-    assert fnmatch.fnmatchcase(lines[0], f"hf://me/{name}: {problem}".replace("[", "[[]"))
-    tries = [command for command, path in Hub.requests if path.startswith(f"/me/{name}/")]
-    assert [line.endswith("; trying again") for line in load.warned] == ([] if name == "cut" else [True])
-    assert name == "loop" or len(tries) <= 3
+UNREACHABLE = "the hub cannot be reached ({}), and its policy is not in the cache; connect, or name a directory"
+PROBLEMS = {
+    **dict.fromkeys(("reset", "garbage", "loop", "hangs"), UNREACHABLE.format("*")),
+    "portal": UNREACHABLE.format("the answer is not that of a hub"),
+    "down": UNREACHABLE.format("*500*"),
+    "cut": "cannot be downloaded (*); check the name, and try again",
+}
+
+
+def test_broken_hub_is_one_line_after_a_single_try(load):
+    lines, _ = load(*(f"hf://me/{name}" for name in PROBLEMS))
+    for line, (name, problem) in zip(lines, PROBLEMS.items(), strict=True):
+        assert fnmatch.fnmatchcase(line, f"hf://me/{name}: {problem}".replace("[", "[[]"))
+        tries = [command for command, path in Hub.requests if path.startswith(f"/me/{name}/")]
+        assert name == "loop" or len(tries) <= 3
 
 
 def test_policy_in_the_cache_is_used_if_the_hub_no_longer_answers(load, monkeypatch):
@@ -214,6 +204,7 @@ def test_policy_in_the_cache_is_used_if_the_hub_no_longer_answers(load, monkeypa
     _, actions = load("hf://me/walker")
     np.testing.assert_array_equal(actions, make_policy().predict(observations((3,))))
     assert len(load.warned) == 3, "one for each load"
+    assert all(line.endswith("its policy in the cache is used") for line in load.warned)
 
 
 def test_without_the_client_the_extra_is_named(monkeypatch):

@@ -25,7 +25,7 @@ CORE = (
     ("demo",),
     ("baseline", "--seconds", "1", "--episodes", "1", "-o", "a.csv"),
     ("convert", "a.csv", "b.csv"),
-    ("replay", "a.csv", "--no-report", "-o", "replayed"),
+    ("replay", "a.csv", "-o", "replayed"),
 )
 ALL = (*CORE, ("train", *TINY), ("evaluate", *SHORT), ("compare", "flat", "runs/latest", *SHORT))
 

@@ -30,7 +30,6 @@ ENTRY_POINTS = {
     "task/randomization/randomization_presets.py": "the robot for which the presets' ranges are",
     "trajectory/formats/mapped_csv.py": "names of the columns of a CSV without a map",
     "trajectory/joint_trajectory.py": "default of public methods",
-    "trajectory/saving.py": "default of public options",
     "viewer/view_controller.py": "default of a public class",
 }
 """Modules that name the built-in robot, and why."""
@@ -52,7 +51,7 @@ NEEDS_ROBOT = {
     "in_joint_order": 0,
     "play": 4,
     "read_motors": 1,
-    "replay": 6,
+    "replay": 5,
     "run_baseline": 6,
 }
 """Functions whose default is the built-in robot: the package itself always says which robot."""

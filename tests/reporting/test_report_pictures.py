@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from synthetic import falls
 
 from quadruped_env.evaluation.failures import Failure
 from quadruped_env.evaluation.trace import Trace
@@ -32,7 +33,7 @@ def test_recorded_joints_are_those_of_the_plotted_episode_until_its_fall(compari
     command = comparison.commands.index((0.4, 0.0))
     for alive in (len(rollout), 40):
         valid = rollout.valid & (np.arange(len(rollout)) < alive)[:, None]
-        shown = replace(comparison, rollouts={"policy": replace(rollout, valid=valid)})
+        shown = replace(comparison, rollouts={"policy": replace(rollout, fell=falls(valid))})
         joints = pictures.recorded(shown).joints
         row = shown.episode(command)
         np.testing.assert_array_equal(joints.positions, rollout.joint_position[: valid[:, row].sum(), row])

@@ -90,5 +90,4 @@ def test_report_without_opengl_is_written_and_says_so_once_with_the_fix(without_
     assert "libegl1" in message
     page = (tmp_path / "out" / "report.html").read_text()
     assert page.count("No video: no OpenGL") == 1
-    assert "srcdoc=" in page, "the 3D replay needs no OpenGL"
     assert "<video" not in page

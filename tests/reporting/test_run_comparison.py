@@ -54,7 +54,7 @@ def test_runs_are_compared_on_one_page(run_directory, tmp_path):
     policies = run_comparison.find_policies([str(run_directory), str(second)], tmp_path / "out")
     compared = compare({name: found.policy for name, found in policies.items()}, 1, 2.0, TINY)
     assert list(compared.values) == ["20260101-000000-ppo", "second", "tuned", "article", "zero"]
-    page, numbers, _ = write_comparison(policies, compared, tmp_path / "out", "", with_video=False)
+    page, numbers = write_comparison(policies, compared, tmp_path / "out")
     text = " ".join(Page(page.read_text()).text)
     for name in policies:
         assert name in text
@@ -91,7 +91,7 @@ def test_runs_of_two_versions_of_a_task_file_are_compared_with_every_term_and_a_
     runs = [str(tmp_path / name) for name in ("one", "two")]
     policies = run_comparison.find_policies(runs, tmp_path / "out", trust_task=True)
     compared = compare({name: found.policy for name, found in policies.items()}, 1, 2.0, TINY)
-    page, numbers, _ = write_comparison(policies, compared, tmp_path / "out", "", with_video=False)
+    page, numbers = write_comparison(policies, compared, tmp_path / "out")
     text, html = " ".join(Page(page.read_text()).text), page.read_text()
     assert "hip_usage" in text
     assert "Learning curves by reward term" in text

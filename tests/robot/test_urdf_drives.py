@@ -2,6 +2,7 @@
 
 from xml.etree import ElementTree
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -74,3 +75,56 @@ def test_drives_in_the_urdf_are_those_of_the_mjcf(name):
     motors = robot.motors.of_joints(robot.joint_kinds)
     np.testing.assert_array_equal(column(drives, "kp"), [motor.kp for motor in motors])
     np.testing.assert_array_equal(column(drives, "kd"), [motor.kd for motor in motors])
+
+
+def urdf_steps(robot, begin, target):
+    """Joint positions (T, J) of the robot that is built from the URDF alone, with rotors and motor torques added."""
+    drives = drives_of(robot.urdf)
+    spec = mujoco.MjSpec.from_string(robot.urdf)
+    for joint, drive in zip(spec.joints, drives.values(), strict=True):
+        joint.armature = drive["rotor_inertia"] * drive["gear_ratio"] ** 2
+    effort, slope = column(drives, "effort"), column(drives, "effort") / column(drives, "velocity")
+
+    def pull(data):
+        wanted = column(drives, "kp") * (target - data.qpos) - column(drives, "kd") * data.qvel
+        available = np.clip(wanted, -effort - slope * data.qvel, effort - slope * data.qvel)
+        data.qfrc_applied[:] = np.clip(available, -effort, effort)
+
+    return moved(spec.compile(), begin, pull)
+
+
+def mjcf_steps(robot, begin, target):
+    """Joint positions (T, J) of the robot of the MJCF with its base held in the air."""
+    spec = robot.spec()
+    spec.delete(spec.joint("floating_base"))
+    spec.delete(spec.key("home"))
+
+    def pull(data):
+        data.ctrl[:] = target
+
+    return moved(spec.compile(), begin, pull)
+
+
+def moved(model, begin, pull):
+    # The MJCF excludes contacts of the robot with itself, but for the lower legs.
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+    model.opt.timestep, model.opt.integrator = 1e-4, mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    data = mujoco.MjData(model)
+    data.qpos[:] = begin
+    positions = []
+    for _ in range(10000):
+        pull(data)
+        mujoco.mj_step(model, data)
+        positions.append(data.qpos.copy())
+    return np.array(positions)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ROBOTS)
+def test_robot_built_from_the_urdf_alone_follows_a_step_as_the_mjcf_does(name):
+    robot = ROBOTS[name]
+    begin, target = robot.joint_position_low + 0.2, robot.joint_position_high - 0.2
+    urdf, mjcf = urdf_steps(robot, begin, target), mjcf_steps(robot, begin, target)
+    reach = abs(target - begin).max()
+    assert abs(mjcf - begin).max() > 0.9 * reach, "the step was made"
+    np.testing.assert_allclose(urdf, mjcf, rtol=0, atol=2e-3 * reach)

@@ -11,7 +11,8 @@ from second_robot import ROBOT as OTHER
 from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
+from quadruped_env.evaluation.measures import mean_velocities
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import CommandedGaitController
 from quadruped_env.robot import MINI_QUADRUPED

@@ -12,9 +12,8 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.evaluation.metrics import counted_samples
-from quadruped_env.evaluation.suite.command_map import met
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities, stands_still
+from quadruped_env.evaluation.measures import counted_samples, mean_velocities, meets, stands_still
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
@@ -50,7 +49,8 @@ def command_test(policy: Policy, commands: int | None = None, seconds: float | N
     shape = len(drawn), 1
     fallen = rollout.fallen.reshape(shape)
     still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
-    kept = met(part, drawn, mean_velocities(rollout).reshape(*shape, 2), fallen, still)
+    achieved = mean_velocities(rollout).reshape(*shape, 2)
+    kept = meets(achieved, np.array(drawn)[:, None], still, fallen, part.tolerance)
     return CommandTest(float(kept.mean()), float(fallen.mean()))
 
 

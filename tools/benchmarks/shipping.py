@@ -11,9 +11,8 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.evaluation.comparison import MOTIONS, compare
-from quadruped_env.evaluation.metrics import TILTED, counted_samples, measure
+from quadruped_env.evaluation.measures import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
-from quadruped_env.evaluation.suite.findings import suite_findings
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Controller, Policy, PolicyController, load_policy
 from quadruped_env.policies.files import finished_directory, shipped_directory
@@ -124,7 +123,6 @@ def note_suite(name: str, result: Mapping[str, Any]) -> None:
     suite = {
         **row,
         "zero_action": result["zero_action"]["score"],
-        "findings": dict(suite_findings(result)),
     }
     files = policy.with_card({**policy.card, "suite": suite}).files()
     write_whole({shipped_directory(name) / file: content for file, content in files.items()})

@@ -13,7 +13,7 @@ from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.evaluation.comparison import Command, commands_for, evaluation_task, motion_of
 from quadruped_env.evaluation.confidence import bootstrap_mean
-from quadruped_env.evaluation.metrics import START_UP, counted_samples, masked_mean, measure
+from quadruped_env.evaluation.measures import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import CommandedGaitController, Controller, Policy, PolicyController, ZeroController
 from quadruped_env.utils.progress import Progress, part_of

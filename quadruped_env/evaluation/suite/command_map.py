@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.evaluation.confidence import mean_of, number, proportion
-from quadruped_env.evaluation.metrics import counted_samples
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities, stands_still
+from quadruped_env.evaluation.measures import counted_samples, mean_velocities, meets, stands_still
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import CommandMap
 from quadruped_env.utils.progress import Progress
 
@@ -23,7 +23,8 @@ def run(part: CommandMap, measured: MeasuredController, progress: Progress | Non
     achieved = mean_velocities(rollout).reshape(*shape, 2)
     fallen = rollout.fallen.reshape(shape)
     still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
-    kept = met(part, [*drawn, *on_axes], achieved, fallen, still)
+    commands = np.array([*drawn, *on_axes])
+    kept = meets(achieved, commands[:, None], still, fallen, part.tolerance)
     count = len(drawn)
     stand = np.array([not any(command) for command in drawn])
     return {
@@ -36,19 +37,8 @@ def run(part: CommandMap, measured: MeasuredController, progress: Progress | Non
     }
 
 
-def met(part: CommandMap, commands: ArrayLike, achieved: Floats, fallen: Mask, still: Mask) -> Mask:
-    """True for each of S episodes that meets its command (K, S); a command to stand only by standing still.
-
-    `achieved` are the mean velocities of each episode (K, S, 2), NaN if unknown.
-    """
-    command = np.asarray(commands, dtype=np.float64)[:, None]
-    # A comparison with NaN is false: an episode without a mean velocity does not meet its command.
-    close = (np.abs(achieved - command) <= part.tolerance).all(axis=-1)
-    return np.asarray(close & ~fallen & (still | command.any(axis=-1)))
-
-
 def summary(commands: ArrayLike, achieved: Floats, fallen: Mask, kept: Mask) -> dict[str, Any]:
-    """Errors and shares of K commands, from the arrays of `met` and its result (K, S)."""
+    """Errors and shares of K commands, from mean velocities (K, S, 2), falls and what `meets` found (K, S)."""
     error = achieved - np.asarray(commands, dtype=np.float64)[:, None]
     result: dict[str, Any] = {"met": proportion(kept).to_dict(), "falls": proportion(fallen).to_dict()}
     for column, name in enumerate(("forward_velocity", "yaw_rate")):

@@ -5,26 +5,19 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-import numpy as np
-from numpy.typing import NDArray
-
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import evaluation_task
-from quadruped_env.evaluation.metrics import counted_samples, masked_mean
 from quadruped_env.evaluation.rollout import BeforeStep, Rollout, roll_out
 from quadruped_env.evaluation.suite.suite_definition import Command
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
 from quadruped_env.robot import Robot
-from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.task import BUILT_IN, TaskConfig
 from quadruped_env.task.task_config import values_for
 from quadruped_env.utils.progress import Progress
 
-_STILL: Final = 0.2
-"""RMS joint velocity below which the built-in robot stands, rad/s."""
 _STANDING_WEIGHT: Final = 0.2
 """Share of a score that is lost by a robot that does not stand still."""
 
@@ -82,11 +75,12 @@ class MeasuredController:
         before_step: BeforeStep | None = None,
         reached: Iterable[Command] = (),
         terrain: Terrain = flat,
+        physics: bool = False,
     ) -> Rollout:
         """Roll out; `reached` are further commands that `before_step` sets."""
         commands = list(commands)
         config = self.task([*commands, *reached], randomization, terrain)
-        return roll_out(self.controller, commands, seeds, seconds, config, progress, before_step)
+        return roll_out(self.controller, commands, seeds, seconds, config, progress, before_step, physics=physics)
 
     def zero_action(self) -> "MeasuredController":
         """The zero action in the same task: a policy's gait alone, or its stance."""
@@ -98,26 +92,12 @@ class MeasuredController:
         return self.config.robot
 
 
-def mean_velocities(rollout: Rollout) -> NDArray[np.float64]:
-    """Mean forward velocity in m/s and yaw rate in rad/s of each episode (N, 2), after the start-up.
-
-    NaN for an episode that falls during the start-up.
-    """
-    return masked_mean(rollout.velocity, counted_samples(rollout))
-
-
 def share_with_standing(moving: float, standing: float) -> float:
     """Score in [0, 1] from the shares of commands to move and to stand that are met.
 
     Standing alone earns nothing; a robot that moves as it should, and never stands still, loses a fifth.
     """
     return moving * (1.0 - _STANDING_WEIGHT * (1.0 - standing))
-
-
-def stands_still(rollout: Rollout, counted: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """True for each episode (N,) whose joints are nearly at rest over the counted samples (T, N)."""
-    squared = masked_mean(rollout.joint_velocity.astype(np.float64) ** 2, counted).mean(axis=-1)
-    return np.asarray(np.sqrt(squared) < _STILL * scale_of("rad/s", rollout.robot))
 
 
 def conditions(measured: MeasuredController) -> dict[str, Any]:

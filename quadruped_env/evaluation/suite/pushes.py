@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.confidence import percentile_interval, proportion
-from quadruped_env.evaluation.metrics import masked_mean
+from quadruped_env.evaluation.measures import masked_mean, meets, stands_still
 from quadruped_env.evaluation.rollout import BeforeStep, Rollout
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, stands_still
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Pushes
 from quadruped_env.task import Task
 from quadruped_env.utils.progress import Progress, part_of
@@ -64,9 +64,8 @@ def obeyed(part: Pushes, rollout: Rollout) -> dict[str, Any]:
     last[len(last) - round(part.final / rollout.timestep) :] = True
     shape = len(part.commands), len(part.sizes), part.num_seeds
     command = np.repeat(part.commands, shape[1] * shape[2], axis=0)
-    error = np.abs(masked_mean(rollout.velocity, last) - command)
-    good = (error <= part.tolerance).all(axis=-1) & ~rollout.fallen
-    good &= command.any(axis=-1) | stands_still(rollout, last)
+    achieved, still = masked_mean(rollout.velocity, last), stands_still(rollout, last)
+    good = meets(achieved, command, still, rollout.fallen, part.tolerance)
     moving = np.any(part.commands, axis=-1)
     good, survived = good.reshape(shape), ~rollout.fallen.reshape(shape)
     return {

@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.evaluation.confidence import mean_of, proportion
+from quadruped_env.evaluation.measures import mean_velocities, meets
 from quadruped_env.evaluation.rollout import Rollout
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController, mean_velocities
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Factor, Regulation
 from quadruped_env.simulation import flat
 from quadruped_env.simulation.terrain import Grid, terrain
@@ -40,8 +41,8 @@ def run(part: Regulation, measured: MeasuredController, progress: Progress | Non
     together = range(part.first_seed, part.first_seed + part.together_seeds)
     done = part_of(progress, share, 1.0)
     rollout = _rollout(part, measured, part.together, together, part.together_seconds, done)
-    error = mean_velocities(rollout) - np.repeat(part.commands, part.together_seeds, axis=0)
-    held = (np.abs(error) <= part.together_tolerance).all(axis=-1) & ~rollout.fallen
+    commands = np.repeat(part.commands, part.together_seeds, axis=0)
+    held = meets(mean_velocities(rollout), commands, True, rollout.fallen, part.together_tolerance)
     result[part.together.name] = {**measures(rollout, part), "held": proportion(held).to_dict()}
     return result
 

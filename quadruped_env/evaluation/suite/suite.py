@@ -12,7 +12,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.stored_results import StoredSuiteName
 from quadruped_env.evaluation.suite import (
     command_map,
-    gait_measures,
+    gait,
     joystick,
     pushes,
     recovery,
@@ -55,7 +55,7 @@ _Score = Callable[[Any, Any], float]
 PARTS: Final[dict[str, tuple[_Run, _Score]]] = {
     "commands": (command_map.run, _moving_and_standing),
     "joystick": (joystick.run, lambda result, part: joystick.score(result)),
-    "gait": (gait_measures.run, gait_measures.score),
+    "gait": (gait.run, gait.score),
     "transients": (transients.run, lambda result, part: _mean(change["score"] for change in result.values())),
     "pushes": (pushes.run, _moving_and_standing),
     "regulation": (regulation.run, regulation.score),

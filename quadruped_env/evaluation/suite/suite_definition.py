@@ -14,6 +14,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.evaluation.measures import BOUNCE, CLOSE, ROUGH, SPEED_SHARE, SWING_SHARE
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST, TERRAINS
@@ -79,7 +80,7 @@ class CommandMap(Part):
     )
     """Commands in one direction alone, the smallest first, for the envelope."""
     seconds: float = 10.0
-    tolerance: tuple[float, float] = (0.05, 0.1)
+    tolerance: tuple[float, float] = CLOSE
     """Errors of the mean velocities up to which an episode meets its command, m/s and rad/s."""
 
     @property
@@ -130,7 +131,7 @@ class Joystick(Part):
     """Time after the allowance from which a held command counts, s: that of a stride."""
     window: float = 5.0
     """Length of the windows of the score, s."""
-    tolerance: tuple[float, float] = (0.1, 0.2)
+    tolerance: tuple[float, float] = ROUGH
     """Mean errors up to which a window is met, m/s and rad/s."""
 
 
@@ -151,11 +152,11 @@ class GaitPart(Part):
         (0.3, -0.5),
     )
     seconds: float = 15.0
-    tolerance: tuple[float, float] = (0.1, 0.2)
+    tolerance: tuple[float, float] = ROUGH
     """Errors of the mean velocities up to which the gait of an episode counts in the score, m/s and rad/s."""
-    swing_share: float = 0.2
+    swing_share: float = SWING_SHARE
     """Share of a stride from which a time in the air is a swing; shorter ones are within a stance."""
-    bounce: float = 0.002
+    bounce: float = BOUNCE
     """Height over the ground from which a shorter time in the air is a bounce, m."""
     full_clearance: float = 0.01
     """Clearance from which the score is full, m."""
@@ -163,7 +164,7 @@ class GaitPart(Part):
     """Speed of the soles at touchdown up to which the score is full, m/s."""
     little_slip: float = 0.05
     """Slip up to which the score is full, m/s."""
-    speed_share: float = 0.95
+    speed_share: float = SPEED_SHARE
     """Share of a joint's velocity limit from which it counts as being at the limit."""
 
 
@@ -218,7 +219,7 @@ class Pushes(Part):
     """Sizes of the scored pushes: factors on `unit`."""
     unit: tuple[float, ...] = (1.0, 1.0, 0.5, 2.0, 2.0, 2.0)
     """Factors on a direction drawn on the sphere in six dimensions: m/s in the world frame, rad/s in the body frame."""
-    tolerance: tuple[float, float] = (0.1, 0.2)
+    tolerance: tuple[float, float] = ROUGH
     """Errors of the mean velocities after a push up to which the episode does what was asked, m/s and rad/s."""
     final: float = 2.0
     """Time at the end over which these means are, s."""
@@ -260,13 +261,13 @@ class Regulation(Part):
     """Time from the start until the command, s."""
     share: float = 0.2
     """Error up to which an episode keeps a velocity that is commanded, relative to the command."""
-    tolerance: tuple[float, float] = (0.05, 0.1)
+    tolerance: tuple[float, float] = CLOSE
     """The same for a velocity whose command is 0, m/s and rad/s."""
     together: Factor = field(default_factory=lambda: Factor("hard", dict(PRESETS["hard"])))
     together_seeds: int = 32
     """Episodes per command with all disturbances together."""
     together_seconds: float = 20.0
-    together_tolerance: tuple[float, float] = (0.1, 0.2)
+    together_tolerance: tuple[float, float] = ROUGH
     """Errors up to which an episode with all disturbances holds its command, m/s and rad/s."""
 
 

@@ -14,14 +14,14 @@ from quadruped_env.evaluation.comparison import Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.failures import Failure, worst_episodes
 from quadruped_env.evaluation.learning_gain import LearningGain
-from quadruped_env.evaluation.metrics import WINDOW
+from quadruped_env.evaluation.measures import WINDOW
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
 from quadruped_env.reporting.pages.learning import ZERO_LINE, gain_section, learning_clips, zero_return
 from quadruped_env.reporting.pages.page import METRICS_FILE
-from quadruped_env.reporting.pages.pictures import Pictures, filmed, scene, shown_commands, take_pictures
+from quadruped_env.reporting.pages.pictures import Pictures, filmed, shown_commands, take_pictures
 from quadruped_env.reporting.pages.suite_section import section, summary, write_results
 from quadruped_env.reporting.report_directory import prepare_output
 from quadruped_env.utils.files import write_json
@@ -76,14 +76,12 @@ def write_report(
         else:
             learning = None
             pictures = Pictures({"missing": "No video: it was switched off."})
-        replay = scene(comparison)
     context = {
         "name": evaluated.name,
-        "verdict": verdict(comparison, suite, gain),
+        "verdict": verdict(comparison, gain),
         "video": pictures.video,
         "learning": None if gain is None else gain_section({evaluated.name: gain}),
         "learning_film": learning,
-        "scene": replay,
         "walking_page": walking_page,
         "figures": drawn.result(),
         "suite": None if suite is None else section(suite),
@@ -91,8 +89,8 @@ def write_report(
         **page.tables(comparison),
     }
     report = page.write_report_page(evaluated.output, "report.html", document, context)
-    missing = [part["missing"] for part in (pictures.video, replay) if "missing" in part]
-    return report, evaluated.output / METRICS_FILE, missing if with_video else missing[1:]
+    missing = [pictures.video["missing"]] if with_video and "missing" in pictures.video else []
+    return report, evaluated.output / METRICS_FILE, missing
 
 
 def write_numbers(
@@ -110,7 +108,7 @@ def write_numbers(
     Raises:
         QuadrupedError: if a file cannot be written.
     """
-    judged = verdict(comparison, suite, gain)
+    judged = verdict(comparison, gain)
     document = {
         **page.provenance(command_line),
         "policy": {
@@ -118,7 +116,7 @@ def write_numbers(
             "card": page.without_nan(evaluated.policy.card),
             "task_file": page.task_of(evaluated),
         },
-        "verdict": {"level": judged.level, "headline": judged.headline, "findings": dict(judged.findings)},
+        "verdict": dataclasses.asdict(judged),
         "learning": None if gain is None else gain.to_dict(),
         "worst_episodes": [page.without_nan(dataclasses.asdict(one)) for one in worst_episodes(comparison)],
         "suite": None if suite is None else summary(suite),
@@ -189,12 +187,6 @@ def _figures(evaluated: EvaluatedPolicy, comparison: Comparison, gain: LearningG
             "Joints over time",
             plots.joint_traces(comparison, main),
             f"Position, speed and torque of the policy's joints. Command: {command}. Red lines are the limits.",
-        ),
-        page.figure(
-            "Foot clearance and slip",
-            plots.feet(comparison, main),
-            f"Command: {command}. Above: height of the policy's soles over time. Below: the height that a sole exceeds "
-            f"5 % of the time, and its sliding speed while it is on the ground.",
         ),
         page.figure(
             "Reward terms",

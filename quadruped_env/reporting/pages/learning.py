@@ -8,7 +8,7 @@ from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.evaluation.comparison import Command, Comparison, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, LearningGain, gain_rows, reward_in_words
-from quadruped_env.evaluation.metrics import START_UP
+from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Controller, PolicyController, ZeroController, at_checkpoint
 from quadruped_env.policies.files import CHECKPOINTS
@@ -29,13 +29,13 @@ def gain_section(gains: Mapping[str, LearningGain]) -> dict[str, Any]:
         for name, document in documents.items()
     ]
     first = next(iter(gains.values()))
+    motions = "" if first.comparison is None else f" Condition of the motions: {first.comparison.condition}."
     note = (
-        f"The zero action is the stance, or the scripted gait under the policy. {TABLE_NOTE} The last row and the "
-        f"rewards are those of the policy's own task, with its commands, randomization and terrain: {first.episodes} "
-        f"episodes of {first.seconds:g} s with the same seeds; a robot that falls begins again. 95 % intervals are in "
-        f"brackets. A command is met if the mean velocities from {START_UP:g} s after its beginning are within "
-        f"{first.tolerance[0]:g} m/s and {first.tolerance[1]:g} rad/s of it. The own action is what the policy adds to "
-        f"the joint targets of the zero action."
+        f"The zero action is the stance, or the scripted gait under the policy. {TABLE_NOTE}{motions} The own task ran "
+        f"for {first.episodes} episodes of {first.seconds:g} s with the same seeds; a robot that falls begins again. "
+        f"95 % intervals are in brackets. A command is met if the mean velocities from {START_UP:g} s after its "
+        f"beginning are within {first.tolerance[0]:g} m/s and {first.tolerance[1]:g} rad/s of it, and a command to "
+        f"stand if the robot stands still, too."
     )
     return {"header": GAIN_HEADER, "tables": tables, "note": note}
 

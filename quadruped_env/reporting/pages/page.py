@@ -12,7 +12,7 @@ from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.metrics import METRICS, START_UP, WINDOW
+from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW
 from quadruped_env.policies import task_note
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.plots.canvas import label
@@ -33,7 +33,7 @@ SUMMARY: Final = (
     ("Turning: yaw rate error", "yaw_rate_error", "turning"),
     ("Forwards: electrical cost of transport", "electrical_cost_of_transport", "forwards"),
     ("Forwards: mechanical cost of transport", "mechanical_cost_of_transport", "forwards"),
-    ("Forwards: foot slip", "foot_slip", "forwards"),
+    ("Forwards: foot slip", "slip", "forwards"),
 )
 """Label, metric and motion of each row of the summary table."""
 
@@ -46,8 +46,9 @@ def summary_table(comparison: Comparison) -> str:
         cells = [_cell(metric, comparison.estimate(name, metric, motion)) for name in comparison.values]
         texts = [c["mean"] if c["low"] == "-" else f"{c['mean']} [{c['low']}, {c['high']}]" for c in cells]
         rows.append([f"{title} ({unit})" if unit else title, *texts])
+    condition = f"\n{comparison.condition}: {len(comparison.seeds)} starts of each command, {comparison.seconds:g} s"
     note = "" if len(comparison.seeds) > 1 else "\nNo intervals: a single random start of each command has none."
-    return text_table(rows, left=len(rows[0])) + note
+    return text_table(rows, left=len(rows[0])) + condition + note
 
 
 def _summary_rows(comparison: Comparison) -> list[tuple[str, str, str | None]]:

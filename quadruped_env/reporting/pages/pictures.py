@@ -1,27 +1,25 @@
-"""Films, stills and the 3D replay of a report."""
+"""Films and stills of a report."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
 from quadruped_env.errors import portable_message
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
 from quadruped_env.evaluation.failures import Failure
-from quadruped_env.evaluation.metrics import START_UP
+from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.films.film import Camera, Clip, Picture
 from quadruped_env.reporting.films.overlay import AVERAGED
 from quadruped_env.reporting.films.video import encode_mp4, encode_picture, halved
 from quadruped_env.reporting.pages.page import data_url
-from quadruped_env.reporting.pages.replay_scene import scene_html
 from quadruped_env.utils.progress import Progress
 
 FEET: Final = "feet"
 """Title of close-ups of the feet."""
 CLIP_SECONDS: Final = 2.4
-SCENE_SECONDS: Final = 20.0
 FALL_TIMES: Final = (-0.6, -0.3, 0.0)
 """Times of the stills relative to a fall, s."""
 ERROR_TIMES: Final = (-0.3, 0.0, 0.3)
@@ -124,15 +122,3 @@ def _stills(camera: Camera, trace: Trace, failure: Failure) -> str:
     """Pictures before a fall, or around the largest error, side by side at half size."""
     strip: list[Picture] = [halved(camera.picture(trace, s)[_STILL_CROP]) for s in still_samples(trace, failure)]
     return data_url("image/webp", encode_picture(np.concatenate(strip, axis=1), "WEBP", quality=80))
-
-
-def scene(comparison: Comparison) -> dict[str, Any]:
-    """The 3D replay of one episode and its caption, or the reason why it is missing."""
-    commands = shown_commands(comparison)
-    command = commands.get("forwards", next(iter(commands.values())))
-    clip = _episode(comparison, command, SCENE_SECONDS, "policy", "")
-    try:
-        page = scene_html(clip)
-    except Exception as error:  # as above
-        return {"missing": f"No 3D replay: {portable_message(error)}"}
-    return {"page": page, "caption": f"The trained policy. Command: {words(comparison.commands[command])}."}

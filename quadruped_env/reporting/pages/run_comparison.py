@@ -13,15 +13,13 @@ from quadruped_env.evaluation.learning_gain import LearningGain
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.verdict import listed, verdict
 from quadruped_env.reporting import plots
-from quadruped_env.reporting.films.film import Clip
 from quadruped_env.reporting.pages import page
 from quadruped_env.reporting.pages.learning import ZERO_LINE, gain_section, zero_return
 from quadruped_env.reporting.pages.page import METRICS_FILE
-from quadruped_env.reporting.pages.pictures import filmed, shown_commands, take_pictures
+from quadruped_env.reporting.pages.pictures import shown_commands
 from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
 from quadruped_env.reporting.report_directory import prepare_output
 from quadruped_env.utils.files import write_json
-from quadruped_env.utils.progress import Progress
 
 
 def find_policies(
@@ -64,8 +62,6 @@ def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[s
 
 def headline(comparison: Comparison, names: Sequence[str]) -> str:
     """A sentence: the policies that fall more often than others, and the most accurate ones for each motion."""
-    if len(names) == 1:
-        return verdict(comparison.seen_as(names[0])).headline
     falls = {name: comparison.estimate(name, "fall_rate") for name in names}
     # "More often" requires that the confidence intervals do not overlap.
     unsteady = [name for name in names if falls[name].low > min(fall.high for fall in falls.values())]
@@ -140,22 +136,11 @@ def write_page(
     comparison: Comparison,
     output: Path,
     document: dict[str, Any],
-    with_video: bool = True,
-    progress: Progress | None = None,
     ranked: Mapping[str, Any] | None = None,
     gains: Mapping[str, LearningGain] | None = None,
-) -> tuple[Path, list[str]]:
-    """Write the page of a comparison, whose numbers are in `document`; arguments as in `write_numbers`.
-
-    Returns:
-        The page, and a message for each part that could not be made.
-    """
+) -> Path:
+    """Write the page of a comparison, whose numbers are in `document`; arguments as in `write_numbers`."""
     names = list(policies)
-    if with_video:
-        shown = f"{', then '.join(names)}, each under the same commands"
-        video = take_pictures(films(comparison, names), shown, progress=progress).video
-    else:
-        video = {"missing": "No video: it was switched off."}
     context: dict[str, Any] = {
         "names": names,
         "headline": headline(comparison, names),
@@ -165,12 +150,10 @@ def write_page(
         "reward_terms": _term_rows(reward_terms(policies, comparison)),
         "diffs": _diffs(policies),
         "ranking": None if ranked is None else _ranking(ranked),
-        "video": video,
         "figures": _figures(policies, comparison, gains or {}),
         **page.tables(comparison),
     }
-    report = page.write_report_page(output, "comparison.html", document, context)
-    return report, [video["missing"]] if with_video and "missing" in video else []
+    return page.write_report_page(output, "comparison.html", document, context)
 
 
 def _ranking(found: Mapping[str, Any]) -> dict[str, Any]:
@@ -232,11 +215,6 @@ def _diffs(policies: Mapping[str, EvaluatedPolicy]) -> list[dict[str, str]]:
         lines = difflib.unified_diff(texts[first], texts[name], first, name, lineterm="")
         found.append({"title": f"From {first} to {name}", "text": "\n".join(lines) or "No difference."})
     return found
-
-
-def films(comparison: Comparison, names: Sequence[str]) -> list[Clip]:
-    """Clips of the page's film: each policy in turn."""
-    return [clip for name in names for clip in filmed(comparison, name)]
 
 
 def _figures(

@@ -1,14 +1,15 @@
 """The suite on a page: its file of results, its tables and figures, and the ranking of several policies."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
+import numpy as np
+
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
+from quadruped_env.evaluation.measures import OF_FEET
 from quadruped_env.evaluation.suite.aggregate import aggregate
-from quadruped_env.evaluation.suite.findings import direction_in_words
-from quadruped_env.evaluation.suite.gait_measures import PER_FOOT
 from quadruped_env.evaluation.suite.suite import (
     COMPONENTS,
     RESULTS_FILE,
@@ -41,11 +42,19 @@ _GAIT_ROWS: Final[dict[str, tuple[str, float, int, str]]] = {
     "electrical_cost_of_transport": ("Electrical cost of transport", 1.0, 2, ""),
 }
 """Measure of the gait -> label, factor, digits and unit in the table."""
-_OF_FEET: Final[dict[str, Callable[[list[float]], float]]] = {
-    "clearance": min,
-    "duty_factor": lambda values: sum(values) / len(values),
-}
-"""Measure -> value of all feet; for the others it is the largest."""
+
+
+_SIDES: Final = (
+    "forwards",
+    "to the front left",
+    "to the left",
+    "to the rear left",
+    "backwards",
+    "to the rear right",
+    "to the right",
+    "to the front right",
+)
+"""Directions in steps of 45 degrees."""
 
 
 def summary(result: Mapping[str, Any]) -> dict[str, Any]:
@@ -190,8 +199,8 @@ def _gait_table(result: Mapping[str, Any]) -> dict[str, Any]:
         cells = []
         for entry in result["gait"]["commands"]:
             value = entry[name]
-            if name in PER_FOOT:
-                value = None if None in value else _OF_FEET.get(name, max)(value)
+            if name in OF_FEET:
+                value = None if None in value else float(OF_FEET[name](np.array(value)))
             cells.append("-" if value is None else f"{factor * value:z.{digits}f}")
         rows.append({"label": label, "unit": unit, "cells": cells})
     commands = (entry["command"] for entry in result["gait"]["commands"])
@@ -233,6 +242,12 @@ def _regulation(result: Mapping[str, Any]) -> dict[str, Any]:
     return {"commands": [f"{v:g} m/s, {w:g} rad/s" for v, w in commands], "rows": rows}
 
 
+def _direction(degrees: float) -> str:
+    """Direction of a push in words."""
+    eighths, rest = divmod(round(degrees), 45)
+    return f"at {degrees:g} degrees" if rest else _SIDES[eighths % 8]
+
+
 def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
     commands, horizontal = result["commands"], result["pushes"]["horizontal"]
     met = percent(commands["met"])
@@ -256,7 +271,7 @@ def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
             plots.pushes(result),
             f"Left: share of the robots that do what was asked after a push of all six components, by its size and the "
             f"command. Right: horizontal push that half of the robots survive while they walk, by its direction. The "
-            f"weakest direction is {direction_in_words(weakest[0])}: {interval(weakest[1], 2)} m/s.",
+            f"weakest direction is {_direction(weakest[0])}: {interval(weakest[1], 2)} m/s.",
         ),
         "regulation": figure(
             "Regulation",

@@ -2,14 +2,13 @@
 
 from quadruped_env.reporting.plots.effort_plots import cost_over_speed, mean_terms, motor_limits, reward_terms
 from quadruped_env.reporting.plots.learning_plots import LEARNING_CURVES, learning_curve, read_progress, term_curves
-from quadruped_env.reporting.plots.motion_plots import feet, gait_diagram, joint_traces
+from quadruped_env.reporting.plots.motion_plots import gait_diagram, joint_traces
 from quadruped_env.reporting.plots.velocity_plots import episode, tracking, velocity_over_time
 
 __all__ = [
     "LEARNING_CURVES",
     "cost_over_speed",
     "episode",
-    "feet",
     "gait_diagram",
     "joint_traces",
     "learning_curve",

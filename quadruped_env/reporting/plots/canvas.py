@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import CONTROLLERS
-from quadruped_env.evaluation.metrics import START_UP
+from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.reporting.palette import CONTROLLER_COLOURS, SERIES
 
 STYLE_FILE: Final = Path(__file__).with_name("quadruped.mplstyle")

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.comparison import Comparison
-from quadruped_env.evaluation.metrics import counted_samples, masked_mean
+from quadruped_env.evaluation.measures import counted_samples, masked_mean
 from quadruped_env.reporting.palette import GREY, LIMIT
 from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, joint_label, label, legend_above
 

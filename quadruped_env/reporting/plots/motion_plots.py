@@ -1,16 +1,13 @@
 """Figures of feet and joints over time."""
 
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.comparison import Comparison
-from quadruped_env.evaluation.metrics import counted_samples, foot_clearance, slip_of_feet
 from quadruped_env.reporting.palette import LIMIT, joint_colours, leg_colours
-from quadruped_env.reporting.plots.canvas import controller_styles, draw_figure, label, shown_samples
-
-_CENTI: Final = 100.0
+from quadruped_env.reporting.plots.canvas import draw_figure, label, shown_samples
 
 
 def gait_diagram(comparison: Comparison, command: int, seconds: float = 2.0) -> str:
@@ -43,55 +40,6 @@ def _spans(on: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """First index and length of every run of True."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], on.astype(np.int8), [0]])))
     return [(int(begin), int(end - begin)) for begin, end in edges.reshape(-1, 2)]
-
-
-def feet(comparison: Comparison, command: int, seconds: float = 1.5) -> str:
-    """Height of the policy's soles over time, and clearance and slip of each foot for every stepping controller."""
-    shown = {name: rollout for name, rollout in comparison.rollouts.items() if name != "zero"}
-    styles = controller_styles(comparison.rollouts)
-    one = shown["policy"].select([comparison.episode(command)])
-    samples = shown_samples(one.valid, one.timestep, seconds)
-    time = (samples + 1) * one.timestep
-
-    def draw(axes: Any) -> None:
-        figure = axes[0, 0].figure
-        grid = axes[0, 0].get_gridspec()
-        for ax in axes[0]:
-            ax.remove()
-        heights = figure.add_subplot(grid[0, :])
-        for leg, (name, colour) in enumerate(leg_colours(one.robot).items()):
-            heights.plot(time, _CENTI * one.foot_height[samples, 0, leg], color=colour, label=name)
-        heights.set(xlabel="time (s)", ylabel="height of the sole (cm)", title=label("policy"))
-        heights.legend(ncols=one.robot.num_legs, loc="upper right")
-        top = heights.get_ylim()[1]
-        heights.set_ylim(top=top * 1.25)
-        for controller, rollout in shown.items():
-            some = rollout.select(comparison.rows(command))
-            counted = counted_samples(some)
-            measured = (
-                (axes[1, 0], foot_clearance(some.foot_height, counted)),
-                (axes[1, 1], slip_of_feet(some.slip_speed, some.contact, counted)),
-            )
-            for ax, values in measured:
-                finite = np.isfinite(values).all(axis=1)
-                if finite.any():
-                    mean = values[finite].mean(axis=0)
-                    ax.plot(
-                        one.robot.leg_names,
-                        _CENTI * mean,
-                        linestyle="none",
-                        label=label(controller),
-                        **styles[controller],
-                    )
-        axes[1, 0].set(ylabel="clearance (cm)", xlabel="foot")
-        axes[1, 1].set(ylabel="slip (cm/s)", xlabel="foot")
-        for ax in axes[1]:
-            ax.set_ylim(bottom=0.0)
-            ax.margins(x=0.15)
-        handles, names = axes[1, 0].get_legend_handles_labels()
-        figure.legend(handles, names, loc="outside lower center", ncols=3)
-
-    return draw_figure(2, 2, 4.6, draw)
 
 
 def joint_traces(comparison: Comparison, command: int, seconds: float = 1.5) -> str:

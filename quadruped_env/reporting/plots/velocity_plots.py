@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from quadruped_env.evaluation.comparison import Comparison
-from quadruped_env.evaluation.metrics import START_UP, window_means
+from quadruped_env.evaluation.measures import START_UP, window_means
 from quadruped_env.reporting.palette import GREY, LIMIT
 from quadruped_env.reporting.plots.canvas import REFERENCE, controller_styles, draw_figure, label, legend_above
 from quadruped_env.utils.rotations import tilt

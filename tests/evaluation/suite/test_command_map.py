@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from quadruped_env.evaluation.measures import meets
 from quadruped_env.evaluation.suite import command_map
 from quadruped_env.evaluation.suite.measured_controller import share_with_standing
 from quadruped_env.evaluation.suite.suite_definition import full_suite
@@ -26,7 +27,7 @@ NONE, ALL = np.zeros((4, 2), dtype=bool), np.ones((4, 2), dtype=bool)
 
 
 def met(achieved, fallen=NONE, still=ALL):
-    return command_map.met(PART, COMMANDS, achieved, fallen, still)
+    return meets(achieved, COMMANDS[:, None], still, fallen, PART.tolerance)
 
 
 def test_an_episode_meets_its_command_within_the_tolerance_without_a_fall():

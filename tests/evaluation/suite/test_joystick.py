@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from synthetic import DT, synthetic_rollout
+from synthetic import DT, falls, synthetic_rollout
 
 from quadruped_env.evaluation.suite import joystick
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
@@ -71,7 +71,7 @@ def test_falls_per_hour_count_the_time_until_each_fall():
     command = np.repeat(given((STEPS, 0.3, 0.0)), 3, axis=1)
     valid = np.ones((STEPS, 3), dtype=bool)
     valid[500:, 1] = False
-    result = joystick.measures(synthetic_rollout(STEPS, 3, velocity=command.copy(), valid=valid), command, PART)
+    result = joystick.measures(synthetic_rollout(STEPS, 3, velocity=command.copy(), fell=falls(valid)), command, PART)
     assert (result["falls"], result["robot_hours"]) == (1, pytest.approx(50.0 / 3600.0))
     assert result["falls_per_hour"]["mean"] == pytest.approx(72.0)
     assert result["mean_error"] == pytest.approx([0.0, 0.0], abs=1e-6)

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from synthetic import DT, synthetic_rollout
+from synthetic import DT, falls, synthetic_rollout
 
 from quadruped_env.evaluation.suite import pushes
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
@@ -116,7 +116,7 @@ def test_only_the_time_after_the_push_counts_and_a_fall_earns_nothing():
     valid[-1, 3] = False
     joints = rollout.joint_velocity.copy()
     joints[-last:, 5] = 1.0  # marches
-    found = pushes.obeyed(part, replace(rollout, velocity=moving, valid=valid, joint_velocity=joints))
+    found = pushes.obeyed(part, replace(rollout, velocity=moving, fell=falls(valid), joint_velocity=joints))
     means = [[size["mean"] for size in entry["obeyed"]] for entry in found["commands"]]
     assert means == [[1.0, 0.5], [0.5, 1.0]]
     assert found["survived"]["mean"] == pytest.approx(7 / 8)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from synthetic import DT, synthetic_rollout
+from synthetic import DT, falls, synthetic_rollout
 
 from quadruped_env.evaluation.suite import transients
 from quadruped_env.evaluation.suite.suite import PARTS
@@ -106,7 +106,7 @@ def test_measures_of_a_stop():
     valid = np.ones((len(TIME), 3), dtype=bool)
     valid[-20:, 1] = False
     rollout = synthetic_rollout(
-        len(TIME), 3, velocity=np.stack([speed, 0 * speed], axis=-1), base_pose=pose, valid=valid
+        len(TIME), 3, velocity=np.stack([speed, 0 * speed], axis=-1), base_pose=pose, fell=falls(valid)
     )
     result = transients.measures(rollout, Change("emergency_stop", (0.5, 0.0), (0.0, 0.0)), PART)
     assert result["falls"]["mean"] == pytest.approx(1 / 3)

@@ -1,14 +1,16 @@
 """Measures of the gait against trajectories with known apexes, bounces, landings, limits and attitudes."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from synthetic import DT, synthetic_rollout
 
-from quadruped_env.evaluation import metrics
-from quadruped_env.evaluation.rollout import roll_out
-from quadruped_env.evaluation.suite import gait_measures
+from quadruped_env.evaluation import measures
+from quadruped_env.evaluation.measures import gait_measures
+from quadruped_env.evaluation.rollout import PhysicsSamples, roll_out
+from quadruped_env.evaluation.suite import gait
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import CommandedGaitController
 from quadruped_env.reporting.pages.suite_section import _GAIT_ROWS
@@ -46,15 +48,15 @@ def bounce(height, contact, at, apex, steps=6):
 
 def test_swings_have_apexes_and_landings():
     height, rise, contact = stride([0.01, 0.02, 0.03])
-    found = gait_measures.flights_of(height, rise, contact, 20, 0.002)
+    found = measures.flights_of(height, rise, contact, 20, 0.002)
     np.testing.assert_allclose(found.apexes, [0.01, 0.02, 0.03])
     np.testing.assert_allclose(found.landings, 0.3)
     assert found.bounces == 0
     # The swings at both ends are cut: their apex and landing may have been missed.
     cut = slice(30, 2 * STRIDE + 40)
-    assert len(gait_measures.flights_of(height[cut], rise[cut], contact[cut], 20, 0.002).apexes) == 1
+    assert len(measures.flights_of(height[cut], rise[cut], contact[cut], 20, 0.002).apexes) == 1
     in_the_air = np.zeros(50, dtype=bool)
-    assert len(gait_measures.flights_of(np.ones(50), np.ones(50), in_the_air, 20, 0.002).apexes) == 0
+    assert len(measures.flights_of(np.ones(50), np.ones(50), in_the_air, 20, 0.002).apexes) == 0
 
 
 def test_each_short_flight_over_the_height_is_one_bounce():
@@ -63,19 +65,19 @@ def test_each_short_flight_over_the_height_is_one_bounce():
     bounce(height, contact, STRIDE + 70, 0.0021)
     bounce(height, contact, 2 * STRIDE + 70, 0.004)
     bounce(height, contact, 2 * STRIDE + 85, 0.003, steps=2)
-    found = gait_measures.flights_of(height, rise, contact, 20, 0.002)
+    found = measures.flights_of(height, rise, contact, 20, 0.002)
     assert found.bounces == 3
     np.testing.assert_allclose(found.apexes, 0.02)
     # A flight of the shortest swing is a swing.
-    assert gait_measures.flights_of(height, rise, contact, 6, 0.002).bounces == 1
+    assert measures.flights_of(height, rise, contact, 6, 0.002).bounces == 1
 
 
 def feet(columns, frequency=2.0, counted=None):
     """Measures of one episode of one foot from `stride`'s arrays."""
     height, rise, contact = (np.asarray(column).reshape(-1, 1, 1) for column in columns)
     counted = np.ones((len(height), 1), dtype=bool) if counted is None else counted
-    physics = gait_measures.PhysicsSamples(height, rise, 100.0 * contact, 0 * height, 0 * height, 0 * height)
-    found = gait_measures.feet(physics, contact, counted, np.array([frequency]), FINE, PART)
+    physics = PhysicsSamples(height, rise, 100.0 * contact, 0 * height, 0 * height)
+    found = measures.feet(physics, contact, counted, np.array([frequency]), FINE, measures.BOUNCE)
     return {name: value[0, 0] for name, value in found.items()}
 
 
@@ -113,10 +115,10 @@ def test_speed_limit_share_is_the_time_with_any_joint_over_its_limit():
     velocity[9, 0, 1] = 99.0
     counted = np.ones((10, 1), dtype=bool)
     limit = np.array([4.75, 4.75])
-    assert gait_measures.speed_limit_share(velocity, counted, limit) == pytest.approx(0.5)
+    assert measures.speed_limit_share(velocity, counted, limit) == pytest.approx(0.5)
     counted[9] = False
-    assert gait_measures.speed_limit_share(velocity, counted, limit) == pytest.approx(4 / 9)
-    assert gait_measures.speed_limit_share(velocity, counted, np.array([5.0, 4.75])) == pytest.approx(2 / 9)
+    assert measures.speed_limit_share(velocity, counted, limit) == pytest.approx(4 / 9)
+    assert measures.speed_limit_share(velocity, counted, np.array([5.0, 4.75])) == pytest.approx(2 / 9)
 
 
 def test_rate_of_a_ramp_and_of_an_alternation():
@@ -124,14 +126,16 @@ def test_rate_of_a_ramp_and_of_an_alternation():
     values = np.zeros((100, 2, 2))
     values[:, 0] = 3.0 * DT * np.arange(100)[:, None]
     values[:, 1, 0] = 0.5 * (-1.0) ** np.arange(100)  # changes by 1 in every step; the other joint not at all
-    np.testing.assert_allclose(metrics.rms_rate(values, counted, DT), [3.0, math.sqrt(0.5) / DT])
+    np.testing.assert_allclose(measures.rms_rate(values, counted, DT), [3.0, math.sqrt(0.5) / DT])
 
 
-def test_roll_and_pitch_are_those_of_the_orientation_whatever_the_heading():
+def test_roll_and_pitch_are_the_rms_of_those_of_the_orientation_whatever_the_heading():
     roll, pitch = 0.2, -0.3
     for yaw in (0.0, 1.0, -3.0):
-        found = gait_measures.roll_and_pitch(from_roll_pitch_yaw([roll, pitch, yaw]))
-        np.testing.assert_allclose(found, (roll, pitch))
+        pose = np.concatenate([[0.0, 0.0, 0.184], from_roll_pitch_yaw([roll, pitch, yaw])])
+        rollout = walking()
+        found = gait_measures(replace(rollout, base_pose=np.tile(pose, (len(rollout), 1, 1))))
+        np.testing.assert_allclose([*found["roll"], *found["pitch"]], (roll, -pitch), rtol=1e-6)
 
 
 def walking(strides=22, apex=0.02):
@@ -152,16 +156,16 @@ def walking(strides=22, apex=0.02):
     joints = np.ones((len(height), 1, 8))
     force = np.where(contact, 10.0, 0.0)
     force[2000, 0, 2] = 3.0 * MINI_QUADRUPED.total_mass * 9.81
-    physics = gait_measures.PhysicsSamples(height, rise, force, 0.04 * contact, 0.5 * joints, 2.0 * joints)
-    # As recorded: the last control step is missing.
-    return rollout, gait_measures.PhysicsSamples(*(values[:-4] for values in physics))
+    return replace(rollout, physics=PhysicsSamples(height, rise, force, 0.04 * contact, 0.5 * joints))
 
 
 def test_measures_of_a_synthetic_gait():
-    values = gait_measures.measures(*walking(), PART)
-    assert set(values) == set(_GAIT_ROWS)
-    for name in gait_measures.PER_FOOT:
+    values, every = gait_measures(walking()), measures.measure(walking())
+    assert {*values, *gait._MEASURES} == set(_GAIT_ROWS)
+    for name in measures.OF_FEET:
         assert values[name].shape == (1, 4)
+        assert every[name].shape == (1,)
+    assert (every["bounces_per_stride"], every["duty_factor"]) == pytest.approx((1.0, 0.585), abs=0.06)
     np.testing.assert_allclose(values["stride_frequency"], 2.0, rtol=2e-3)
     np.testing.assert_allclose(values["clearance"], 0.02)
     np.testing.assert_allclose(values["swings_per_stride"], 1.0, atol=0.06)
@@ -170,25 +174,28 @@ def test_measures_of_a_synthetic_gait():
     np.testing.assert_allclose(values["slip"], 0.04)
     np.testing.assert_allclose(values["duty_factor"], [[0.6, 0.54, 0.6, 0.6]], atol=0.01)
     np.testing.assert_allclose(values["peak_force"], 3.0)
-    heat = MINI_QUADRUPED.motors.joule_coefficients(MINI_QUADRUPED.joint_kinds).sum()
-    np.testing.assert_allclose(values["electrical_power"], 8 * 1.0 + 0.25 * heat)
     np.testing.assert_allclose(values["torque_rate"], 0.0)
     np.testing.assert_allclose(values["roll"], 0.05)
     np.testing.assert_allclose(values["pitch"], 0.02, rtol=1e-2)
-    assert values["joint_limit_share"] == 0.0
-    assert values["speed_limit_share"] == 0.0
+    assert every["joint_limit_share"] == every["speed_limit_share"] == 0.0
 
 
-def test_physics_recorder_has_every_physics_step_but_those_of_the_last_control_step():
-    recorder = gait_measures.PhysicsRecorder()
-    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], [1_600_000, 1_600_001], 3.0, before_step=recorder)
-    physics = recorder.samples()
-    assert physics.height.shape == (149 * 4, 2, 4)
+def test_physics_samples_hold_every_physics_step():
+    soles = []
+
+    def record(task, step):
+        soles.append(task.context.sole_height.copy())
+
+    seeds = [1_600_000, 1_600_001]
+    rollout = roll_out(CommandedGaitController(), [(0.3, 0.0)], seeds, 3.0, before_step=record, physics=True)
+    physics = rollout.physics
+    assert physics.height.shape == (150 * 4, 2, 4)
     # The first physics step of a control step begins where the control step before has ended.
-    np.testing.assert_allclose(physics.height[4::4], rollout.foot_height[:148], atol=1e-5)
-    found = gait_measures.measures(rollout, physics, PART)
+    np.testing.assert_allclose(physics.height[::4], soles, atol=1e-6)
+    found = gait_measures(rollout)
     assert 0.1 < found["landing_speed"].min() < found["landing_speed"].max() < 1.5
     assert 1.0 < found["peak_force"].max() < 15.0
+    np.testing.assert_array_equal(rollout.select([1]).physics.force[:, 0], physics.force[:, 1])
 
 
 def entry(**changes):
@@ -220,4 +227,4 @@ def entry(**changes):
 )
 def test_score_of_a_gait(changes, expected):
     result = {"feet": ["RF", "LF", "RH", "LH"], "commands": [entry(**changes), entry()]}
-    assert gait_measures.score(result, PART) == pytest.approx(0.5 * (expected + 1.0))
+    assert gait.score(result, PART) == pytest.approx(0.5 * (expected + 1.0))
