@@ -217,7 +217,8 @@ class VelocityCommands:
         """Forward the newest command; `clock` is the controller's."""
         newest = [one for one in (each.newest(self._session.refuse) for each in self._subscriptions) if one]
         if newest:
-            self._last = max((received.taken, command) for received, command in newest)
+            received, command = max(newest, key=lambda one: one[0].sent)
+            self._last = received.taken, command
         elif not clock.simulated or self._last is None or time.monotonic() - self._last[0] > _COMMAND_TIMEOUT:
             # In simulated time, a command that is new by the system's time is repeated: its publisher may not be
             # slowed down or accelerated with the simulator.

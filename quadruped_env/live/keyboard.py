@@ -4,7 +4,6 @@ import os
 import re
 import select
 import sys
-from types import TracebackType
 from typing import Any, Final, Self
 
 from quadruped_env.errors import QuadrupedError
@@ -21,17 +20,14 @@ _READ: Final = 1024
 
 
 class Keyboard:
-    """Context manager that reads keys from a terminal immediately and without echo.
-
-    Args:
-        terminal: file descriptor; standard input by default.
+    """Context manager that reads keys from standard input immediately and without echo.
 
     Raises:
         QuadrupedError: if it is not a terminal.
     """
 
-    def __init__(self, terminal: int | None = None) -> None:
-        self._terminal = sys.stdin.fileno() if terminal is None else terminal
+    def __init__(self) -> None:
+        self._terminal = sys.stdin.fileno()
         if not os.isatty(self._terminal):
             raise QuadrupedError("the keyboard: standard input is not a terminal; start this node from one")
         self._settings: Any = None
@@ -47,9 +43,7 @@ class Keyboard:
         tty.setcbreak(self._terminal)
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         import termios
 
         if not self.gone:

@@ -4,7 +4,6 @@ import sqlite3
 import time
 from contextlib import ExitStack
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Final, Self
 
 from quadruped_env.errors import QuadrupedError
@@ -88,9 +87,7 @@ class Recorder:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         try:
             # Complete the bag even after an error elsewhere: the messages so far are valid.
             self._stack.close()

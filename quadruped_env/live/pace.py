@@ -7,6 +7,8 @@ from typing import Final
 
 _PRIORITY: Final = 10
 """SCHED_FIFO priority, 1 to 99; kernel threads have higher priorities."""
+_MAX_LAG: Final = 0.1
+"""Delay beyond which deadlines are skipped instead of caught up, s."""
 
 Clock = Callable[[], float]
 """A monotonic clock, s from an arbitrary start."""
@@ -33,10 +35,9 @@ class Pace:
     Args:
         period: time between deadlines, s.
         clock: a monotonic clock such as `time.monotonic`.
-        max_lag: delay beyond which deadlines are skipped instead of caught up, s.
     """
 
-    def __init__(self, period: float, clock: Clock = time.monotonic, max_lag: float = 0.1) -> None:
+    def __init__(self, period: float, clock: Clock = time.monotonic) -> None:
         self.period = period
         self.ticks = 0
         """Number of deadlines met or skipped."""
@@ -46,7 +47,6 @@ class Pace:
         """Largest delay of a deadline so far, s."""
         self._clock = clock
         self._start = clock()
-        self._max_lag = max_lag
 
     @property
     def due(self) -> float:
@@ -64,7 +64,7 @@ class Pace:
         if late < 0.0:
             return False
         self.latest = max(self.latest, late)
-        if late > self._max_lag:
+        if late > _MAX_LAG:
             missed = int(late / self.period)
             self.ticks += missed
             self.lost += missed
@@ -76,18 +76,16 @@ class Rate:
     """Rate of a counter between calls.
 
     Args:
-        clock: a monotonic clock such as `time.monotonic`.
-        since: time by the clock at which the count was 0; None means now.
+        since: `time.monotonic` at which the count was 0, s.
     """
 
-    def __init__(self, clock: Clock = time.monotonic, since: float | None = None) -> None:
-        self._clock = clock
-        self._then = clock() if since is None else since
+    def __init__(self, since: float) -> None:
+        self._then = since
         self._count = 0
 
     def per_second(self, count: int) -> float:
         """Increase per second since the last call."""
-        now = self._clock()
+        now = time.monotonic()
         elapsed, self._then = now - self._then, now
         grown, self._count = count - self._count, count
         return grown / elapsed if elapsed > 0.0 else 0.0

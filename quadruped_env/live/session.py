@@ -6,7 +6,6 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
-from types import TracebackType
 from typing import Any, Final, Self, TextIO
 
 from quadruped_env.errors import escaped
@@ -67,8 +66,7 @@ class Session:
         log: text stream for the log, and on a terminal the status line; by default standard error.
 
     Raises:
-        MissingExtraError: if cyclonedds is not installed.
-        QuadrupedError: if the domain cannot be joined.
+        QuadrupedError: as `Node`.
     """
 
     def __init__(self, name: str, arguments: argparse.Namespace, log: TextIO | None = None) -> None:
@@ -101,9 +99,7 @@ class Session:
         self.say(f"on {self.node.network}")
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *error: object) -> None:
         self._ends_with.close()
         self.refuse.report(last=True)
         if self._log.isatty():

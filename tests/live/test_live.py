@@ -209,7 +209,7 @@ def test_pace_with_late_ticks_does_not_accumulate_lateness():
 
 def test_pace_drops_ticks_that_are_too_late_and_keeps_its_grid():
     clock = ManualClock()
-    pace = Pace(0.01, clock, max_lag=0.1)
+    pace = Pace(0.01, clock)
     clock.now = 100.05
     assert sum(pace.tick() for _ in range(20)) == 6  # caught up with
     clock.now = 105.004

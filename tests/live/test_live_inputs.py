@@ -265,5 +265,12 @@ def test_velocity_commands_of_both_types_are_received(nodes):
     wait_until(lambda: commands.take(SystemTime()) or received == [(0.3, -0.2)])
     twists.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.1}))
     wait_until(lambda: commands.take(SystemTime()) or received == [(0.3, -0.2), (0.1, 0.0)])
+    # The later one of two that have arrived counts.
+    twists.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.1}))
+    stamped.send(cdr.message(CMD_VEL_STAMPED.type_name, twist=fields))
+    twists.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.5}))
+    wait_until(lambda: [len(one.entities[0].read(9)) for one in commands._subscriptions] == [2, 1])
+    commands.take(SystemTime())
+    assert received[2:] == [(0.5, 0.0)]
     for node in (ours, nav2, user):
         assert node.graph.problems() == []

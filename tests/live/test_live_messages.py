@@ -181,3 +181,20 @@ def test_lines_of_the_other_nodes_of_a_launch_are_written_over_the_status_line(m
     monkeypatch.setattr("sys.stderr", terminal)
     launch._copy(["[gait] one\n", "[gait] two\n"])
     assert terminal.getvalue() == "\r\x1b[K[gait] one\n\r\x1b[K[gait] two\n"
+
+
+def test_launch_passes_the_options_of_each_node_on(monkeypatch):
+    started = []
+    monkeypatch.setattr(launch, "_launch", started.extend)
+    robot = ["--map", "m.toml", "--namespace", "r1", "--remap", "a:=b"]
+    ground, page = ["--terrain", "rough", "--seed", "2"], ["--port", "0"]
+    launch.Walk.start(make_parser(only="walk").parse_args(["walk", "tuned", *robot, *ground, *page]))
+    assert started[:4] == [
+        ["sim", "--pick-up", "3", *ground, *robot],
+        ["controller", "tuned", *robot],
+        ["state", *robot],
+        ["view", *page, *ground, *robot],
+    ]
+    started.clear()
+    launch.Display.start(make_parser(only="display").parse_args(["display", "--preset", "walk", *robot, *page]))
+    assert started == [["gait", "--preset", "walk", *robot], ["state", *robot], ["view", *page, *robot]]

@@ -7,7 +7,6 @@ import select
 import signal
 import struct
 import subprocess
-import sys
 import time
 from collections import deque
 from dataclasses import dataclass
@@ -15,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 from live_nodes import STAMP, joint_state, received_from, started
-from paths import ROOT
 from trajectories import assert_same, random_trajectory
 from waiting import DEADLINE, output_of, wait_until
 
@@ -30,7 +28,6 @@ from quadruped_env.live.middleware.topics import CMD_VEL, ESTOP, JOINT_STATES, R
 from quadruped_env.live.nodes.gamepad import Gamepad
 from quadruped_env.live.nodes.listen import common_qos, rate_text
 from quadruped_env.live.nodes.teleop import after
-from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.ros.robot_messages import transform_messages
@@ -39,7 +36,6 @@ pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
 
 DEEP = Qos(depth=1000)
-REPLAY = ROOT / "evaluate" / "replay.py"
 
 
 def message_of(trajectory, row):
@@ -170,8 +166,7 @@ def test_common_qos_is_what_all_publishers_offer():
     assert common_qos([reliable, loose], "/tf") == Qos(100, reliable=False)
 
 
-def test_recording_of_a_gait_replays_to_the_same_motion(nodes, tmp_path):
-    """A gait on /joint_states, recorded by the program: the bag holds it to the last bit, and plays as it does."""
+def test_recording_of_a_gait_holds_it_to_the_last_bit(nodes, tmp_path):
     stamps = STAMP + 20_000_000 * np.arange(100)
     times = (stamps - STAMP) / 1e9
     gait = SinusoidalGait.preset("tuned")
@@ -194,11 +189,6 @@ def test_recording_of_a_gait_replays_to_the_same_motion(nodes, tmp_path):
     assert_same(JointTrajectory.load(bag), trajectory)
     assert contents(bag)["/tf"] == tf_bytes
     assert_read_by_others(bag, trajectory)
-    expected, found = tmp_path / "expected", tmp_path / "found"
-    replay(trajectory).save(expected)
-    subprocess.run([sys.executable, REPLAY, bag, "-o", found, "--no-report"], check=True, capture_output=True)
-    for name in ("link_poses.csv", "joint_states.csv"):
-        assert (found / name).read_bytes() == (expected / name).read_bytes()
 
 
 def assert_read_by_others(bag, trajectory):
@@ -360,9 +350,8 @@ def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes):
 def pad(tmp_path):
     """A pipe in place of the device `js0`, to which a test writes the events of Linux's joystick interface."""
     os.mkfifo(tmp_path / "js0")
-    pad = os.open(tmp_path / "js0", os.O_RDWR)
-    yield pad
-    os.close(pad)
+    with (tmp_path / "js0").open("r+b", buffering=0) as pad:
+        yield pad
 
 
 def test_gamepad_sends_commands_while_it_is_enabled_and_stops(pad, nodes, run_node, tmp_path):
@@ -384,18 +373,25 @@ def test_gamepad_sends_commands_while_it_is_enabled_and_stops(pad, nodes, run_no
 
     # The states at the start; sticks fully forward and half to the right.
     start = event(0x82, 1, -32767) + event(0x82, 3, 16384)
-    os.write(pad, start + event(0x01, 4, 1))
+    pad.write(start + event(0x01, 4, 1))
     until(0.6, -0.8 * 16384 / 32767)
     assert len(sent) < 100
-    os.write(pad, event(0x02, 1, 32767) + event(0x02, 3, -3000))
+    pad.write(event(0x02, 1, 32767) + event(0x02, 3, -3000))
     until(-0.3, 0.0)
-    os.write(pad, event(0x01, 4, 0))
+    pad.write(event(0x01, 4, 0))
     until(0.0, 0.0)
-    os.write(pad, event(0x01, 1, 1))
+    pad.write(event(0x01, 1, 1))
     assert stops.decode(received_from(stops, 1)[0]).data
-    os.write(pad, event(0x01, 1, 0) + event(0x01, 7, 1))
+    pad.write(event(0x01, 1, 0) + event(0x01, 7, 1))
     assert not stops.decode(received_from(stops, 1)[0]).data
     assert not velocities.take()
+    # Unplugged while the robot walks.
+    pad.write(event(0x01, 4, 1))
+    until(-0.3, 0.0)
+    pad.close()
+    until(0.0, 0.0)
+    assert log.status() == 2
+    assert "js0: was unplugged" in log.said
 
 
 def test_gamepad_that_is_missing_is_an_error(domain_id, tmp_path, capsys):

@@ -11,6 +11,7 @@ from live_nodes import joint_state
 from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES
+from quadruped_env.live import single_publisher
 from quadruped_env.live.messages.imu_messages import Imu
 from quadruped_env.live.messages.joint_messages import Joints
 from quadruped_env.live.middleware.topics import JOINT_STATES
@@ -147,10 +148,14 @@ def test_second_controller_of_a_robot_is_refused(run_node):
         assert "limp" not in log.said
 
 
-def test_of_two_controllers_that_wait_together_one_ends_before_both_command(run_node):
+def test_of_two_controllers_that_wait_together_one_ends_before_both_command(run_node, monkeypatch):
+    """However long they have waited."""
+    monkeypatch.setattr(single_publisher, "CONTEST", 1.0)
     first, second = run_node("controller", "trot"), run_node("controller", "trot")
     for node in (first, second):
         wait_until(lambda node=node: "waiting for a publisher" in node.said, lambda node=node: node.said)
+    since = time.monotonic()
+    wait_until(lambda: time.monotonic() > since + 1.1)
     with FakeRobot() as robot:
         wait_until(lambda: first.poll() is not None or second.poll() is not None)
         left, ended = (first, second) if first.poll() is None else (second, first)

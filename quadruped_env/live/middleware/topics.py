@@ -81,24 +81,7 @@ GAIT_SETTINGS: Final = Topic("/gait/settings", "std_msgs/msg/Float64MultiArray",
 
 TOPICS: Final = {
     topic.name: topic
-    for topic in (
-        JOINT_STATES,
-        IMU,
-        ODOMETRY,
-        TF,
-        TF_STATIC,
-        CLOCK,
-        DIAGNOSTICS,
-        ROBOT_DESCRIPTION,
-        CMD_VEL,
-        JOINT_COMMANDS,
-        JOINT_POSITIONS,
-        PUSH,
-        RESET,
-        PAUSE,
-        STEP,
-        ESTOP,
-        GAIT,
-        GAIT_SETTINGS,
-    )
+    for topic in list(globals().values())
+    if isinstance(topic, Topic) and topic not in (DISCOVERY_INFO, CMD_VEL_STAMPED)
 }
+"""Topics of this robot by name, `/cmd_vel` as Twist."""

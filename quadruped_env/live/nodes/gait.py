@@ -51,7 +51,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     read = message_reader(GAIT, functools.partial(read_settings, robot=robot))
     wanted, settings = node.subscribe(GAIT, read=read), node.publish(GAIT_SETTINGS)
     settings.send(settings_message(gait.settings))
-    for complaint in gait.violations():
+    for complaint in gait.current.violations():
         session.say(f"beyond the robot's limits: {complaint}")
     SinglePublisherGuard(session).check()
     states, efforts = node.publish(JOINT_STATES), np.zeros(robot.num_joints)
@@ -65,7 +65,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             stamp = start + round(t * NS_PER_SECOND)
             values = driver.to_driver(gait.positions(t), gait.velocities(t), efforts)
             states.send_bytes(joint_state(stamp, driver.joint_names, *values))
-        session.details = [f"beyond the robot's limits: {complaint}" for complaint in gait.violations()[:1]]
+        session.details = [f"beyond the robot's limits: {complaint}" for complaint in gait.current.violations()[:1]]
     return 0
 
 
@@ -78,7 +78,8 @@ class AdjustableGait:
     """
 
     def __init__(self, preset: str, robot: Robot) -> None:
-        self._preset = self._gait = SinusoidalGait.preset(preset, robot)
+        self._preset = self.current = SinusoidalGait.preset(preset, robot)
+        """The gait with its settings, without the time offset."""
         self.settings = GaitSettings.of(self._preset)
         """The current settings."""
         self._time_offset = 0.0
@@ -88,16 +89,12 @@ class AdjustableGait:
         """Apply new settings from time `t` (s) on."""
         self._time_offset = (t + self._time_offset) * self.settings.frequency / settings.frequency - t
         self.settings = settings
-        self._gait = edited(self._preset, settings)
+        self.current = edited(self._preset, settings)
 
     def positions(self, t: float) -> NDArray[np.float64]:
         """Joint positions at time `t` (s), rad (J,)."""
-        return self._gait.positions(t + self._time_offset)
+        return self.current.positions(t + self._time_offset)
 
     def velocities(self, t: float) -> NDArray[np.float64]:
         """Joint velocities at time `t` (s), rad/s (J,)."""
-        return self._gait.velocities(t + self._time_offset)
-
-    def violations(self) -> list[str]:
-        """Descriptions of the joint limits that the gait exceeds."""
-        return self._gait.violations()
+        return self.current.velocities(t + self._time_offset)
