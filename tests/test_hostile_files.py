@@ -96,9 +96,8 @@ def prepare_export(directory):
     """Manifest and golden trace of an export, with two fields."""
     field = {"part": "result", "width": 2, "unit": "1", "tolerance": 1e-4, "description": ""}
     trace = {"file": TRACE_FILE, "fields": [{**field, "name": "action"}, {**field, "name": "joint_target"}]}
-    document = {"format": FORMAT, "golden_trace": trace, "control": {"timestep_s": 0.02}}
-    rates = {"components": [{"largest_rate": 1.0}, {"largest_rate": 4.0}]}
-    (directory / "manifest.json").write_text(json.dumps({**document, "command": rates}))
+    trace |= {"largest_rates": [1.0, 4.0], "timestep_s": 0.02}
+    (directory / "manifest.json").write_text(json.dumps({"format": FORMAT, "golden_trace": trace}))
     (directory / TRACE_FILE).write_text("step,action_0,action_1,joint_target_0,joint_target_1\n0,1,nan,-1e-3,0.5\n")
 
 

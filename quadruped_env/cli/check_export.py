@@ -1,9 +1,7 @@
 """Compare an exported policy with its golden trace, and name the first step and field that differ.
 
-Without --trace, every runtime on this machine runs the graph: ONNX Runtime, OpenVINO. With it, the file is compared
-that your own program wrote when it ran on the readings of golden_trace.csv; in a folder of --c-int8, with the results
-of float32 and those of 8 bits, of which it has to equal one. Exit status 1 if anything differs by more than its
-tolerance.
+Without --trace, ONNX Runtime runs the graph here. With it, the file is compared that your own program wrote when it ran
+on the readings of golden_trace.csv. Exit status 1 if anything differs by more than its tolerance.
 
     mini-quadruped check-export runs/latest/export
     mini-quadruped check-export results/flat-export --trace my_loop.csv
@@ -27,15 +25,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
-    """Compare, and print one line for each runtime or file."""
+    """Compare, and print the result."""
     from quadruped_env.export.trace_check import ExportedTrace, check_export
 
-    if arguments.trace is None:
-        results = check_export(arguments.folder)
-    else:
-        results = ExportedTrace.load(arguments.folder).of_file(arguments.trace)
-    for result in results:
-        print(f"{result.name}: {result.text}")
-    # A file is that of one form of the policy, and a folder with weights of 8 bits has two.
-    passed = all if arguments.trace is None else any
-    return 0 if passed(result.passed for result in results) else 1
+    folder, trace = arguments.folder, arguments.trace
+    result = check_export(folder) if trace is None else ExportedTrace.load(folder).of_file(trace)
+    print(f"{result.name}: {result.text}")
+    return 0 if result.passed else 1

@@ -32,21 +32,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--hub",
         action="store_true",
-        help="the folder for a model hub: also the film, the page that walks and the results",
+        help="the folder for a model hub: also the film and the page that walks",
     )
-    parser.add_argument(
-        "--opset",
-        type=int,
-        default=18,
-        metavar="N",
-        help="version of ONNX's operators: ONNX Runtime 1.14 and later run 18 (default: %(default)s)",
-    )
-    form = parser.add_mutually_exclusive_group()
-    for option, weights, text in (
-        ("--c", "float32", "also write the policy as C99, and a sketch of the loop for an ESP32"),
-        ("--c-int8", "int8", "the same with weights of 8 bits, a quarter of the size, and the measured loss"),
-    ):
-        form.add_argument(option, dest="c", action="store_const", const=weights, help=text)
+    parser.add_argument("--c", action="store_true", help="also write the policy as C99, and a sketch for an ESP32")
     add_task_file(parser)
     add_overwrite(parser, "replace an earlier export")
     add_output(parser, "DIR", "the folder (default: RUN/export, or results/flat-export)")
@@ -69,7 +57,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.film or arguments.hub,
         arguments.overwrite,
         ProgressLine("filming"),
-        arguments.opset,
         arguments.c,
         _page_writer(evaluated) if arguments.hub else None,
     )
@@ -78,11 +65,6 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         f"{evaluated.name}: {len(graph['inputs'])} inputs, opset {graph['onnx_opset']}; ONNX Runtime differs from the "
         f"policy by {graph['largest_difference_from_the_policy']:.1g} at most"
     )
-    if loss := export.manifest.get("c", {}).get("loss"):
-        print(
-            f"weights of 8 bits change joint targets by {loss['joint_target_rms_rad']:.2g} rad (RMS), "
-            f"{loss['joint_target_largest_rad']:.2g} rad at most"
-        )
     if export.manifest["evaluation"] is None:
         print("no results are included: evaluate the policy first to export them, too")
     print(f"folder: {export.folder} ({', '.join(export.files)})")

@@ -19,22 +19,13 @@ from quadruped_env.viewer.server import add_allow_host
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the robots, the command, the page and the output."""
+    """Add the robots, the page and the output."""
     parser.add_argument(
         "sources",
         nargs="*",
         metavar="SOURCE",
         help=f"a run, {options.SHIPPED_POLICIES}, a Python file of a policy, a gait's name, or a recording of joint "
         f"states",
-    )
-    parser.add_argument(
-        "--command",
-        nargs=2,
-        type=float,
-        default=(0.4, 0.0),
-        metavar=("M/S", "RAD/S"),
-        dest="velocity",
-        help="forward velocity and yaw rate at the start (default: 0.4 0)",
     )
     parser.add_argument(
         "--port", type=int, default=PORT, metavar="N", help="port, or the next free one (default: %(default)s)"
@@ -48,43 +39,35 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_allow_host(parser)
     options.add_task_file(parser)
     options.add_terrain(parser, "that of the first robot's task")
-    options.add_randomization(parser, "none, and every episode starts at rest")
     options.add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS)
-    parser.add_argument(
-        "--measure", type=float, metavar="S", help="end after this time in s, and print the speed of the playback"
-    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Open the viewer, and run it until Ctrl-C."""
     show = open_show(
         arguments.sources,
-        tuple(arguments.velocity),
-        arguments.host,
-        arguments.port,
-        arguments.output,
-        arguments.task,
-        options.named_terrain(arguments),
-        arguments.randomization,
-        arguments.trust_task,
-        arguments.allow_host,
+        host=arguments.host,
+        port=arguments.port,
+        results=arguments.output,
+        task_file=arguments.task,
+        terrain=options.named_terrain(arguments),
+        trust_task=arguments.trust_task,
+        allowed_hosts=arguments.allow_host,
     )
-    return run_show(show, arguments.host, arguments.port, arguments.measure)
+    return run_show(show, arguments.host, arguments.port)
 
 
-def run_show(show: Show, host: str, port: int, seconds: float | None) -> int:
-    """Print the address of a show, and run it until Ctrl-C or for a time in s."""
+def run_show(show: Show, host: str, port: int) -> int:
+    """Print the address of a show, and run it until Ctrl-C."""
     with on_stop(lambda _: show.stop()):
         if port not in (0, show.port):
             print(f"port {port} is taken: {show.port} is the next free one")
         if host != LOOPBACK:
             print(f"listening on {host}: every machine that reaches it can steer this show")
         print(f"{', '.join(show.controller.robots)}: {show.address}   (Ctrl-C ends)", flush=True)
-        pace = show.run(seconds)
+        show.run()
         print("ending; what was recorded is being saved (Ctrl-C: without it)" if show.controller.saving else "ending")
     show.close()
     for message in show.controller.messages():
         print(message)
-    if seconds is not None:
-        print(pace)
     return 0

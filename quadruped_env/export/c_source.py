@@ -4,14 +4,13 @@ The code is in the folder `firmware`; weights, observation scaling, gait clock, 
 are put into it. It computes in float32, as the ONNX graph does.
 """
 
-import dataclasses
 import re
 from collections.abc import Iterable
 from importlib import resources
 from typing import Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
@@ -21,8 +20,6 @@ from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
-from quadruped_env.export.runtime import SAMPLES, expected_outputs, random_inputs
-from quadruped_env.policies import Policy
 
 FOLDER: Final = "firmware"
 """Folder of the files, and name of the sketch: Arduino's tools want them to be the same."""
@@ -30,8 +27,6 @@ HEADER_FILE: Final = f"{FOLDER}/policy.h"
 SOURCE_FILE: Final = f"{FOLDER}/policy.c"
 SKETCH_FILE: Final = f"{FOLDER}/{FOLDER}.ino"
 
-_LARGEST: Final = 127
-"""Of an integer that stands for a weight."""
 _PER_LINE: Final = 12
 """Numbers per line of a table."""
 
@@ -56,14 +51,8 @@ _KEYWORDS: Final = frozenset(
 """Words that C, or the C++ of the sketch, reserves."""
 
 
-def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[str, bytes]:
-    """Header, source and sketch of a policy, by their paths in the exported folder.
-
-    Args:
-        interface: inputs and outputs of the policy.
-        name: name of the policy.
-        int8: whether weights have 8 bits in place of float32 (`as_int8`).
-    """
+def c_files(interface: PolicyInterface, name: str) -> dict[str, bytes]:
+    """Header, source and sketch of a policy of some name, by their paths in the exported folder."""
     readings = [
         f"float {member}[POLICY_READS_{member.upper()}]; /* {_comment(f'{entry.unit}: {entry.description}')} */"
         for entry, member in _members(interface)
@@ -76,7 +65,7 @@ def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[s
             "/* constants */": _constants(interface, name),
             "/* readings */": "\n    ".join(readings or ["char none;"]),
         },
-        SOURCE_FILE: {"/* tables */": _tables(interface, int8), "/* observe */": _observe(interface)},
+        SOURCE_FILE: {"/* tables */": _tables(interface), "/* observe */": _observe(interface)},
         SKETCH_FILE: {"/* one line per joint */": "\n    ".join(servos)},
     }
     files = {}
@@ -86,35 +75,6 @@ def c_files(interface: PolicyInterface, name: str, int8: bool = False) -> dict[s
             code = code.replace(place, text)
         files[path] = code.encode()
     return files
-
-
-def as_int8(weight: NDArray[np.float32]) -> tuple[NDArray[np.int8], NDArray[np.float32]]:
-    """Weights (in, out) as integers in [-127, 127], and the step of each output (out,): weight = integer * step."""
-    step = np.abs(weight).max(axis=0) / np.float32(_LARGEST)
-    step = np.where(step > 0.0, step, np.float32(1.0))
-    return np.rint(weight / step).astype(np.int8), step
-
-
-def quantized(policy: Policy) -> Policy:
-    """The policy whose weights are what the integers stand for."""
-    weights = (integers * step for integers, step in map(as_int8, policy.weights))
-    return dataclasses.replace(policy, weights=tuple(weight.astype(np.float32) for weight in weights))
-
-
-def int8_loss(policy: Policy) -> dict[str, float]:
-    """Differences of the policy with weights of 8 bits, on the readings that the ONNX graph is compared on.
-
-    Those are farther from the stance than the readings of a walk.
-    """
-    interface = PolicyInterface(policy)
-    inputs = random_inputs(interface, SAMPLES)
-    one, two = expected_outputs(interface, inputs), expected_outputs(PolicyInterface(quantized(policy)), inputs)
-    loss = {}
-    for name, unit in ((graph_io.ACTION, ""), (graph_io.JOINT_TARGET, "_rad")):
-        difference = two[name].astype(np.float64) - one[name]
-        loss[f"{name}_rms{unit}"] = float(np.sqrt(np.square(difference).mean()))
-        loss[f"{name}_largest{unit}"] = float(np.abs(difference).max())
-    return loss
 
 
 def readings_of(interface: PolicyInterface) -> list[Input]:
@@ -160,7 +120,7 @@ def _constants(interface: PolicyInterface, name: str) -> str:
     )
 
 
-def _tables(interface: PolicyInterface, int8: bool) -> str:
+def _tables(interface: PolicyInterface) -> str:
     """Tables and macros of the source."""
     policy, robot, layout = interface.policy, interface.policy.robot, interface.layout
     gait, frequency = interface.gait, interface.frequency
@@ -177,10 +137,9 @@ def _tables(interface: PolicyInterface, int8: bool) -> str:
     tables: dict[str, ArrayLike] = {"offset": interface.offsets, "scale": layout.scale, "bound": layout.high}
     layers = []
     for i, (weight, bias) in enumerate(zip(policy.weights, policy.biases, strict=True)):
-        values, step = as_int8(weight) if int8 else (weight, np.ones(len(bias)))
         # The inputs of one output are next to each other.
-        tables |= {f"weight_{i}": values.T, f"step_{i}": step, f"bias_{i}": bias}
-        layers.append(f"{{{weight.shape[0]}, {weight.shape[1]}, weight_{i}, step_{i}, bias_{i}}}")
+        tables |= {f"weight_{i}": weight.T, f"bias_{i}": bias}
+        layers.append(f"{{{weight.shape[0]}, {weight.shape[1]}, weight_{i}, bias_{i}}}")
     if observations.gait_clock in policy.fields:
         macros["OBSERVES_CLOCK"] = ""
         tables["moving_threshold"] = moving_threshold(robot)
@@ -212,13 +171,9 @@ def _tables(interface: PolicyInterface, int8: bool) -> str:
             *(f"#define {macro} {value}".rstrip() for macro, value in macros.items()),
             f"const char *const policy_joint_names[POLICY_JOINTS] = {_list(map(_text, robot.joint_names), 1)};",
             *(_table(f"const float policy_{table}", values) for table, values in exported.items()),
-            f"typedef {'int8_t' if int8 else 'float'} weight_type;",
-            *(
-                _table(f"static const {'weight_type' if table.startswith('weight') else 'float'} {table}", values)
-                for table, values in tables.items()
-            ),
-            "static const struct layer {\n    int inputs, outputs;\n    const weight_type *weight;",
-            f"    const float *step, *bias;\n}} layers[LAYERS] = {_list(layers, 1)};",
+            *(_table(f"static const float {table}", values) for table, values in tables.items()),
+            "static const struct layer {\n    int inputs, outputs;\n    const float *weight, *bias;",
+            f"}} layers[LAYERS] = {_list(layers, 1)};",
         ]
     )
 
@@ -237,9 +192,7 @@ def _observe(interface: PolicyInterface) -> str:
 
 def _table(name: str, values: ArrayLike) -> str:
     """A constant array."""
-    array: NDArray[np.generic] = np.asarray(values)
-    integers = np.issubdtype(array.dtype, np.integer)
-    numbers = [str(value) if integers else _number(float(value)) for value in array.ravel().tolist()]
+    numbers = [_number(float(value)) for value in np.ravel(values)]
     return f"{name}[{len(numbers)}] = {_list(numbers)};"
 
 

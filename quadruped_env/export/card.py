@@ -5,12 +5,12 @@ import textwrap
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
+from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, gain_rows, reward_in_words
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
-from quadruped_env.export.golden_trace import INT8_TRACE_FILE, TRACE_FILE
-from quadruped_env.export.hub import PAGE_FILE, RESULTS_FILE, mean_of, model_index
-from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE
+from quadruped_env.export.golden_trace import TRACE_FILE
+from quadruped_env.export.manifest import CONTROLLERS_FILE, GRAPH_FILE, MANIFEST_FILE, PAGE_FILE
 from quadruped_env.export.onnx_interface import PolicyInterface
 
 CARD_PAGE: Final = "README.md"
@@ -52,7 +52,7 @@ def _front_matter(manifest: Mapping[str, Any]) -> str:
         "library_name: " + LIBRARY,
     ]
     if results := _by_motion(manifest["evaluation"]):
-        fields.append(f"model-index: {json.dumps(model_index(manifest['name'], results, _SHOWN))}")
+        fields.append(f"model-index: {json.dumps(_model_index(manifest['name'], results, _SHOWN))}")
     return "\n".join(["---", *fields, "---"])
 
 
@@ -63,10 +63,9 @@ def _introduction(manifest: Mapping[str, Any]) -> str:
         "position": "Its actions are relative to the stance.",
         "residual": "Its actions are added to a scripted gait, which is part of the graph.",
     }[control["action_mode"]]
-    symmetric = " It is left/right symmetric." if manifest["graph"]["symmetric"] else ""
     return _filled(
         f"A policy for the robot `{manifest['robot']['name']}` ({len(manifest['joints'])} joints), made with "
-        f"{manifest['package']}. It follows a command ({ranges}) at {control['rate_hz']:g} Hz. {mode}{symmetric}"
+        f"{manifest['package']}. It follows a command ({ranges}) at {control['rate_hz']:g} Hz. {mode}"
     )
 
 
@@ -212,7 +211,7 @@ def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
     for motion, values in by_motion.items():
         cells = []
         for name in known:
-            mean = mean_of(values.get(name))
+            mean = _mean(values.get(name))
             cells.append("-" if mean is None else f"{mean:.3g}")
         lines.append(f"| {motion} | {' | '.join(cells)} |")
     return "\n".join(lines)
@@ -226,12 +225,10 @@ def _files(files: Iterable[str]) -> str:
     meanings = {
         GRAPH_FILE: "the policy: readings to joint targets, ONNX",
         TRACE_FILE: "readings and all that the loop makes of them, step by step, to compare your own loop with",
-        INT8_TRACE_FILE: "the same for weights of 8 bits: a loop of the C form is compared with it",
         MANIFEST_FILE: "joints, gains, limits, command, entry pose, training, results, and the SHA-256 of every file",
         "policy.json": 'the policy for this package: `load_policy(FOLDER)`, or from a hub `load_policy("hf://OWNER/NAME")`',
         "policy.safetensors": "its weights",
         "progress.csv": "the learning curve",
-        RESULTS_FILE: "the evaluation",
         PAGE_FILE: "the robot walks in your browser: one file, which makes no request",
         "film.webp": "the robot walks forwards, turns, and walks backwards",
         HEADER_FILE: "the policy for a microcontroller: readings and functions",
@@ -250,3 +247,26 @@ def _filled(text: str) -> str:
 
 def _item(text: str) -> str:
     return textwrap.fill(text, 120, initial_indent="- ", subsequent_indent="  ", break_on_hyphens=False)
+
+
+def _model_index(name: str, results: Mapping[str, Mapping[str, Any]], metrics: Iterable[str]) -> list[dict[str, Any]]:
+    """Results as a hub lists them with a model.
+
+    Args:
+        name: of the model.
+        results: motion -> metric -> number, or its estimate with a field `mean`; None where it was not measured.
+        metrics: those to list.
+    """
+    values = [(metric, motion, _mean(found.get(metric))) for motion, found in results.items() for metric in metrics]
+    listed = [
+        {"type": metric, "name": f"{metric.replace('_', ' ')}, {motion}", "value": value}
+        for metric, motion, value in values
+        if value is not None
+    ]
+    task = {"type": "reinforcement-learning", "name": "walking as commanded"}
+    return [{"name": name, "results": [{"task": task, "dataset": {"name": ENV_ID, "type": ENV_ID}, "metrics": listed}]}]
+
+
+def _mean(value: Any) -> float | None:
+    """A metric's number: itself, or the mean of an estimate; None where it was not measured."""
+    return value["mean"] if isinstance(value, Mapping) else value

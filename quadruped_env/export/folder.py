@@ -1,7 +1,6 @@
 """The folder of an exported policy, ready for a model hub: written completely or not at all."""
 
 import hashlib
-import json
 import os
 import warnings
 from collections.abc import Callable, Mapping
@@ -13,27 +12,20 @@ from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import Command, commands_for, compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.stored_results import CardResults, StoredEvaluation, card_results
-from quadruped_env.export.c_source import c_files, int8_loss, quantized
+from quadruped_env.export.c_source import c_files
 from quadruped_env.export.card import CARD_PAGE, card_page
-from quadruped_env.export.golden_trace import (
-    INT8_TRACE_FILE,
-    TRACE_FILE,
-    csv_text,
-    golden_trace,
-    trace_document,
-    trace_fields,
-)
-from quadruped_env.export.hub import PAGE_FILE, RESULTS_FILE
+from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
 from quadruped_env.export.manifest import (
     CONTROLLERS_FILE,
     FORMAT,
     GRAPH_FILE,
     MANIFEST_FILE,
+    PAGE_FILE,
     RESULTS,
     manifest,
     metadata,
 )
-from quadruped_env.export.onnx_graph import OPSET, policy_graph
+from quadruped_env.export.onnx_graph import policy_graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
 from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
@@ -70,8 +62,7 @@ def export_policy(
     with_film: bool = False,
     overwrite: bool = False,
     progress: Progress | None = None,
-    opset: int = OPSET,
-    c: str | None = None,
+    with_c: bool = False,
     write_page: Callable[[Path], object] | None = None,
 ) -> Export:
     """Write a policy's folder: ONNX graph, golden trace, manifest, page, the policy's own files, the robot's models.
@@ -84,9 +75,8 @@ def export_policy(
         with_film: whether to film the robot.
         overwrite: whether to replace an earlier export.
         progress: called with the fraction of the film that is rendered.
-        opset: version of ONNX's operators, one of `OPSETS`.
-        c: type of the weights of a C form of the policy, `float32` or `int8`; None: no C form.
-        write_page: writes the page that walks at a path, for a hub, with the results; None: neither of them.
+        with_c: whether to write the policy as C, too.
+        write_page: writes the page that walks at a path, for a hub; None: no page.
 
     Raises:
         MissingExtraError: if a library of the extra `export`, or with a film of `report`, is not installed.
@@ -96,7 +86,7 @@ def export_policy(
     check_output(output, overwrite)
     policy = evaluated.policy.with_card(_published(evaluated.policy.card))
     interface = PolicyInterface(policy)
-    graph = policy_graph(interface, policy.robot.name, opset, metadata(policy, interface))
+    graph = policy_graph(interface, policy.robot.name, metadata(policy, interface))
     difference = largest_difference(interface, graph)
     fields, trace = trace_fields(interface), golden_trace(interface)
     contents = {GRAPH_FILE: graph, TRACE_FILE: csv_text(fields, trace).encode(), **policy.files()}
@@ -106,16 +96,9 @@ def export_policy(
         contents[PROGRESS_FILE] = evaluated.progress_file.read_bytes()
     on_card, found = results_of(evaluated)
     evaluation = None if found is None else _published(found)
-    document = manifest(policy, interface, evaluated.name, evaluation, difference, opset, on_card.get("learning"))
-    if c is not None:
-        contents |= c_files(interface, evaluated.name, int8=c == "int8")
-        document["c"] = {"weights": c, "loss": None}
-    if c == "int8":
-        int8 = golden_trace(PolicyInterface(quantized(policy)), trace)
-        contents[INT8_TRACE_FILE] = csv_text(fields, int8).encode()
-        document["c"] |= {"loss": int8_loss(policy), "golden_trace": trace_document(interface, INT8_TRACE_FILE)}
-    if write_page is not None and document["evaluation"] is not None:
-        contents[RESULTS_FILE] = json.dumps(document["evaluation"], indent=2).encode()
+    document = manifest(policy, interface, evaluated.name, evaluation, difference, on_card.get("learning"))
+    if with_c:
+        contents |= c_files(interface, evaluated.name)
     with whole(output) as part:
         part.mkdir()
         if write_page is not None:

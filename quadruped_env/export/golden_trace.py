@@ -15,8 +15,6 @@ from quadruped_env.export.runtime import TOLERANCE, Arrays, expected_outputs, ra
 from quadruped_env.simulation import SingleSimulation, build_model
 
 TRACE_FILE: Final = "golden_trace.csv"
-INT8_TRACE_FILE: Final = "golden_trace_int8.csv"
-"""The same readings with the results of weights of 8 bits."""
 STEPS: Final = 200
 RANDOM_STEPS: Final = 40
 """Steps at the end whose readings are random, within 1.25 times the range that is not clipped."""
@@ -93,16 +91,12 @@ class Loop:
         self._state |= {name: outputs[output] for name, output in FEEDBACK.items() if name in self._state}
 
 
-def golden_trace(interface: PolicyInterface, readings: Arrays | None = None) -> Arrays:
+def golden_trace(interface: PolicyInterface) -> Arrays:
     """Values of all fields of a policy's trace by name (STEPS, width), by this package's own arithmetic.
 
     The readings are those of the robot in the simulation of its task, on level ground and without randomization. It
     stands, walks, turns and walks backwards. Readings of the last `RANDOM_STEPS` are random and reach the bounds to
     which observations are clipped.
-
-    Args:
-        interface: inputs and outputs of the policy.
-        readings: a trace whose readings to take; None: those of the simulation.
     """
     policy, robot = interface.policy, interface.policy.robot
     config = policy.config
@@ -123,9 +117,7 @@ def golden_trace(interface: PolicyInterface, readings: Arrays | None = None) -> 
         control.action[:] = state.get(graph_io.LAST_ACTION, 0.0)
         number = step - STEPS + RANDOM_STEPS
         given = {
-            field.name: readings[field.name][step : step + 1]
-            if readings is not None
-            else random[field.name][number : number + 1]
+            field.name: random[field.name][number : number + 1]
             if number >= 0
             else (field.read(simulation.readings, control) + interface.offset(field)).astype(np.float32)
             for field in policy.fields
@@ -149,16 +141,18 @@ def _requests(commands: Sequence[Any]) -> NDArray[np.float32]:
     return np.repeat(parts, STEPS // len(parts), axis=0).astype(np.float32)
 
 
-def trace_document(interface: PolicyInterface, file: str = TRACE_FILE) -> dict[str, Any]:
-    """A trace's part of the manifest."""
+def trace_document(interface: PolicyInterface) -> dict[str, Any]:
+    """The trace's part of the manifest."""
     return {
-        "file": file,
+        "file": TRACE_FILE,
         "steps": STEPS,
         "meaning": "One line per control step, a header with the columns' names first. Feed the given fields to your "
         "loop, step by step, and let it keep the state itself: before the first step the command is idle, and the "
         "other fields of the state are as in the first line. Then every field of the state and every result has to be "
         f"that of the line. Readings of the last {RANDOM_STEPS} steps are random and reach the bounds",
         "columns": f"{STEP}, then the fields in their order: <name>_0 to <name>_<width - 1>",
+        "largest_rates": list(interface.policy.control.command_rate),
+        "timestep_s": interface.policy.control.timestep,
         "fields": [asdict(field) for field in trace_fields(interface)],
     }
 

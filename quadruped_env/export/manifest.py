@@ -6,7 +6,6 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env._version import __version__
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import COMMAND_RATE_UNITS
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
@@ -19,6 +18,8 @@ from quadruped_env.utils.plain import plain
 
 MANIFEST_FILE: Final = "manifest.json"
 GRAPH_FILE: Final = "policy.onnx"
+PAGE_FILE: Final = "walk.html"
+"""The page that walks; `quadruped_env.walking_page` writes it, also next to a report."""
 CONTROLLERS_FILE: Final = "controllers.yaml"
 FORMAT: Final = "mini-quadruped policy"
 FORMAT_VERSION: Final = 1
@@ -40,7 +41,6 @@ def manifest(
     name: str,
     evaluation: Mapping[str, Any] | None,
     difference: float,
-    opset: int = OPSET,
     learning: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
     """The manifest without its list of files.
@@ -67,18 +67,15 @@ def manifest(
         },
         "graph": {
             "file": GRAPH_FILE,
-            "onnx_opset": opset,
+            "onnx_opset": OPSET,
             "type": "float32",
             "inputs": [_value(entry) for entry in interface.inputs],
             "outputs": [_value(entry) for entry in interface.outputs],
-            "symmetric": interface.is_symmetric(),
             "largest_difference_from_the_policy": difference,
         },
         "golden_trace": trace_document(interface),
         "observation": _observation(interface),
         "command": _command(policy),
-        "gait_clock": _clock(interface),
-        "residual_gait": _gait(interface),
         "entry": _entry(policy, interface),
         "task": {"config": policy.task, "task_file": policy.task.get(TASK_FILE)},
         "training": facts,
@@ -186,70 +183,6 @@ def _command(policy: Policy) -> dict[str, Any]:
         "idle command on. The graph does not limit it",
         "standing_up_to": plain(moving_threshold(policy.robot)),
         "components": components,
-    }
-
-
-def _clock(interface: PolicyInterface) -> dict[str, Any] | None:
-    if not interface.has_clock:
-        return None
-    frequency = interface.frequency
-    step: dict[str, Any]
-    if isinstance(frequency, CommandedFrequency):
-        formula = (
-            "next_gait_phase = (gait_phase + 2 pi * frequency * timestep) mod 2 pi, with the frequency interpolated "
-            "linearly at the speed |forward_velocity| + turn_arm * |yaw_rate|, and constant beyond the ends of the "
-            "table; the graph computes it"
-        )
-        step = {
-            "speeds_m_s": list(frequency.speeds),
-            "frequencies_hz": list(frequency.frequencies),
-            "turn_arm_m": frequency.turn_arm,
-        }
-    else:
-        formula = "next_gait_phase = (gait_phase + step) mod 2 pi; the graph computes it"
-        step = {"frequency_hz": frequency, "step_rad": interface.phase_step(frequency)}
-    return {
-        **step,
-        "first_phase_rad": 0.0,
-        "formula": formula,
-        "observed_as": "sine and cosine of gait_phase, both 0 where standing is commanded",
-    }
-
-
-def _gait(interface: PolicyInterface) -> dict[str, Any] | None:
-    """The scripted gait, joint by joint, so that joint targets can be computed from actions without the graph."""
-    if interface.gait is None:
-        return None
-    waves = ("sine", "cosine", "offset")
-    gait = interface.gait
-    columns = [
-        (f"{wave}{suffix}", table)
-        for suffix, tables in (
-            ("_rad", gait.straight),
-            ("_turn_rad_per_rad_s", gait.turn),
-            ("_side_rad_per_rad_s", gait.side),
-        )
-        for wave, table in zip(waves, tables, strict=True)
-    ]
-    return {
-        "formula": "stance + fade * (sine * sin(next_gait_phase + phase) + cosine * cos(next_gait_phase + phase) + "
-        "offset - stance). fade is |forward_velocity| or |yaw_rate|, each divided by its value in whole_steps, the "
-        "larger of the two, but at most 1. sine, cosine and offset are interpolated linearly at the forward velocity, "
-        "constant beyond the ends of the table; added is the same of their _turn columns, times |r|, and of "
-        "their _side columns, times r = sign(w) * sqrt(min(|w|, largest_yaw_rate) * largest_yaw_rate) for a yaw rate "
-        "w. The graph computes it",
-        "forward_velocities_m_s": list(gait.speeds),
-        "largest_yaw_rate_rad_s": gait.largest_yaw_rate,
-        "whole_steps": dict(zip(("forward_velocity_m_s", "yaw_rate_rad_s"), gait.whole_steps, strict=True)),
-        "joints": [
-            {
-                "name": name,
-                "phase_rad": float(interface.joint_phases[i]),
-                **{column: plain(table[:, i]) for column, table in columns},
-            }
-            for i, name in enumerate(interface.policy.robot.joint_names)
-        ],
-        "parameters": interface.gait.parameters(),
     }
 
 

@@ -11,14 +11,12 @@ from quadruped_env._version import __version__
 from quadruped_env.control import observations
 from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
 
 OPSET: Final = 18
-"""Version of ONNX's operators by default: ONNX Runtime runs it from 1.14 on."""
-OPSETS: Final = range(10, 27)
-"""Versions that the graph can state: its operators mean the same in all of them, and ONNX Runtime 1.31 runs them."""
+"""Version of ONNX's operators: ONNX Runtime runs it from 1.14 on."""
 SWING: Final = "gait_swing"
 """Name of an inner value: joint positions (N, J) of the scripted gait relative to the middle of its swing, rad."""
 BATCH: Final = "batch"
@@ -38,9 +36,7 @@ _OPERATORS: Final = {
 """Activation function of a policy -> ONNX operator, whose attributes have the same defaults; see `_activation`."""
 
 
-def policy_graph(
-    interface: PolicyInterface, name: str, opset: int = OPSET, metadata: Mapping[str, str] | None = None
-) -> bytes:
+def policy_graph(interface: PolicyInterface, name: str, metadata: Mapping[str, str] | None = None) -> bytes:
     """The graph of a policy as an ONNX file.
 
     It takes every input of `PolicyInterface.inputs`, computes the observation from them (offset, scale, clipping, gait
@@ -49,16 +45,12 @@ def policy_graph(
     Args:
         interface: inputs and outputs of the policy.
         name: name of the graph.
-        opset: version of ONNX's operators, one of `OPSETS`.
         metadata: entries of the file's `metadata_props`.
 
     Raises:
         MissingExtraError: if onnx is not installed.
-        QuadrupedError: if the opset is not one of `OPSETS`.
     """
-    if opset not in OPSETS:
-        raise QuadrupedError(f"export: --opset: expected a number from {OPSETS[0]} to {OPSETS[-1]}; found {opset}")
-    return Graph.of(interface).onnx(name, interface.inputs, interface.outputs, opset, metadata or {})
+    return Graph.of(interface).onnx(name, interface.inputs, interface.outputs, metadata or {})
 
 
 def _phase_step(graph: "Graph", interface: PolicyInterface) -> str:
@@ -83,7 +75,6 @@ def _clock(graph: "Graph", interface: PolicyInterface) -> tuple[str, str]:
         return "", ""
     threshold = graph.constant(moving_threshold(interface.policy.robot))
     fast = graph.add("Cast", graph.add("Greater", graph.add("Abs", graph_io.COMMAND), threshold), to=_FLOAT)
-    # ReduceMax has its axes as attribute or as input, depending on the opset.
     count = graph.add("MatMul", fast, graph.constant(np.ones((VELOCITY, 1))))
     moving = graph.add("Min", count, graph.constant(1.0))
     both = graph.add("Concat", graph.add("Sin", graph_io.GAIT_PHASE), graph.add("Cos", graph_io.GAIT_PHASE), axis=1)
@@ -129,7 +120,7 @@ def _network(graph: "Graph", interface: PolicyInterface, observation: str) -> st
 
 
 def _activation(graph: "Graph", name: str, x: str) -> str:
-    """An activation function, made of operators that all of `OPSETS` have: Gelu came with 20, Mish with 18."""
+    """An activation function, made of operators of `OPSET`: Gelu came with 20."""
     if name == "silu":
         return graph.add("Mul", x, graph.add("Sigmoid", x))
     if name == "mish":
@@ -246,12 +237,7 @@ class Graph:
         return name
 
     def onnx(
-        self,
-        name: str,
-        inputs: tuple[Input, ...],
-        outputs: tuple[Input, ...],
-        opset: int,
-        metadata: Mapping[str, str],
+        self, name: str, inputs: tuple[Input, ...], outputs: tuple[Input, ...], metadata: Mapping[str, str]
     ) -> bytes:
         """The checked graph as a file. Raises a MissingExtraError if onnx is not installed."""
         try:
@@ -271,7 +257,7 @@ class Graph:
             [value(entry) for entry in outputs],
             [onnx.numpy_helper.from_array(values, name) for name, values in self.constants.items()],
         )
-        opsets = [helper.make_opsetid("", opset)]
+        opsets = [helper.make_opsetid("", OPSET)]
         model = helper.make_model(
             graph,
             opset_imports=opsets,

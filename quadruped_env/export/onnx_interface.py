@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from quadruped_env.control import observations
 from quadruped_env.control.clock import Frequency
 from quadruped_env.control.observations import Field, ObservationLayout
-from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait, joint_phases
@@ -167,12 +166,3 @@ class PolicyInterface:
     def joint_phases(self) -> Floats:
         """Phase of each joint's leg relative to the gait clock (J,), rad."""
         return joint_phases(self.policy.robot)
-
-    def is_symmetric(self) -> bool:
-        """True if the policy gives the mirrored action for every mirrored observation, to float32's accuracy."""
-        mirror = MirrorMap.of(self.layout)
-        random = np.random.default_rng(0)
-        low, high = (np.tile(bound, self.layout.history) for bound in (self.layout.low, self.layout.high))
-        seen = random.uniform(low, high, (256, len(low))).astype(np.float32)
-        both = self.policy.predict(mirror.observation(seen)), mirror.action(self.policy.predict(seen))
-        return bool(np.abs(both[0] - both[1]).max() < 1e-5)

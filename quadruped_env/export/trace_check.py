@@ -1,10 +1,10 @@
-"""Check of an exported policy by its golden trace: in every runtime that is installed, or in a program of one's own."""
+"""Check of an exported policy by its golden trace: on ONNX Runtime, or in a program of one's own."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final, NotRequired, TypedDict
+from typing import Any, Final, Self, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,54 +35,24 @@ class TraceResult:
 
 
 class StoredTrace(TypedDict):
-    """A trace in the manifest."""
+    """The golden trace in the manifest."""
 
     file: str
     fields: list[TraceField]
-
-
-class StoredComponent(TypedDict):
-    """A command in the manifest."""
-
-    largest_rate: NotRequired[float]
-
-
-class StoredCommand(TypedDict):
-    """The commands in the manifest."""
-
-    components: list[StoredComponent]
-
-
-class StoredControl(TypedDict):
-    """The control loop in the manifest."""
-
+    largest_rates: list[float]
     timestep_s: float
-
-
-class StoredC(TypedDict, total=False):
-    """The C form in the manifest."""
-
-    golden_trace: StoredTrace
 
 
 class StoredManifest(TypedDict):
     """Fields of the manifest that a check needs."""
 
     golden_trace: StoredTrace
-    command: StoredCommand
-    control: StoredControl
-    c: NotRequired[StoredC]
 
 
 @dataclass(frozen=True)
 class ExportedTrace:
-    """The golden trace of an export's folder with what the loop needs from the manifest.
+    """The golden trace of an export's folder."""
 
-    Raises:
-        QuadrupedError: if the folder holds no export, or its manifest or trace is damaged.
-    """
-
-    folder: Path
     fields: tuple[TraceField, ...]
     values: Arrays
     """Values of every field (steps, width)."""
@@ -91,34 +61,27 @@ class ExportedTrace:
     timestep: float
     """Control step, s."""
 
-    int8: "ExportedTrace | None" = None
-    """The trace of the C form with weights of 8 bits, if the folder has one."""
-
     @classmethod
-    def load(cls, folder: Path) -> "ExportedTrace":
-        """The trace of an export."""
+    def load(cls, folder: Path) -> Self:
+        """The trace of an export.
+
+        Raises:
+            QuadrupedError: if the folder holds no export, or its manifest or trace is damaged.
+        """
         path = folder / MANIFEST_FILE
         document = read_json(path, "name the folder of an exported policy")
         if not isinstance(document, dict) or document.get("format") != FORMAT:
             raise QuadrupedError(f"{path}: is not the manifest of an exported policy; name the folder of one")
-        manifest = fitted(document, StoredManifest, str(path), _AGAIN)
-        int8 = manifest.get("c", StoredC()).get("golden_trace")
-        other = None if int8 is None else cls._of(folder, manifest, int8)
-        return replace(cls._of(folder, manifest, manifest["golden_trace"]), int8=other)
-
-    @classmethod
-    def _of(cls, folder: Path, manifest: "StoredManifest", trace: "StoredTrace") -> "ExportedTrace":
-        rates = tuple(part["largest_rate"] for part in manifest["command"]["components"] if "largest_rate" in part)
+        trace = fitted(document, StoredManifest, str(path), _AGAIN)["golden_trace"]
         for field in trace["fields"]:
             if not (0 < field.width < _MAX_WIDTH and field.tolerance > 0.0):
                 raise QuadrupedError(
-                    f"{folder / MANIFEST_FILE}: golden_trace: {short(field.name)}: expected a positive width and "
-                    f"tolerance; found {field.width} and {field.tolerance:g}; {_AGAIN}"
+                    f"{path}: golden_trace: {short(field.name)}: expected a positive width and tolerance; found "
+                    f"{field.width} and {field.tolerance:g}; {_AGAIN}"
                 )
-        fields, file = tuple(trace["fields"]), folder / Path(trace["file"]).name
-        columns = [name for field in fields for name in field.columns]
-        values = _arrays(fields, read_columns(file, columns))
-        return cls(folder, fields, values, rates, manifest["control"]["timestep_s"])
+        fields = tuple(trace["fields"])
+        table = read_columns(folder / Path(trace["file"]).name, [name for field in fields for name in field.columns])
+        return cls(fields, _arrays(fields, table), tuple(trace["largest_rates"]), trace["timestep_s"])
 
     def in_runtime(self, name: str, graph: Run) -> TraceResult:
         """Run the loop of the policy in a runtime on the trace's readings, and compare it with the trace."""
@@ -159,8 +122,8 @@ class ExportedTrace:
         names = ", ".join(field.name for field in compared)
         return TraceResult(name, text or f"equal; largest difference {largest:.1g} ({names})", not text)
 
-    def of_file(self, path: Path) -> list[TraceResult]:
-        """Compare a file with columns of the trace, written by a program of one's own, with each trace of the folder.
+    def of_file(self, path: Path) -> TraceResult:
+        """Compare a file with columns of the trace, written by a program of one's own.
 
         Raises:
             QuadrupedError: if the file cannot be read, has no field of the state or of the results, only some columns
@@ -177,10 +140,7 @@ class ExportedTrace:
         steps, found = len(self.values[known[0].name]), len(table[known[0].columns[0]])
         if found != steps:
             raise QuadrupedError(f"{path}: has {found} lines under its header; write one for each of {steps} steps")
-        if self.int8 is None:
-            return [self.compare(path.name, _arrays(known, table))]
-        traces = {"float32": self, "weights of 8 bits": self.int8}
-        return [trace.compare(f"{path.name}, {name}", _arrays(known, table)) for name, trace in traces.items()]
+        return self.compare(path.name, _arrays(known, table))
 
 
 def read_columns(path: Path, expected: Sequence[str] = ()) -> dict[str, NDArray[np.float64]]:
@@ -214,48 +174,19 @@ def _arrays(fields: Sequence[TraceField], table: Mapping[str, NDArray[np.float64
     return {field.name: np.stack([table[n] for n in field.columns], axis=1).astype(np.float32) for field in fields}
 
 
-def _onnx_runtime(path: Path) -> tuple[str, Run]:
-    import onnxruntime
-
-    session = session_of(path.read_bytes())
-    return f"onnxruntime {onnxruntime.__version__}", lambda inputs: run(session, inputs)
-
-
-def _openvino(path: Path) -> tuple[str, Run]:
-    import openvino
-
-    model = openvino.Core().compile_model(str(path), "CPU")
-
-    def run(inputs: Arrays) -> Arrays:
-        return {output.get_any_name(): value.copy() for output, value in model(inputs).items()}
-
-    return f"openvino {openvino.__version__.partition('-')[0]}", run
-
-
-RUNTIMES: Final[dict[str, Callable[[Path], tuple[str, Run]]]] = {
-    "onnxruntime": _onnx_runtime,
-    "openvino": _openvino,
-}
-"""Library -> function that loads a graph's file; it returns name and version of the runtime, and the graph."""
-
-
-def check_export(folder: Path) -> list[TraceResult]:
-    """Compare every runtime that is installed with the golden trace of an export.
+def check_export(folder: Path) -> TraceResult:
+    """Compare the graph of an export on ONNX Runtime with its golden trace.
 
     Raises:
-        MissingExtraError: if no runtime is installed.
+        MissingExtraError: if ONNX Runtime is not installed.
         QuadrupedError: if the export is damaged.
     """
     trace, graph = ExportedTrace.load(folder), folder / GRAPH_FILE
     check_regular(graph, _AGAIN)
-    results = []
-    for library, load in RUNTIMES.items():
-        try:
-            results.append(trace.in_runtime(*load(graph)))
-        except ImportError:
-            continue
-        except Exception as error:  # each runtime has errors of its own
-            results.append(TraceResult(library, f"does not run the graph: {cut(str(error) or repr(error))}", False))
-    if not results:
-        raise MissingExtraError("check-export", "export")
-    return results
+    try:
+        session = session_of(graph.read_bytes())
+        return trace.in_runtime("ONNX Runtime", lambda inputs: run(session, inputs))
+    except MissingExtraError:
+        raise
+    except Exception as error:  # ONNX Runtime has errors of its own
+        return TraceResult("ONNX Runtime", f"does not run the graph: {cut(str(error) or repr(error))}", False)

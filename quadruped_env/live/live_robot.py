@@ -157,9 +157,6 @@ class LiveRobot:
         x, y, z = world_vector(velocity, heading(self.data)).tolist()
         self._pushes.send(cdr.message(PUSH.type_name, x=x, y=y, z=z))
 
-    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
-        """Without effect: no topic carries a sustained force."""
-
     def step(self) -> ViewedTrace:
         """Take the newest state from the topics, and send the command."""
         now = time.monotonic()
@@ -220,7 +217,6 @@ class LiveRobot:
         return Offered(
             command=bool(self._velocities.readers),
             push=bool(self._pushes.readers),
-            force=False,
             clock=bool(self._single_steps.readers),
             sources=False,
             motion=time.monotonic() - self._odometry_at <= _ODOMETRY_TIMEOUT,

@@ -13,7 +13,7 @@ from quadruped_env.gait.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.simulation.terrain import LEVELS
 from quadruped_env.viewer.panel_text import KEY_HTML, keys_html, legend_html, status_html, without_directories
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.view_controller import MAX_FORCE_SECONDS, MAX_PUSH, SPEEDS, ViewController
+from quadruped_env.viewer.view_controller import MAX_PUSH, SPEEDS, ViewController
 from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
 from quadruped_env.viewer.viewer_scene import CONTACT_FORCES, VELOCITIES, Scene
 
@@ -133,11 +133,6 @@ class Panel:
             )  # fmt: skip
             self._strength = gui.add_slider("Strength, m/s", min=0.0, max=MAX_PUSH, step=0.05, initial_value=0.5)
             self._on(gui.add_button("Push", icon="arrow-big-right"), self._push)
-            most = math.floor(self._controller.max_force)
-            self._force = gui.add_slider("Force, N", min=0.0, max=most, step=0.5, initial_value=min(5.0, most))
-            self._seconds = gui.add_slider("For, s", min=0.1, max=MAX_FORCE_SECONDS, step=0.1, initial_value=1.0)
-            self._hold = gui.add_button("Apply force", icon="arrow-bar-to-right")
-            self._on(self._hold, self._apply_force)
 
     def _add_playback(self) -> None:
         with self._server.gui.add_folder("Playback"):
@@ -253,9 +248,6 @@ class Panel:
         self._controller.push(direction, self._strength.value)
         self._scene.show_push(direction, self._strength.value)
 
-    def _apply_force(self) -> None:
-        self._controller.hold_force(math.radians(self._direction.value), self._force.value, self._seconds.value)
-
     def _choose_terrain(self) -> None:
         level = None if self._level.value == NO_LEVEL or not self._has_levels() else int(self._level.value)
         try:
@@ -302,8 +294,6 @@ class Panel:
         _set(self._clock_buttons, "visible", offered.clock)
         _set(self._command_folder, "visible", offered.command)
         _set(self._push_folder, "visible", offered.push)
-        for control in (self._force, self._seconds, self._hold):
-            _set(control, "visible", offered.force)
         _set(self._overlays[CONTACT_FORCES], "visible", offered.motion)
         _set(self._overlays[VELOCITIES], "visible", offered.motion or offered.command)
         _set(self._keys, "content", keys_html(offered))

@@ -61,7 +61,7 @@ def legend(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> dict[
     if visible[CONTACT_FORCES] and offered.motion:
         entries["contact forces"] = [(_ARROW, CONTACT, "")]
     if offered.push:
-        entries["push, sustained force" if offered.force else "push"] = [(_ARROW, PUSH, "")]
+        entries["push"] = [(_ARROW, PUSH, "")]
     if visible[TRAILS]:
         entries["paths of the feet"] = [(_LINE, colour, leg) for leg, colour in leg_colours(robot).items()]
     if _FRONT_GEOM in robot.mjcf:

@@ -30,14 +30,12 @@ def start_server(host: str = LOOPBACK, port: int = PORT, allowed: Sequence[str] 
     """
     module = import_viser()
     # Imported here because it needs viser.
-    from quadruped_env.viewer.guard import Guard
+    from quadruped_env.viewer.guard import guarded
 
-    guard = Guard(host, allowed)
     port = _free_port(host, port)
     # viser prints its own banner.
-    with contextlib.redirect_stdout(io.StringIO()), guard.installed():
+    with contextlib.redirect_stdout(io.StringIO()), guarded(host, allowed):
         server: viser.ViserServer = module.ViserServer(host, port, label="MiniQuadruped", verbose=False)
-    guard.gui = server.gui
     server.gui.configure_theme(show_logo=False, show_share_button=False, brand_color=(0, 114, 178))
     return server
 

@@ -1,10 +1,11 @@
 """The viewer: a `ViewController` in real time, its scene, controls and plots in every connected browser."""
 
+import math
 import os
 import threading
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -25,34 +26,12 @@ from quadruped_env.viewer.server import LOOPBACK, PORT, import_viser, start_serv
 from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.view_controller import Command, ViewController
 from quadruped_env.viewer.viewer_recording import RESULTS
-from quadruped_env.viewer.viewer_robots import START
 from quadruped_env.viewer.viewer_scene import Scene
 
 TICK: Final = 0.02
 """Loop period, one control step at normal speed, s."""
 TICKS_PER_FRAME: Final = 2
 TICKS_PER_PLOT: Final = 5
-
-
-@dataclass(frozen=True)
-class Pace:
-    """Timing of a part of the show."""
-
-    seconds: float
-    """Real time, s."""
-    processor_seconds: float
-    """Processor time of this process, s."""
-    control_steps: int
-    frames: int
-    overrun: float
-    """Largest overrun of a tick over `TICK`, s."""
-
-    def __str__(self) -> str:
-        return (
-            f"{self.control_steps / self.seconds:.2f} control steps/s and {self.frames / self.seconds:.1f} frames/s "
-            f"over {self.seconds:.1f} s; longest overrun of a tick {1e3 * self.overrun:.1f} ms; "
-            f"{self.processor_seconds / self.seconds:.0%} of one core"
-        )
 
 
 class Show:
@@ -96,34 +75,26 @@ class Show:
             self._scene.set_ground(self.controller.model(), view.terrain)
         self._scene.update(view)
 
-    def run(self, seconds: float | None = None) -> Pace:
+    def run(self, seconds: float = math.inf) -> None:
         """Play in real time until `stop` is called, or for a time."""
         start = last = time.perf_counter()
-        processor = time.process_time()
-        ticks = frames = steps = 0
-        overrun = 0.0
-        while not self._stop.is_set() and (seconds is None or last - start < seconds):
+        ticks = 0
+        while not self._stop.is_set() and last - start < seconds:
             now = time.perf_counter()
-            steps += self.controller.advance(now - last)
+            self.controller.advance(now - last)
             last = now
             if ticks % TICKS_PER_FRAME == 0:
                 view = self.controller.view()
                 self._draw_scene(view)
-                frames += 1
                 if ticks % (TICKS_PER_FRAME * TICKS_PER_PLOT) == 0:
                     self.panel.update(view)
                     self._plots.update(view)
             ticks += 1
-            due = start + ticks * TICK
-            late = time.perf_counter() - due
-            if late > 0.0:
-                overrun = max(overrun, late)
-                if late > TICK:
-                    # Skip the missed ticks; the controller itself catches up.
-                    ticks += int(late / TICK)
-            else:
-                self._stop.wait(-late)
-        return Pace(last - start, time.process_time() - processor, steps, frames, overrun)
+            late = time.perf_counter() - start - ticks * TICK
+            if late > TICK:
+                # Skip the missed ticks; the controller itself catches up.
+                ticks += int(late / TICK)
+            self._stop.wait(max(0.0, -late))
 
     def stop(self) -> None:
         """Make `run` return; may be called from a signal handler."""
@@ -142,13 +113,12 @@ class Show:
 
 def open_show(
     asked: Sequence[str | Agent] = (),
-    command: Command = (0.0, 0.0),
+    command: Command = (0.4, 0.0),
     host: str = LOOPBACK,
     port: int = PORT,
     results: Path = RESULTS,
     task_file: Path | None = None,
     terrain: str | Terrain | None = None,
-    randomization: str | None = None,
     trust_task: bool = False,
     allowed_hosts: Sequence[str] = (),
 ) -> Show:
@@ -164,7 +134,6 @@ def open_show(
         results: directory for recordings.
         task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
         terrain: a terrain, or the name of one, built-in or of that file; None: that of the first robot's task.
-        randomization: preset of the episodes' randomization; None: every episode starts at rest in the stance.
         trust_task: execute the copies of such files that these runs keep, in place of `task_file`.
         allowed_hosts: further hosts under which browsers reach the page, such as `localhost:9000` for a forwarded port.
 
@@ -180,15 +149,12 @@ def open_show(
         definition = BUILT_IN if run is None else task_definition(run, trust_task=True)
     ground = find_terrain(terrain, definition.terrains) if isinstance(terrain, str) else terrain
     sources, chosen = find_controllers(asked, task_file=task_file, trust_task=trust_task, robot=definition.robot)
-    randomized = {None: "off", "none": START}.get(randomization, randomization)
-    controller = ViewController(
-        sources, chosen, results, definition.robot, ground, str(randomized), definition.terrains
-    )
+    controller = ViewController(sources, chosen, results, definition.robot, ground, definition.terrains)
     try:
         ranges = controller.command_ranges
         entries = [replace(entry, range=getattr(ranges, entry.name)) for entry in COMMANDS]
         if outside := out_of_range(command, entries):
-            raise QuadrupedError(f"--command: {outside}; give a command in this range")
+            raise QuadrupedError(f"command: {outside}; give a command in this range")
         controller.set_command(*command)
         return Show(controller, host, port, allowed_hosts)
     except BaseException:

@@ -21,8 +21,6 @@ class RobotView:
     """Body positions in the world frame (bodies, 3), m."""
     body_rotation: NDArray[np.float64]
     """Body rotation matrices in the world frame (bodies, 3, 3)."""
-    force: NDArray[np.float64]
-    """Sustained force on the base in the world frame (3,), N."""
     heading: float
     """Heading from the world's x axis, rad."""
     contact_points: NDArray[np.float64]
@@ -71,7 +69,6 @@ def robot_view(robot: ViewedRobot, name: str, scratch: mujoco.MjData) -> RobotVi
         robot.follows_command,
         robot.data.xpos.copy(),
         robot.data.xmat.reshape(-1, 3, 3).copy(),
-        robot.data.xfrc_applied[robot.model.body(robot.robot.base_name).id, :3].copy(),
         heading(robot.data),
         points,
         forces,

@@ -16,7 +16,6 @@ import mujoco
 
 from quadruped_env.control.steering import key_steps, next_step
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.measures import GRAVITY
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import TERRAINS, Terrain
@@ -30,10 +29,6 @@ SPEEDS: Final = (0.1, 4.0)
 """Range of the playback speed, as a multiple of real time."""
 MAX_PUSH: Final = 1.5
 """Maximum velocity change by a push, m/s."""
-MAX_FORCE_SHARE: Final = 0.5
-"""Maximum sustained force, relative to the robot's weight."""
-MAX_FORCE_SECONDS: Final = 5.0
-"""Maximum duration of a sustained force, s."""
 RESTART_AFTER: Final = 2.0
 """Time after a fall until the robot restarts, s."""
 _MAX_LAG: Final = 0.25
@@ -53,7 +48,6 @@ class ViewController:
         robot: description of the robots.
         terrain: initial ground of all simulated robots; None: that of the first robot's task.
         terrains: terrains that can be chosen.
-        randomization: initial randomization, a key of `viewer_robots.RANDOMIZATIONS`.
 
     Raises:
         QuadrupedError: if a source is unknown or does not fit the robot.
@@ -66,7 +60,6 @@ class ViewController:
         results: Path = RESULTS,
         robot: Robot = MINI_QUADRUPED,
         terrain: Terrain | None = None,
-        randomization: str = "off",
         terrains: Sequence[Terrain] = TERRAINS,
     ) -> None:
         self.sources = sources
@@ -87,7 +80,7 @@ class ViewController:
         self.restart_after_fall = True
         self._recording: ViewerRecording | None = None
         try:
-            self._robots = ViewerRobots(sources, chosen, robot, terrain, randomization, terrains)
+            self._robots = ViewerRobots(sources, chosen, robot, terrain, terrains)
         except Exception:
             self._saver.close()
             raise
@@ -268,32 +261,12 @@ class ViewController:
             for slot in self._robots.slots:
                 slot.robot.push(velocity)
 
-    @property
-    def max_force(self) -> float:
-        """Maximum sustained force, N."""
-        return MAX_FORCE_SHARE * self.robot.total_mass * GRAVITY
-
-    def hold_force(self, direction: float, force: float, seconds: float) -> None:
-        """Apply a force in N, up to `max_force`, to the base of all robots for up to `MAX_FORCE_SECONDS`.
-
-        The direction is relative to the robot's heading, positive to the left, rad.
-        """
-        vector = _vector(direction, _cut(force, (0.0, self.max_force)))
-        with self._lock:
-            for slot in self._robots.slots:
-                slot.robot.hold_force(vector, _cut(seconds, (0.0, MAX_FORCE_SECONDS)))
-
     # --- recordings
 
     def start_recording(self) -> None:
-        """Start recording the watched robot, unless there is a recording.
-
-        Raises:
-            QuadrupedError: if too many recordings are being saved, or were made.
-        """
+        """Start recording the watched robot, unless there is a recording."""
         with self._lock:
             if self._recording is None:
-                self._saver.check_room()
                 robot = self._watched_robot
                 follows_command = robot.follows_command and self.available.command
                 name, motion = self.names[self._watched], self.available.motion

@@ -32,8 +32,6 @@ class Offered:
 
     command: bool = True
     push: bool = True
-    force: bool = True
-    """A sustained force."""
     clock: bool = True
     """Pause, step and reset."""
     sources: bool = True
@@ -119,10 +117,6 @@ class ViewedRobot(Protocol):
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
         ...
 
-    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
-        """Apply a force (forwards, left) in the robot's heading frame, N, to its base for a time, s."""
-        ...
-
     def step(self) -> ViewedTrace:
         """Advance by one sample."""
         ...
@@ -166,9 +160,6 @@ class TaskRobot:
         self.diverged = False
         self.lane = 0.0
         """Distance of its start on uneven ground to the left of the origin, m."""
-        self._force = (0.0, 0.0)
-        self._force_steps = 0
-        """Number of control steps for which the force is still applied."""
         self.reset(0, (0.0, 0.0))
 
     @property
@@ -200,7 +191,6 @@ class TaskRobot:
         """Begin an episode at the origin, or in the lane, facing along x; identically with the same seed."""
         self.task.reset(_ROW, seeds=[seed], command=self._within(command))
         self._place()
-        self._force_steps = 0
         self.observation = self.task.observe()
         self.history.clear()
         self.history.append(self._sample())
@@ -214,24 +204,11 @@ class TaskRobot:
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
         self._simulation.push(_ROW, world_vector(velocity, heading(self.data))[None])
 
-    def hold_force(self, force: tuple[float, float], seconds: float) -> None:
-        """Apply a force (forwards, left) in the robot's heading frame, N, to its base for a time, s.
-
-        It replaces an earlier one, and a random one of the task.
-        """
-        self._force, self._force_steps = force, round(seconds / self.timestep)
-
     def step(self) -> ViewedTrace:
         """Advance by one control step. A robot that fell goes on; one whose simulation diverged does not."""
         if self.diverged:
             return self.history[-1]
-        if self._force_steps:
-            self._simulation.set_force(_ROW, world_vector(self._force, heading(self.data))[None])
         transition = self.task.act(self._controller, self.observation)
-        if self._force_steps:
-            self._force_steps -= 1
-            if not self._force_steps:
-                self._simulation.set_force(_ROW, np.zeros((1, 3)))
         self.observation = transition.observation
         self.diverged = bool(transition.diverged[0])
         moment = self._sample(transition)

@@ -1,8 +1,6 @@
 """A recording made in the viewer, and the thread that saves it."""
 
-import os
 import queue
-import sys
 import threading
 import time
 from collections.abc import Callable
@@ -19,11 +17,6 @@ from quadruped_env.viewer.viewed_robot import ViewedTrace
 
 MAX_SECONDS: Final = 300.0
 """Maximum duration of a recording, s; a longer one ends automatically."""
-MAX_WAITING: Final = 3
-"""Maximum number of recordings being saved, each in memory, before a new one is refused."""
-MAX_RECORDINGS: Final = 100
-"""Maximum number of recordings per show; each may use some megabytes on disk."""
-_NICENESS: Final = 10
 RESULTS: Final = Path("results")
 TRAJECTORY_FILE: Final = "joint_states.csv"
 VIDEO_FILE: Final = "video.mp4"
@@ -63,7 +56,6 @@ class RecordingSaver:
         self._results = results
         self._tell = tell
         self._queue: queue.Queue[ViewerRecording | None] = queue.Queue()
-        self._count = 0
         # A daemon thread, so that the process can end without waiting for a long film.
         self._thread = threading.Thread(target=self._run, name="recording saver", daemon=True)
         self._thread.start()
@@ -73,16 +65,8 @@ class RecordingSaver:
         """True while a recording is being saved."""
         return self._queue.unfinished_tasks > 0
 
-    def check_room(self) -> None:
-        """Raise a QuadrupedError if no further recording may be started."""
-        if self._queue.unfinished_tasks >= MAX_WAITING:
-            raise QuadrupedError(f"record: {MAX_WAITING} recordings are still being saved; record again after them")
-        if self._count >= MAX_RECORDINGS:
-            raise QuadrupedError(f"record: {MAX_RECORDINGS} recordings were made; start the viewer again to make more")
-
     def save(self, recording: ViewerRecording) -> None:
         """Queue a recording to be saved."""
-        self._count += 1
         self._queue.put(recording)
 
     def close(self) -> None:
@@ -91,9 +75,6 @@ class RecordingSaver:
         self._thread.join()
 
     def _run(self) -> None:
-        if sys.platform == "linux":
-            # On Linux each thread has its own niceness: films yield to the show.
-            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
         while (recording := self._queue.get()) is not None:
             directory = free_path(self._results / time.strftime("view-%Y%m%d-%H%M%S"))
             clip = recording.clip()

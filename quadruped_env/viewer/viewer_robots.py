@@ -54,14 +54,13 @@ class ViewerRobots:
         chosen: Sequence[str],
         robot: Robot,
         terrain: Terrain | None,
-        randomization: str,
         terrains: Sequence[Terrain],
     ) -> None:
         if not 1 <= len(chosen) <= MAX_ROBOTS:
             raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
         self.all_sources = sources
         self.robot = robot
-        self.randomization = randomization
+        self.randomization = "off"
         self.terrains = tuple(terrains)
         self._terrain = terrain
         self.slots: list[Slot] = []

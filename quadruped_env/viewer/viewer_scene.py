@@ -48,8 +48,8 @@ _CONTACT_OFFSET: Final = 0.035
 """Outward offset of force arrows from the contact, so that the leg does not hide them, m."""
 _METRES_PER_VELOCITY: Final = 0.6
 """Arrow length for 1 m/s, m."""
-_METRES_PER_NEWTON: Final = 0.03
-"""Arrow length for a sustained force of 1 N, m."""
+_METRES_PER_PUSH: Final = 0.35
+"""Arrow length for a push of 1 m/s, m."""
 _ARROW_HEIGHT: Final = 0.14
 """Height of velocity arrows above the base's centre, m."""
 _TURN_RADII: Final = (0.30, 0.33)
@@ -243,19 +243,14 @@ class Scene:
         _draw(self._trails, np.concatenate(segments), np.concatenate(colours), self.visible[TRAILS])
 
     def _draw_push(self, robots: tuple[RobotView, ...], shift: Points) -> None:
-        """Draw the arrows of the last push, for a moment, and of sustained forces; each ends at the base."""
+        """Draw the arrows of the last push, for a moment; each ends at the base."""
         arrows = []
-        pushed = self._push is not None and time.monotonic() <= self._push[2]
-        for i, robot in enumerate(robots):
-            vectors = [_METRES_PER_NEWTON * robot.force]
-            if pushed and self._push is not None:
-                direction, strength, _ = self._push
-                vectors.append(0.35 * strength * _direction(robot.heading + direction))
-            for vector in vectors:
-                length = float(np.linalg.norm(vector))
-                if length > 0.0:
-                    end = robot.now.base_position + shift[i] - 0.12 * self._size * vector / length
-                    arrows.append([end - vector, end])
+        if self._push is not None and time.monotonic() <= self._push[2]:
+            direction, strength, _ = self._push
+            for i, robot in enumerate(robots):
+                ahead = _direction(robot.heading + direction)
+                end = robot.now.base_position + shift[i] - 0.12 * self._size * ahead
+                arrows.append([end - _METRES_PER_PUSH * strength * ahead, end])
         _draw(self._pushes, np.array(arrows).reshape(-1, 2, 3))
 
     def _draw_labels(self, robots: tuple[RobotView, ...], shift: Points) -> None:

@@ -359,7 +359,6 @@ def test_the_case_of_a_name_does_not_count():
     assert (found.algo, found.recipe, found.activation, found.randomization, found.action_mode) == (
         "sac", "rough", "relu", "hard", "residual",
     )  # fmt: skip
-    assert make_parser("train").parse_args(["train", "--algo", "Mine.py:PPO"]).algo == "Mine.py:PPO"
 
 
 @pytest.mark.parametrize("command", ["page", "evaluate", "view"])

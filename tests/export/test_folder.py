@@ -16,7 +16,7 @@ from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
-from quadruped_env.control import CommandedFrequency, ControlInterface
+from quadruped_env.control import ControlInterface
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
@@ -25,9 +25,7 @@ from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.folder import export_policy
-from quadruped_env.export.golden_trace import INT8_TRACE_FILE
-from quadruped_env.export.manifest import manifest, metadata
-from quadruped_env.export.onnx_graph import policy_graph
+from quadruped_env.export.manifest import metadata
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies import Policy, find_controllers, load_policy
 from quadruped_env.reporting.pages import evaluation_report
@@ -38,7 +36,7 @@ pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[exp
 
 FILES = {"README.md", "controllers.yaml", "golden_trace.csv", "manifest.json", "policy.json", "policy.onnx"}
 FILES |= {"policy.safetensors", "robot.urdf", "robot.xml"}
-FOR_HUB = {"results.json", "walk.html"}
+FOR_HUB = {"walk.html"}
 
 WALK = """
 import json, re, sys
@@ -192,7 +190,6 @@ def test_manifest_states_the_robot_its_joints_and_the_control(flat):
     assert document["training"]["command"] == policy.card["command"]
     assert not {"metrics", "verdict", "acceptance"} & set(document["training"])
     assert document["evaluation"]["verdict"] == policy.card["verdict"]
-    assert document["graph"]["symmetric"]
     assert 0.0 < document["graph"]["largest_difference_from_the_policy"] < 1e-5
 
 
@@ -224,12 +221,10 @@ def test_example_limits_the_command_as_the_manifest_says_and_as_the_control_inte
         np.testing.assert_allclose(names["memory"]["gait_phase"], control.phase[:, None], atol=1e-5)
 
 
-def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
-    """Observation, scripted gait and limits by the manifest's formulas; the network's action is the graph's."""
-    document = flat.manifest
-    rng = np.random.default_rng(3)
+def test_observation_follows_from_the_manifests_numbers_alone(flat):
+    """The action by the manifest's observation, through the policy's network, is the graph's."""
+    document, rng, n = flat.manifest, np.random.default_rng(3), 500
     session = runtime.session_of((flat.folder / "policy.onnx").read_bytes())
-    n = 500
     command = rng.uniform([-0.5, -0.9], [0.8, 0.9], (n, 2))
     command[::7] = 0.0
     phase = rng.uniform(0.0, 2.0 * np.pi, n)
@@ -237,33 +232,6 @@ def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
     inputs = {name: rng.normal(0.0, 1.0, (n, width)) for name, width in widths.items()}
     inputs |= {"command": command, "gait_phase": phase[:, None]}
     found = runtime.run(session, {name: value.astype(np.float32) for name, value in inputs.items()})
-    later = (phase + document["gait_clock"]["step_rad"]) % (2.0 * np.pi)
-    np.testing.assert_allclose(np.cos(found["next_gait_phase"][:, 0] - later), 1.0, atol=1e-6)
-    gait = document["residual_gait"]
-    whole = gait["whole_steps"]
-    fade = np.clip(
-        np.maximum(abs(command[:, 0]) / whole["forward_velocity_m_s"], abs(command[:, 1]) / whole["yaw_rate_rad_s"]),
-        0.0,
-        1.0,
-    )
-    for i, (joint, own) in enumerate(zip(document["joints"], gait["joints"], strict=True)):
-        assert joint["name"] == own["name"]
-        largest = gait["largest_yaw_rate_rad_s"]
-        size = np.sign(command[:, 1]) * np.sqrt(np.clip(abs(command[:, 1]), 0.0, largest) * largest)
-        sine, cosine, offset = (
-            np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_rad"])
-            + abs(size) * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_turn_rad_per_rad_s"])
-            + size * np.interp(command[:, 0], gait["forward_velocities_m_s"], own[f"{part}_side_rad_per_rad_s"])
-            for part in ("sine", "cosine", "offset")
-        )
-        angle = later + own["phase_rad"]
-        nominal = joint["stance_rad"] + fade * (
-            sine * np.sin(angle) + cosine * np.cos(angle) + offset - joint["stance_rad"]
-        )
-        change = document["control"]["action_scale_rad"] * found["action"][:, i]
-        expected = np.clip(nominal + change, joint["lower_rad"], joint["upper_rad"])
-        np.testing.assert_allclose(found["joint_target"][:, i], expected, rtol=0, atol=1e-5)
-    # The observation by the manifest's numbers, through the policy's network.
     moving = (np.abs(command) > document["command"]["standing_up_to"]).any(axis=1, keepdims=True)
     inputs["gait_clock"] = np.stack([np.sin(phase), np.cos(phase)], axis=1) * moving
     columns = [
@@ -271,8 +239,7 @@ def test_joint_targets_follow_from_the_manifests_numbers_alone(flat):
         for field in document["observation"]["fields"]
     ]
     observation = np.concatenate([*columns, inputs["observation_history"]], axis=1).astype(np.float32)
-    action = load_policy("flat").predict(observation)
-    np.testing.assert_allclose(found["action"], action, rtol=0, atol=1e-5)
+    np.testing.assert_allclose(found["action"], load_policy("flat").predict(observation), rtol=0, atol=1e-5)
 
 
 def test_policy_that_was_not_evaluated_has_no_results(run, tmp_path):
@@ -414,7 +381,7 @@ def test_documentation_lists_the_inputs_outputs_and_files(flat):
     of_graph = {entry["name"] for entry in graph["inputs"] + graph["outputs"]}
     policy = load_policy("flat")
     of_metadata = metadata(policy, PolicyInterface(policy)).keys()
-    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE, INT8_TRACE_FILE}
+    in_c = {HEADER_FILE, SOURCE_FILE, SKETCH_FILE}
     assert named == of_graph | of_history | of_metadata | set(flat.files) | {"film.webp"} | in_c | FOR_HUB
     assert f"opset {graph['onnx_opset']} |" in text
     assert f"{graph['largest_difference_from_the_policy']:.0e}".replace("e-0", "e-") in text
@@ -432,7 +399,7 @@ def test_program_exports_the_policy_of_another_robot_with_its_joints(mode, tmp_p
     folder = tmp_path / "run" / "export"
     document = json.loads((folder / "manifest.json").read_text())
     assert document["robot"]["joints"][:3] == ["RH_hip_joint", "RH_knee_joint", "LF_hip_joint"]
-    assert (document["residual_gait"] is None) == (mode == "position")
+    assert document["control"]["action_mode"] == mode
     assert {joint["kp_n_m_rad"] for joint in document["joints"]} == {70.0, 60.0}
     assert (folder / "robot.urdf").read_text() == second_robot.ROBOT.urdf
     assert 'joints:  # in the order of the arrays\n      - "RH_hip_joint"' in (folder / "controllers.yaml").read_text()
@@ -448,24 +415,6 @@ def test_film_is_on_the_page(opengl, run, tmp_path, monkeypatch):
     assert "film.webp" in export.manifest["files"]
 
 
-def test_clock_that_follows_the_command_is_in_the_manifest_with_its_formula():
-    frequency = CommandedFrequency((0.1, 0.3, 0.7), (2.0, 2.5, 4.0), 0.4)
-    shipped = load_policy("flat")
-    task = dataclasses.replace(shipped.config, clock_frequency=frequency)
-    policy = Policy.for_task(shipped.weights, shipped.biases, shipped.activation, task, {})
-    interface = PolicyInterface(policy)
-    clock = manifest(policy, interface, "following", None, 0.0)["gait_clock"]
-    assert "2 pi * frequency * timestep" in clock["formula"]
-    rng = np.random.default_rng(0)
-    inputs = {entry.name: rng.normal(0.0, 0.4, (200, entry.width)).astype(np.float32) for entry in interface.inputs}
-    found = runtime.run(runtime.session_of(policy_graph(interface, "following")), inputs)
-    speed = np.abs(inputs["command"][:, 0]) + clock["turn_arm_m"] * np.abs(inputs["command"][:, 1])
-    hertz = np.interp(speed, clock["speeds_m_s"], clock["frequencies_hz"])
-    later = inputs["gait_phase"][:, 0] + 2.0 * np.pi * hertz * 0.02
-    np.testing.assert_allclose(np.cos(found["next_gait_phase"][:, 0] - later), 1.0, atol=1e-6)
-    assert np.ptp(hertz) > 1.5
-
-
 @pytest.fixture(scope="module")
 def for_hub(tmp_path_factory):
     """The shipped policy, exported for a hub, without a film."""
@@ -474,14 +423,14 @@ def for_hub(tmp_path_factory):
     return export_policy(evaluated, folder, write_page=lambda path: path.write_text("page")).folder
 
 
-def test_folder_for_a_hub_adds_page_results_and_env_and_its_card_has_the_results_that_a_hub_lists(for_hub):
+def test_folder_for_a_hub_has_the_page_and_its_card_the_results_that_a_hub_lists(for_hub):
     hub = pytest.importorskip("huggingface_hub", reason="the hub's client is not installed: pip install -e '.[hub]'")
-    results = json.loads((for_hub / "results.json").read_text())
+    document = json.loads((for_hub / "manifest.json").read_text())
     assert (for_hub / "walk.html").read_text() == "page"
-    assert set(json.loads((for_hub / "manifest.json").read_text())["files"]) >= FOR_HUB
+    assert set(document["files"]) >= FOR_HUB
     card = hub.ModelCard.load(for_hub / "README.md")
     found = {result.metric_name: result for result in card.data.eval_results}
-    for motion, values in results["metrics"].items():
+    for motion, values in document["evaluation"]["metrics"].items():
         for metric in ("fall_rate", "forward_velocity_error"):
             assert found[f"{metric.replace('_', ' ')}, {motion}"].metric_value == values[metric]
     assert {result.dataset_name for result in found.values()} == {ENV_ID}

@@ -100,7 +100,7 @@ def test_gait_node_applies_settings_and_publishes_them(run_node, nodes):
 def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     robot, live = nodes("robot"), LiveRobot(nodes("viewer"), MINI_QUADRUPED)
     show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
-    nothing = Offered(command=False, push=False, force=False, clock=False, sources=False, motion=False)
+    nothing = Offered(command=False, push=False, clock=False, sources=False, motion=False)
     assert live.offered() == nothing
     assert show.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):

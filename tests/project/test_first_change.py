@@ -1,7 +1,9 @@
 """The page *Your first change*: its files and commands, in its order, with small budgets; then `look.py`."""
 
+import os
 import re
 import shlex
+import signal
 import subprocess
 import sys
 
@@ -21,7 +23,6 @@ SMALL = {
     "train": "--timesteps 6144",
     "compare": "--seeds 1 --seconds 2 --no-video",
     "baseline": "--episodes 1 --seconds 1",
-    "view": "--measure 0.1",
     "drive.py": "",
     "look.py": "",
 }
@@ -38,9 +39,14 @@ def test_files_and_commands_of_the_page_run_in_order(tmp_path):
             (tmp_path / piece["file"]).write_text(piece["code"])
             continue
         command = piece["command"]
-        line = f"{shell}{command} {SMALL[command.split()[1]]}"
+        name = command.split()[1]
+        line = f"{shell}{command} {SMALL.get(name, '--port 0')}"
         pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
-        with subprocess.Popen(["bash", "-c", line], cwd=tmp_path, env=importing(), **pipes) as running:
+        options = {"cwd": tmp_path, "env": importing(), "start_new_session": True}
+        with subprocess.Popen(["bash", "-c", line], **options, **pipes) as running:
+            if name == "view":
+                assert "http://" in running.stdout.readline()
+                os.killpg(running.pid, signal.SIGINT)
             printed[command], _ = output_of(running)
         assert running.returncode == 0, f"{command}\n{printed[command]}"
     assert len(printed) == 10

@@ -14,9 +14,8 @@ def show(tmp_path_factory):
 
 
 @pytest.fixture
-def refusals(show, caplog, monkeypatch):
+def refusals(show, caplog):
     """Lines of the log about refused clients."""
-    monkeypatch.setattr("quadruped_env.viewer.guard.LOG_PERIOD", 0.0)
     caplog.set_level("WARNING", logger="quadruped_env.viewer")
     return lambda: [record.getMessage() for record in caplog.records if record.name == "quadruped_env.viewer"]
 

@@ -12,7 +12,7 @@ from waiting import wait_until
 from websockets.exceptions import InvalidStatus
 
 from quadruped_env import QuadrupedError
-from quadruped_env.viewer.guard import Guard
+from quadruped_env.viewer.guard import guarded
 
 
 def test_a_websocket_of_this_servers_page_is_accepted(show):
@@ -61,7 +61,7 @@ def test_the_page_may_not_be_framed(show):
 def test_viser_with_an_unknown_server_is_refused():
     with (
         pytest.raises(QuadrupedError, match=r"foreign pages cannot be refused; .*pip install"),
-        Guard("localhost").installed(),
+        guarded("localhost"),
     ):
         pass
 

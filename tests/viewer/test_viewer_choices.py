@@ -1,9 +1,7 @@
 """Choices in the viewer besides sources (terrain, disturbances), names of robots, offered controls and the legend."""
 
 import itertools
-import math
 
-import mujoco
 import numpy as np
 import pytest
 from viewing import DT, now, robot
@@ -16,7 +14,6 @@ from quadruped_env.reporting import palette
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain, flat
 from quadruped_env.viewer.panel_text import legend
-from quadruped_env.viewer.view_controller import MAX_FORCE_SECONDS, MAX_FORCE_SHARE
 from quadruped_env.viewer.viewed_robot import Offered
 from quadruped_env.viewer.viewer_scene import OVERLAYS
 
@@ -83,53 +80,6 @@ def test_an_unknown_terrain_or_level_changes_nothing(control):
         assert controller.view().time == before.time
 
 
-# --- disturbances
-
-
-@pytest.mark.parametrize("heading", [0.0, 2.0])
-def test_a_sustained_force_acts_in_its_direction_for_its_time(control, heading):
-    """In free fall the base's momentum grows by force times time, whatever the legs do."""
-    controller = control("stand still")
-    shown = robot(controller)
-    shown.data.qpos[2] = 3.0
-    shown.data.qpos[3:7] = [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
-
-    def momentum():
-        mujoco.mj_subtreeVel(shown.model, shown.data)
-        return shown.data.subtree_linvel[1] * MINI_QUADRUPED.total_mass
-
-    controller.step()
-    before = momentum().copy()
-    controller.hold_force(math.radians(90.0), 6.0, 0.2)
-    for step in range(10):
-        controller.step()
-        force = controller.view().robots[0].force
-        if step < 9:
-            assert np.linalg.norm(force) == pytest.approx(6.0)
-    np.testing.assert_array_equal(force, np.zeros(3))
-    gained = momentum() - before
-    left = [-math.sin(heading), math.cos(heading)]
-    np.testing.assert_allclose(gained[:2], 6.0 * 0.2 * np.array(left), atol=0.02)
-    again = momentum().copy()
-    controller.step()
-    np.testing.assert_allclose(momentum()[:2], again[:2], atol=1e-3)
-
-
-def test_a_sustained_force_is_limited_and_ends_with_the_episode(control):
-    controller = control("stand still")
-    controller.hold_force(0.0, 1e6, 1e6)
-    assert robot(controller)._force_steps == round(MAX_FORCE_SECONDS / DT)
-    controller.step()
-    most = MAX_FORCE_SHARE * MINI_QUADRUPED.total_mass * 9.81
-    assert np.linalg.norm(controller.view().robots[0].force) == pytest.approx(most)
-    controller.reset()
-    controller.step()
-    np.testing.assert_array_equal(controller.view().robots[0].force, np.zeros(3))
-    controller.hold_force(0.0, -5.0, 1.0)
-    controller.step()
-    np.testing.assert_array_equal(controller.view().robots[0].force, np.zeros(3))
-
-
 # --- names, controls and the legend
 
 
@@ -167,7 +117,7 @@ def test_legend_names_every_colour_of_the_scene():
         "commanded velocity and turn": [palette.COMMANDED],
         "measured velocity and turn": [palette.ACTUAL],
         "contact forces": [palette.CONTACT],
-        "push, sustained force": [palette.PUSH],
+        "push": [palette.PUSH],
         "paths of the feet": list(palette.leg_colours(MINI_QUADRUPED).values()),
         "front of the robot": [palette.FRONT],
     }

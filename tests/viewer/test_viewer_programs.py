@@ -14,7 +14,6 @@ from policies import TASK, make_policy
 from waiting import output_of
 
 from quadruped_env import MissingExtraError, QuadrupedError
-from quadruped_env.cli.main import main
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.viewer import open_show
@@ -61,7 +60,7 @@ def test_missing_viser_error_names_the_extra(monkeypatch):
     ],
 )
 def test_initial_command_out_of_range_is_refused_with_the_range(command, found):
-    with pytest.raises(QuadrupedError, match=f"--command: {found}; give a command in this range"):
+    with pytest.raises(QuadrupedError, match=f"command: {found}; give a command in this range"):
         open_show(["flat"], command, port=0)
 
 
@@ -94,9 +93,3 @@ def test_program_prints_its_address_and_ends_at_ctrl_c(tmp_path):
     process.send_signal(signal.SIGINT)
     out, err = output_of(process)
     assert (process.returncode, out, err) == (0, "ending\n", "")
-
-
-def test_the_program_measures_its_pace(tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(tmp_path)
-    assert main(["view", "--port", "0", "--measure", "0.5"]) == 0
-    assert "control steps/s" in capsys.readouterr().out.splitlines()[-1]

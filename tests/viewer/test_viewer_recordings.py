@@ -1,17 +1,13 @@
 """Recordings that the viewer makes."""
 
-import threading
-
 import numpy as np
 import pytest
 from viewing import DT, robot, throw_on_the_back
-from waiting import DEADLINE, wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError
 from quadruped_env.policies import find_controllers
 from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.view_controller import RESTART_AFTER
-from quadruped_env.viewer.viewer_recording import MAX_WAITING
 
 
 def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch):
@@ -108,19 +104,3 @@ def test_recording_ends_at_the_maximum_time_with_a_message(control, tmp_path, mo
     (path,) = tmp_path.glob("results/view-*/joint_states.csv")
     assert JointTrajectory.load(path).duration == pytest.approx(0.5)
     assert controller.messages()[0] == "The recording has ended: the maximum is 0.5 s; record again"
-
-
-def test_recordings_that_wait_to_be_saved_are_bounded(control, tmp_path, monkeypatch):
-    go_on = threading.Event()
-    monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: go_on.wait(DEADLINE))
-    controller = control("stand still")
-    for _ in range(MAX_WAITING):
-        controller.start_recording()
-        controller.stop_recording()
-    with pytest.raises(QuadrupedError, match=f"record: {MAX_WAITING} recordings are still being saved"):
-        controller.start_recording()
-    assert controller.view().recorded is None
-    go_on.set()
-    wait_until(lambda: not controller.saving)
-    controller.start_recording()
-    assert controller.view().recorded == 0.0

@@ -1,7 +1,6 @@
 #include "policy.h"
 
 #include <math.h>
-#include <stdint.h>
 
 /* tables */
 
@@ -31,12 +30,12 @@ static float activate(float x)
 
 static void dense(const struct layer *layer, const float *in, float *out)
 {
-    const weight_type *weight = layer->weight;
+    const float *weight = layer->weight;
     for (int o = 0; o < layer->outputs; o++, weight += layer->inputs) {
         float sum = 0.0f;
         for (int i = 0; i < layer->inputs; i++)
-            sum += (float)weight[i] * in[i];
-        out[o] = layer->bias[o] + layer->step[o] * sum;
+            sum += weight[i] * in[i];
+        out[o] = layer->bias[o] + sum;
     }
 }
 
