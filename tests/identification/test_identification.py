@@ -100,6 +100,7 @@ def few_rounds(monkeypatch):
     """A short search, where it does not matter how good the fit is."""
     monkeypatch.setattr(rough_least_squares, "_ROUNDS", 2)
     monkeypatch.setattr(rough_least_squares, "_DRAWS", 1)
+    monkeypatch.setattr("quadruped_env.identification.fit._FINEST_DELAY", 0.02)
 
 
 @pytest.fixture(scope="module")
@@ -285,6 +286,7 @@ class TestPrediction:
 
 
 class TestIdentify:
+    @pytest.mark.usefixtures("few_rounds")
     def test_two_known_gains_are_recovered(self, short, tmp_path):
         commands, recording = short
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})

@@ -23,7 +23,14 @@ def run(tmp_path, monkeypatch, capsys):
     return run
 
 
+@pytest.fixture
+def without_report(monkeypatch):
+    """A replay's page takes longer than the replay."""
+    monkeypatch.setattr("quadruped_env.replay.replay_report.write_replay_report", lambda *_: None)
+
+
 class TestPrograms:
+    @pytest.mark.usefixtures("without_report")
     def test_a_recording_is_repeated_to_the_last_bit(self, tmp_path, run):
         tiny = ("--seconds", "0.5", "--episodes", "1")
         for arguments in (tiny, (*tiny, "--commands")):
@@ -58,6 +65,7 @@ class TestPrograms:
         assert page.count("data:image/svg+xml") == 6
         assert "Recorded against simulated" in page
 
+    @pytest.mark.usefixtures("without_report")
     def test_replay_program_reads_the_recording_of_another_robot(self, tmp_path, run):
         if not DYNA1.is_dir():
             pytest.skip("needs the recording of Dyna1 in ../shared/data/dyna1")

@@ -20,6 +20,7 @@ from quadruped_env import (
     forward_kinematics,
 )
 from quadruped_env.ros import cdr
+from quadruped_env.trajectory.formats import bag_writer
 
 pytest.importorskip("rosbags")
 from rosbags.rosbag2 import StoragePlugin, Writer
@@ -89,7 +90,8 @@ class TestReadByOthers:
         assert len(chunks) > 1
         assert all(chunk.uncompressed_crc == zlib.crc32(chunk.data) for chunk in chunks)
 
-    def test_transforms_are_those_of_the_rows_every_50_ms_at_most(self, tmp_path):
+    def test_transforms_are_those_of_the_rows_every_50_ms_at_most(self, tmp_path, monkeypatch):
+        monkeypatch.setattr(bag_writer, "_ROWS_PER_PIECE", 64)
         trajectory = random_trajectory(rows=1000)
         trajectory.save(tmp_path / "a.mcap")
         found = read_independently(tmp_path / "a.mcap")["/tf"]

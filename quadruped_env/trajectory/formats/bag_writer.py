@@ -35,6 +35,7 @@ TF_PERIOD: Final = NS_PER_SECOND // 20
 """Shortest time between transforms, ns; the default of robot_state_publisher."""
 
 _METADATA: Final = "metadata.yaml"
+_ROWS_PER_PIECE: Final = 4096
 _CHUNK_CRC_AT: Final = 9 + 24
 """Offset of the checksum in a chunk of MCAP, in bytes."""
 
@@ -129,12 +130,22 @@ def _write_messages(rows: Rows, writer: Any, robot: Robot, base_pose: NDArray[np
         due = np.diff(rows.stamps // TF_PERIOD, prepend=-1) > 0
         columns = [rows.names.index(name) for name in robot.joint_names]
         positions, poses = rows.values["position"][due][:, columns], None if base_pose is None else base_pose[due]
-        transforms = transform_messages(rows.stamps[due].tolist(), robot.joint_transforms(positions, poses))
+        transforms = _transforms(rows.stamps[due], positions, poses, robot)
     arrays = [rows.values.get(kind, np.empty((len(rows), 0))) for kind in KINDS]
     for row, stamp in enumerate(rows.stamps.tolist()):
         writer.write(joints, stamp, joint_state(stamp, rows.names, *(array[row] for array in arrays)))
         if due[row]:
             writer.write(tf, stamp, next(transforms))
+
+
+def _transforms(
+    stamps: NDArray[np.int64], positions: NDArray[np.float64], poses: NDArray[np.float64] | None, robot: Robot
+) -> Iterator[bytes]:
+    """The messages of /tf at timestamps (T,), in pieces: as Python objects, all would take gigabytes."""
+    for start in range(0, len(stamps), _ROWS_PER_PIECE):
+        part = slice(start, start + _ROWS_PER_PIECE)
+        moved = robot.joint_transforms(positions[part], None if poses is None else poses[part])
+        yield from transform_messages(stamps[part].tolist(), moved)
 
 
 def _write_description(writer: Any, robot: Robot, stamp: int) -> None:

@@ -54,7 +54,8 @@ def messages(reading: Reading) -> Iterator[Message]:
     types = {key: wanted[topic.name] for key, topic in topics.items() if topic.name in wanted}
     for path, found in _scan(reading):
         if isinstance(found, Message) and (path, found.topic) in types:
-            yield replace(found, message_type=types[path, found.topic])
+            # Not by `replace`, which takes a tenth of the time of reading.
+            yield Message(found.topic, found.time, found.data, types[path, found.topic], found.checked)
 
 
 def choose_topics(types: Mapping[str, str], reading: Reading) -> dict[str, str]:
