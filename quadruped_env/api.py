@@ -121,14 +121,12 @@ def train(runs: str | Path = "runs", task_file: str | Path | None = None, **sett
         MissingExtraError: if the libraries of the extra `train` are not installed.
     """
     from quadruped_env.task import BUILT_IN, load_task_file
-    from quadruped_env.training.default_settings import with_recipe
+    from quadruped_env.training.recipes import with_recipe
     from quadruped_env.training.train import train as train_run
-    from quadruped_env.training.train_config import TrainConfig, check_fields
 
-    check_fields(settings)
     file = None if task_file is None else Path(task_file)
     robot = (BUILT_IN if file is None else load_task_file(file)).robot
-    config = TrainConfig(**with_recipe(settings, robot, ()))
+    config = with_recipe(settings, robot)
     given = ", ".join(f"{name}={value!r}" for name, value in settings.items())
     directory, _ = train_run(config, Path(runs), f"quadruped_env.train({given})", task_file=file)
     return directory

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from quadruped_env._version import __version__
 from quadruped_env.cli.invocation import SUMMARIES, Invocation, command_module, describe
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.utils.interpreter import COMMAND, pasteable
 from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
 
@@ -34,6 +35,7 @@ def make_parser(only: str | None = None) -> argparse.ArgumentParser:
         command = commands.add_parser(name, help=summary)
         if only in (None, name):
             describe(command, command_module(name))
+            command.set_defaults(in_options=command.in_options)
     return parser
 
 
@@ -50,6 +52,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     def run() -> int:
         args = make_parser(only=name).parse_args(typed)
-        return int(command_module(name).run(args, invocation))
+        try:
+            return int(command_module(name).run(args, invocation))
+        except QuadrupedError as error:
+            # Only here fields have options: the package names fields, also to callers in Python.
+            raise QuadrupedError(args.in_options(str(error))) from error
 
     return run_program(invocation.program, run)

@@ -28,9 +28,7 @@ from quadruped_env.scale.sweep.search_space import Dimension, parse_dimension, r
 from quadruped_env.scale.sweep.sweep_definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import check_used
-from quadruped_env.training.default_settings import with_recipe
-from quadruped_env.training.user_classes import OPTIONS, absolute_name, is_user_class, recorded_name
+from quadruped_env.training.recipes import check_used, with_recipe
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.plain import plain
 from quadruped_env.utils.program import Extras, on_stop, shorten_help, stopped_status
@@ -136,8 +134,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         check_answers(arguments.address)
     if arguments.resume is None:
         config.check(make)
-        algo = recorded_name(config.training.get("algo", TrainConfig.name))
-        name = config.training.get("name", algo.rpartition(":")[2].lower())
+        name = config.training.get("name", config.training.get("algo", TrainConfig.name))
         folder = SweepFolder.create(arguments.output, name, config, invocation.line)
     else:
         folder = SweepFolder.open(arguments.resume)
@@ -178,24 +175,16 @@ def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
     from quadruped_env.envs.arguments import task_config
 
     typed, task_file, terms, whole = typed_settings(arguments)
-    typed |= {name: absolute_name(typed[name]) for name in OPTIONS if name in typed}
     stored = None if arguments.resume is None else SweepFolder.open(arguments.resume).config
     if stored is not None and stored.task_file is not None and task_file is None:
         raise QuadrupedError(
             f"--resume: this sweep has terms from {short(Path(stored.task_file).name)}, which is not executed "
             f"automatically: check the file, then name it with --task FILE"
         )
-    for name in OPTIONS:
-        kept = "" if stored is None else stored.training.get(name, "")
-        if is_user_class(kept) and typed.get(name) != kept:
-            raise QuadrupedError(
-                f"--resume: this sweep trains with a class of {short(kept)}, which is not executed automatically: "
-                f"check the file, then name it with --{name} {kept}"
-            )
 
     def make(fields: Mapping[str, Any]) -> TrainConfig:
         sections = whole if stored is None else stored.whole
-        return TrainConfig(**with_recipe(dict(fields), terms.robot, sections))
+        return with_recipe(fields, terms.robot, sections)
 
     # All fields that vary are those of the task as it is without them.
     base = make(typed if stored is None else stored.training)

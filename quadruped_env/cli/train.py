@@ -7,12 +7,10 @@ mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
-mini-quadruped train --algo my_algorithm.py:MyPPO   with one of your own
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
 """
 
 import argparse
-import dataclasses
 import json
 import signal
 from collections.abc import Sequence
@@ -40,34 +38,56 @@ from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.algorithms import ALGORITHMS, check_used
-from quadruped_env.training.default_settings import CHOICES, default_settings, with_recipe
-from quadruped_env.training.recipes import RECIPES
-from quadruped_env.utils.documents import read_json
+from quadruped_env.training.recipes import RECIPES, with_recipe
+from quadruped_env.utils.documents import parse_json, read_json
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import module_command, program_command
 from quadruped_env.utils.program import shorten_help, stopped_status
 
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
+_OPTIONS: Final = (
+    "recipe",
+    "algo",
+    "action_mode",
+    "timesteps",
+    "seconds",
+    "seed",
+    "num_envs",
+    "name",
+    "checkpoint_seconds",
+    "task",
+    "n_steps",
+    "batch_size",
+    "n_epochs",
+    "learning_rate",
+    "gamma",
+    "hidden",
+    "activation",
+    "symmetric",
+    "asymmetric_critic",
+    "log_std_init",
+    "final_log_std",
+)
+"""Fields of `TrainConfig` that are options. The others are set in Python, `quadruped_env.train(tau=0.01)`."""
 _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
 _SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed")
 """Options of the settings that `--help` shows."""
 _MANY: Final = 10**18
 """Bound of a count that is parsed: 1e999999999 would fill the memory."""
+_TASK_RULE: Final = """expected a JSON object such as '{"command": {"yaw_rate": [-0.4, 0.4]}}'"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the fields of `TrainConfig`, and the places of the runs."""
+    """Add the settings of a training, and the places of the runs."""
     add_settings(parser)
     parser.add_argument(
         "--resume",
         type=Path,
         metavar="RUN",
-        help="run or checkpoint to continue, with its task, network and other settings; options change the others, "
-        "and --task the reward. "
-        "Without a budget: the rest of the run's budget, or the same again if it was complete. The schedules continue "
-        "from where they were",
+        help="run or checkpoint to continue, with its settings; options change its budget, and --task its reward. "
+        "Without a budget: the rest of the run's, or the same again if it was used. The schedules continue from where "
+        "they were",
     )
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS)
     add_trust_task(
@@ -77,22 +97,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def add_settings(parser: argparse.ArgumentParser) -> None:
-    """Add the fields of `TrainConfig`, `--terrain` and `--randomization`."""
-    docs = field_docs(TrainConfig)
-    for field in dataclasses.fields(TrainConfig):
-        option = f"--{field.name.replace('_', '-')}"
-        default = field.default if field.default is not dataclasses.MISSING else {}
-        text = docs[field.name]
-        if field.name == "recipe":
+    """Add the options of `TrainConfig`, `--terrain` and `--randomization`."""
+    docs, defaults = field_docs(TrainConfig), vars(TrainConfig())
+    for name in _OPTIONS:
+        default, field = defaults[name], TrainConfig.__dataclass_fields__[name]
+        text = docs[name]
+        if name == "recipe":
             text += ". " + "; ".join(f"{name}: {entry.description}" for name, entry in RECIPES.items())
-        # Without defaults: those of a resumed run are the run's.
-        options: dict[str, Any] = {
-            "default": argparse.SUPPRESS,
-            "help": f"{text} (default: {_defaults_in_words(field.name)})".replace("%", "%%"),
-        }
-        if field.name == "hidden":
+        # Without defaults: those of a recipe, an algorithm or a resumed run differ.
+        options: dict[str, Any] = {"default": argparse.SUPPRESS, "help": f"{text} (default: {_in_words(default)})"}
+        if name == "hidden":
             options.update(type=int, nargs="+", metavar="N")
-        elif field.name == "task":
+        elif name == "task":
             options.update(
                 type=task_change,
                 action="append",
@@ -105,10 +121,9 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
         elif get_args(field.type) and isinstance(default, str):
             options.update(choices=get_args(field.type))
         else:
-            kind = {"seconds": float}.get(field.name, type(default))
-            reader = {int: count, str: algorithm_name if field.name == "algo" else str}.get(kind, kind)
-            options.update(type=reader, metavar=_METAVARS[kind])
-        parser.add_argument(option, **options)
+            kind = float if name == "seconds" else type(default)
+            options.update(type=count if kind is int else kind, metavar=_METAVARS[kind])
+        parser.add_argument(f"--{name.replace('_', '-')}", **options)
     add_terrain(parser, "that of --task, or of the --recipe")
     add_randomization(parser, "that of --task, or of the --recipe")
 
@@ -118,32 +133,30 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     typed, task_file, definition, whole = typed_settings(arguments)
     runs, resume = arguments.output, arguments.resume
     before = latest.resolve().name if (latest := runs / "latest").exists() else ""
+    parent = None
     if resume is None:
         if arguments.trust_task:
-            raise QuadrupedError("--trust-task: found without --resume; a new training names its file with --task FILE")
-        config = TrainConfig(**with_recipe(typed, definition.robot, whole))
+            raise QuadrupedError("trust_task: found without --resume; a new training names its file with --task FILE")
+        config = with_recipe(typed, definition.robot, whole)
     else:
         from quadruped_env.training.resume import Parent
 
         if arguments.trust_task:
             if task_file is not None:
-                raise QuadrupedError(f"--trust-task: found next to --task {task_file}; give one of them")
+                raise QuadrupedError(f"trust_task: found next to --task {task_file}; give one of them")
             kept = kept_file(resume)
             task_file = None if kept is None else kept[0]
             definition = BUILT_IN if kept is None else load_task_file(*kept)
         parent = Parent.load(resume, definition)
-        config, resume = parent.resumed(typed, whole), parent.directory
+        config = parent.resumed(typed)
         budget = f"{config.timesteps:,} steps" if config.seconds is None else f"{config.seconds:g} s"
         print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
-        for difference in filter(
-            None, (parent.task_changes, parent.reward_changes(config), parent.code_changes(config))
-        ):
+        for difference in filter(None, (parent.task_changes, parent.reward_changes(config))):
             print(f"note: {difference}", flush=True)
-    check_used(config.algo, typed)
     # Torch takes seconds to import.
     from quadruped_env.training.train import train
 
-    directory, finished = train(config, runs, invocation.line, resume, task_file)
+    directory, finished = train(config, runs, invocation.line, parent, task_file)
     card = read_json(directory / CARD_FILE)["card"]
     steps, interrupted = card["timesteps"], card.get("interrupted")
     print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")
@@ -179,30 +192,29 @@ def measure_learning(directory: Path, task_file: Path | None, timesteps: int) ->
     return gain
 
 
-def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path | None, TaskDefinition, dict[str, str]]:
+def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path | None, TaskDefinition, set[str]]:
     """The settings of a training that were typed.
 
     Returns:
         Fields of `TrainConfig`, of which `task` holds changes; the Python file of `--task`; what it defines; and the
-        sections of the task's config that an option sets as a whole, with the option.
+        sections of the task's config that an option sets as a whole.
 
     Raises:
         QuadrupedError: if a value of an option of the task is not valid.
     """
-    names = {field.name for field in dataclasses.fields(TrainConfig)}
-    typed = {name: value for name, value in vars(arguments).items() if name in names}
+    typed = {name: value for name, value in vars(arguments).items() if name in _OPTIONS}
     if "hidden" in typed:
         typed["hidden"] = tuple(typed["hidden"])
     task_file, typed_task = task_changes(typed.pop("task", []))
     check_level_has_terrain(arguments)
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
-    whole: dict[str, str] = {}
+    whole = set()
     if arguments.terrain is not None:
-        whole["terrain"] = "terrain"
+        whole.add("terrain")
         level = {} if arguments.level is None else {"level": arguments.level}
         typed_task = changed(typed_task, {"terrain": {"name": arguments.terrain, **level}})
     if arguments.randomization is not None:
-        whole["randomization"] = "randomization"
+        whole.add("randomization")
         # As plain values, which a run keeps whatever becomes of the preset; those of --task change them.
         typed_task = changed({"randomization": preset_values(arguments.randomization, definition.robot)}, typed_task)
     if typed_task:
@@ -224,28 +236,21 @@ def count(text: str) -> int:
     )
 
 
-def algorithm_name(text: str) -> str:
-    """Parse `--algo`: a name in any case, or FILE.py:CLASS."""
-    return text.lower() if text.lower() in ALGORITHMS else text
-
-
 def task_change(text: str) -> Path | dict[str, Any]:
     """Parse one `--task`: a Python file by its path, or changes to the config from a JSON file or from JSON."""
     if text.endswith(".py"):
         return Path(text)
-    if text.endswith(".json"):
-        try:
-            values = read_json(Path(text), "fix it")
-        except QuadrupedError as error:
-            raise argparse.ArgumentTypeError(str(error)) from error
-        if not isinstance(values, dict):
-            raise argparse.ArgumentTypeError(f"{text}: expected a JSON object of changes to the task's config")
-        return values
     try:
-        check_no_description(text)
+        if text.endswith(".json"):
+            values = read_json(Path(text), "fix it")
+        else:
+            check_no_description(text)
+            values = parse_json(text, f"found {text[:60]!r}", _TASK_RULE)
     except QuadrupedError as error:
         raise argparse.ArgumentTypeError(str(error)) from error
-    return json_object(text)
+    if not isinstance(values, dict):
+        raise argparse.ArgumentTypeError(f"found {text[:60]!r}; {_TASK_RULE}")
+    return values
 
 
 def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, dict[str, Any]]:
@@ -264,40 +269,10 @@ def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, d
     return next(iter(files), None), changes
 
 
-def _defaults_in_words(name: str) -> str:
-    """Default of a field of `TrainConfig`, and its other defaults with the options that lead to them."""
-    if name == "name":
-        return "that of --algo"
-    found: dict[str, list[str]] = {}
-    for option, choices in {"": ("",), **CHOICES}.items():  # the first pair: without any option
-        by_value: dict[str, list[str]] = {}
-        for choice in choices:
-            settings = default_settings({option: choice})
-            by_value.setdefault(_in_words(settings.get(name, getattr(TrainConfig, name, None))), []).append(choice)
-        for value, chosen in by_value.items():
-            found.setdefault(value, []).append(f"--{option.replace('_', '-')} {'/'.join(chosen)}")
-    first, *others = found
-    return "; ".join([first, *(f"{value} with {', '.join(found[value])}" for value in others)])
-
-
 def _in_words(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return " ".join(map(str, value)) if isinstance(value, tuple) else str(value).lower() or "none"
-
-
-def json_object(text: str) -> dict[str, Any]:
-    """Parse an argument that is a JSON object."""
-    try:
-        value = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        found = f"{text[:60]!r} ({error})"
-    else:
-        if isinstance(value, dict):
-            return value
-        found = f"{text[:60]!r}"
-    example = '\'{"command": {"yaw_rate": [-0.4, 0.4]}}\''
-    raise argparse.ArgumentTypeError(f"expected a JSON object such as {example}; found {found}")
 
 
 def field_docs(kind: type) -> dict[str, str]:

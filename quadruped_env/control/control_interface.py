@@ -207,7 +207,7 @@ class ControlInterface:
         return present if layout.history == 1 else self._stacked(present)
 
     def _stacked(self, present: NDArray[np.float32]) -> NDArray[np.float32]:
-        """The present observations (N, width) and those of the steps before."""
+        """The present observations (N, width) and the steps before, stacked (N, history * width)."""
         past, steps = self._past, self.steps
         advanced = steps != self._observed_step
         if np.count_nonzero(advanced) == len(steps):

@@ -41,7 +41,7 @@ class ZeroController:
 class GaitController:
     """A scripted gait, whose settings can be changed at any time without a jump in its phase.
 
-    A gait that follows the command steps with the task's gait clock, as that of `residual` mode does, if the clock has
+    A gait that follows the command steps with the task's gait clock, as in `residual` mode, if the clock has
     its frequency. Every other gait has a phase of its own, which begins at 0 with the episode.
 
     Args:
@@ -62,7 +62,7 @@ class GaitController:
 
     @property
     def settings(self) -> GaitSettings:
-        """Current settings. With others than those of the gait, only one robot can be controlled."""
+        """Current settings. Once they are changed, only one robot can be controlled."""
         return self._settings or GaitSettings.of(self._preset())
 
     @settings.setter
@@ -108,7 +108,7 @@ class GaitController:
         now = gait.at(self._command) if isinstance(gait, CommandedGait) and self._command else preset
         if self._settings is None:
             return now
-        # The hips' phases depend on the command; the settings are those of the preset, so its phases are subtracted.
+        # The hips' phases depend on the command; the settings are the preset's, so its phases are subtracted.
         phases = zip(GaitSettings.of(now).phases, self._settings.phases, GaitSettings.of(preset).phases, strict=True)
         shifted = tuple((phase + setting - base) % 1.0 for phase, setting, base in phases)
         return edited(now, replace(self._settings, phases=shifted))

@@ -11,7 +11,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
 
 LIMP: Final = None
-"""Value in place of joint targets that disables the motors."""
+"""Value that is sent instead of joint targets to disable the motors."""
 
 Target = Floats | None
 """Joint targets (J,) in rad, or `LIMP`."""

@@ -124,10 +124,10 @@ class LiveController:
 
     Args:
         controller: computes the joint targets while walking.
-        config: time step, clock and commands. None: those of the policy, or the defaults for other controllers.
+        config: time step, clock and commands. None: the policy's, or the defaults for other controllers.
         safety: conditions for moving and stopping. None: the defaults.
         say: called with a line of text at every change of mode, and when a command is clipped.
-        robot: the robot that is driven. None: that of the policy, or the built-in one for other controllers.
+        robot: the robot that is driven. None: the policy's, or the built-in one for other controllers.
 
     Raises:
         QuadrupedError: if the controller's policy is for another robot, its actions have another meaning with this

@@ -230,7 +230,7 @@ class ObservationLayout:
         return np.asarray(value(self.robot) if callable(value) else value, dtype=np.float64)
 
     def _plain(self, value: PerRobot) -> float | list[float]:
-        """One number if it is that of all columns, else one per column."""
+        """One number if all columns have the same, else one per column."""
         numbers = np.unique(self._numbers(value))
         return float(numbers[0]) if len(numbers) == 1 else self._numbers(value).tolist()
 

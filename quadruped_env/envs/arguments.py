@@ -38,11 +38,11 @@ def task_config(
     """The task's config from an environment's arguments.
 
     Args:
-        action_mode: action mode that replaces that of the config; None keeps it.
+        action_mode: action mode that replaces the config's; None keeps it.
         config: changes to the default config, or a complete one; None: the defaults.
-        task_file: user's file of terms, which is executed; None: the built-in terms, or those of a given TaskConfig.
-        robot: robot, its design, or the result of `Robot.to_dict`; None: that of the file or of a given TaskConfig.
-        terrain: name of a terrain that replaces that of the config; None keeps it.
+        task_file: user's file of terms, which is executed; None: the built-in terms, or a given TaskConfig's.
+        robot: robot, its design, or the result of `Robot.to_dict`; None: that in the file or the TaskConfig.
+        terrain: name of a terrain that replaces the config's; None keeps it.
         defaults: changes to the default config that apply where the given changes do not; a complete config has none.
 
     Raises:

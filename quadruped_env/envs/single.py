@@ -64,7 +64,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     ## Reward
     The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
-    each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are those of the base in the
+    each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are the base's in the
     body frame; v~ and w~ are averaged over about one gait cycle (first-order low-pass filter, 0.4 s). Landings, slip
     and power are measured at every physics step.
 
@@ -94,7 +94,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     ## Information
     `command`, `base_position`, `base_linear_velocity` and `base_angular_velocity` (body frame), `joint_position`,
     `joint_velocity`, `joint_torque`, `foot_force`, `foot_contact`; after a step also `diverged` and the reward terms.
-    Every value is a NumPy array or scalar with constant shape and dtype. Torques and forces are those of the step's
+    Every value is a NumPy array or scalar with constant shape and dtype. Torques and forces are taken in the step's
     last physics substep.
 
     ## Arguments

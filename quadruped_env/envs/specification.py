@@ -12,7 +12,7 @@ Class = TypeVar("Class", bound=type)
 
 
 def with_tables(cls: Class) -> Class:
-    """Insert the tables in place of `{observations}`, `{rewards}`, `{terminations}` and `{terrains}` in a docstring."""
+    """Replace `{observations}`, `{rewards}`, `{terminations}` and `{terrains}` in a docstring by tables."""
     tables = {
         "observations": observation_table(),
         "rewards": reward_table(),

@@ -155,7 +155,7 @@ class MiniQuadrupedVectorEnv(
         final = self._info.readings(only=done)
         final |= self._info.step_results(_only(diverged, env_ids), _only(terms, env_ids))
         task.reset(env_ids)
-        # The info of a finished env is that of its reset, as in SyncVectorEnv.
+        # A finished env has the info of its reset, as in SyncVectorEnv.
         diverged[env_ids], terms[env_ids] = False, 0.0
         info = self._step_info(transition, ~done)
         info["final_obs"], info["_final_obs"] = final_obs, done

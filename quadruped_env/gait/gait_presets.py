@@ -83,7 +83,7 @@ TUNED_FOR_ONE_SPEED: Final = {
         LegSinusoids(-0.128, 0.404, 0.177, 0.222, -0.868, 0.133),
     ),
 }
-"""Preset -> angular frequency in rad/s, fore legs, hind legs; the phases are those of `LEG_PHASES`."""
+"""Preset -> angular frequency in rad/s, fore legs, hind legs; `LEG_PHASES` has the phases."""
 
 SINUSOID: Final = "sinusoid"
 """Name of the trot in closed form, the base of `residual`."""
@@ -93,7 +93,7 @@ CLOCK_FREQUENCY: Final = 3.4
 LIFT: Final = 0.2
 """Angle by which the knee folds in a swing, rad."""
 TURN_GAIN: Final = 4.0
-"""Difference of the sides in a turn over that of wheels that roll. Without sideways joints the feet of a turning robot
+"""Difference of the sides in a turn, relative to wheels that roll. Without sideways joints the feet of a turning robot
 slide sideways, and friction acts along the sliding: only feet that slide faster along x turn the robot."""
 _SPEEDS: Final = (-1.0, 1.0)
 """Forward velocities between which the amplitude is proportional to the velocity, m/s."""
@@ -110,7 +110,7 @@ def sinusoid(frequency: float) -> dict[str, Any]:
         hip  = stance + a / (2 pi) + u / (2.8 f L) cos(p) + a / 4 sin(p)
         knee = stance - a / pi                             - a / 2 sin(p)
 
-    The feet swing forward while sin(p) > 0. The lift is that of a knee that folds by a max(0, sin(p)) and a hip that
+    The feet swing forward while sin(p) > 0. The lift comes from a knee that folds by a max(0, sin(p)) and a hip that
     turns by half of it to keep the foot below, without their higher harmonics. During half a cycle on the ground the
     hip turns by twice its amplitude, at a mean speed of 1.4 u: the servos lag behind their targets.
 

@@ -47,7 +47,7 @@ def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
     """A gait with modified amplitudes, frequency and leg phases; each knee keeps its phase lag to the hip.
 
     Raises:
-        QuadrupedError: if the number of phases is not that of the robot's legs.
+        QuadrupedError: if there is not one phase per leg of the robot.
     """
     if len(settings.phases) != gait.robot.num_legs:
         raise QuadrupedError(f"gait: expected {gait.robot.num_legs} phases, one per leg; found {len(settings.phases)}")

@@ -5,7 +5,7 @@ For each leg, with phase p of the joint and angular frequency w:
     hip  = hip_amplitude  * sin(w t + p) + hip_offset
     knee = knee_amplitude * cos(w t + p) + knee_offset
 
-The form is that of the ROS 2 tutorial, whose parameters are the preset `article`. `CommandedGait` adapts it to a
+The ROS 2 tutorial has this form; its parameters are the preset `article`. `CommandedGait` adapts it to a
 commanded forward velocity and yaw rate. Units: rad, rad/s, s.
 
 The other presets are for the built-in robot. On another robot with a hip and a knee per leg, the feet make the same
@@ -97,7 +97,7 @@ class SinusoidalGait:
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
         """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
 
-        `sinusoid`, `tuned`, `crouched`, `low` and `fast` are those of `CommandedGait` at 0.4 m/s straight ahead.
+        `sinusoid`, `tuned`, `crouched`, `low` and `fast` are the gaits of `CommandedGait` at 0.4 m/s straight ahead.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
@@ -246,7 +246,7 @@ class CommandedGait:
     """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
 
     The parameters of a leg are interpolated in tables over forward velocity, one for the fore and one for the hind
-    legs. To those of the straight gait a yaw rate adds |r| times the columns of `turn` on all legs, and r times the
+    legs. To the straight gait's parameters a yaw rate adds |r| times the columns of `turn` on all legs, and r times the
     columns of `side` on the right, which it subtracts on the left; r is the yaw rate's `turn_size`. Towards a command
     of zero the gait fades into the stance.
 
@@ -343,7 +343,7 @@ class CommandedGait:
 
     @classmethod
     def sinusoid(cls, robot: Robot, frequency: float) -> "CommandedGait":
-        """The trot in closed form, whose strides are those of a gait clock.
+        """The trot in closed form, with the strides of a gait clock.
 
         Args:
             robot: robot that walks.

@@ -115,7 +115,7 @@ def _implausible(one: JointTrajectory, other: JointTrajectory, without: Sequence
     return [
         place + found.text
         for found in findings(one.to_rows().take(inside), source.row_name)
-        if found.spoils and set(found.joints) - set(without)
+        if set(found.joints) - set(without)
         if not commands_too or found.kind in {"timestamps", "wrap"}
     ]
 

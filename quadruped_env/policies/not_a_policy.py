@@ -21,11 +21,8 @@ SB3_MEMBERS: Final = frozenset({"data", "policy.pth"})
 """Files in every zip of Stable-Baselines3."""
 _HEAD: Final = 1 << 16
 """Bytes from which a file is recognized."""
-_ZIP: Final = b"PK\x03\x04"
-_PICKLE: Final = b"\x80"
 _RECORDINGS: Final = (".csv", ".mcap", ".db3", ".bag", ".tsv", ".yaml", ".yml")
 _HUB_PAGE: Final = "huggingface.co/"
-_AS_CODE: Final = "a policy of another framework is code (docs/training.md#a-policy-that-is-code)"
 
 
 def not_a_policy(source: str, recordings: bool = True) -> str:
@@ -67,12 +64,10 @@ def _kind_of_folder(path: Path) -> str:
         names = sorted(os.listdir(path))
     except OSError:
         return ""
-    if CARD_FILE in names:
-        return ""
     zips = [name for name in names if name.endswith(".zip") and _is_sb3(path / name)]
-    if zips:
-        return f"this folder holds models of Stable-Baselines3; {import_advice(path / zips[-1])}"
-    return f"this folder holds checkpoints of torch; {_AS_CODE}" if any(x.endswith(".pt") for x in names) else ""
+    if not zips or CARD_FILE in names:
+        return ""
+    return f"this folder holds models of Stable-Baselines3; {import_advice(path / zips[-1])}"
 
 
 def _kind_of_file(path: Path) -> str:
@@ -85,26 +80,21 @@ def _kind_of_file(path: Path) -> str:
         return ""
     if problem := description_problem(head):
         return problem
-    if head.startswith(_ZIP):
-        if _is_sb3(path):
-            return f"this is a model of Stable-Baselines3; {import_advice(path)}"
-        if any(name.endswith("data.pkl") for name in _members(path)):
-            return f"this is a checkpoint of torch; {_AS_CODE}"
-        return "this is a zip archive; unpack it, and name the folder of its policy"
+    if _is_sb3(path):
+        return f"this is a model of Stable-Baselines3; {import_advice(path)}"
     if suffix == ".onnx":
         return f"this is an ONNX graph; if it was exported from here, name its folder; otherwise {import_advice(path)}"
-    if suffix == ".safetensors":
-        return f"this is a file of tensors without its {CARD_FILE}; name the folder that holds both"
-    if head.startswith(_PICKLE) or suffix in (".pkl", ".pt", ".pth"):
+    if suffix in (".pkl", ".pt", ".pth"):
         return (
             f"this is a pickle, which is not opened; if it holds the statistics of a VecNormalize, "
-            f"{import_advice('MODEL.zip', '--vecnormalize', path)}; {_AS_CODE}"
+            f"{import_advice('MODEL.zip', '--vecnormalize', path)}; a policy of another framework is code "
+            f"(docs/training.md#a-policy-that-is-code)"
         )
     return ""
 
 
 def import_advice(*arguments: str | Path) -> str:
-    """The command that makes a policy of a model of Stable-Baselines3, as the end of a message."""
+    """The command that makes a policy of another program's model, as the end of a message."""
     return (
         f"'{program_command('import-policy', *arguments)}' makes a policy of it "
         f"(docs/training.md#a-model-of-another-trainer)"
@@ -112,12 +102,8 @@ def import_advice(*arguments: str | Path) -> str:
 
 
 def _is_sb3(path: Path) -> bool:
-    return _members(path) >= SB3_MEMBERS
-
-
-def _members(path: Path) -> set[str]:
     try:
         with zipfile.ZipFile(path) as archive:
-            return set(archive.namelist())
+            return set(archive.namelist()) >= SB3_MEMBERS
     except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError):
-        return set()
+        return False

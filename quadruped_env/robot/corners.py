@@ -10,13 +10,13 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
 
 _MIN_DETERMINANT: Final = 1e-5
-"""Least determinant of a leg's Jacobian, m^2/rad^2; that of the built-in robot is 2.8e-3."""
+"""Least determinant of a leg's Jacobian, m^2/rad^2; the built-in robot has 2.8e-3."""
 
 _INVERSE_STEPS: Final = 16
 _LARGEST_CHANGE: Final = 0.2
-"""Of a joint in one step, rad."""
+"""Largest change of a joint in one step, rad."""
 _DAMPING: Final = 0.1
-"""Of the inverse kinematics, per square of a foot's distance, 1/rad^2."""
+"""Damping of the inverse kinematics per squared distance of a foot, 1/rad^2."""
 _LEAST_DAMPING: Final = 1e-9
 """m^2/rad^2."""
 _DIFFERENCE: Final = 1e-5

@@ -67,7 +67,7 @@ class Kinematics(abc.ABC):
     def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
         """Centres of the foot balls (..., L, 3) in m, in the order of `leg_names`.
 
-        Arguments and errors are those of `forward_kinematics`.
+        Arguments and errors are as in `forward_kinematics`.
         """
         return self.skeleton.foot_centres(positions, base_pose)
 
@@ -114,7 +114,7 @@ class Kinematics(abc.ABC):
         Args:
             positions: joint positions in rad, shape (..., J).
             base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7). With it the first
-                transform is that of the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
+                transform places the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
 
         Returns:
             Transforms with leading axes (...), in the order of `joint_names`.

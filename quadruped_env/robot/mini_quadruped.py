@@ -24,6 +24,6 @@ def forward_kinematics(
     """Pose of every link of a robot, by default the built-in one.
 
     Position (..., 3) in m and quaternion wxyz (..., 4) by link, for joint positions (..., J) in rad. Arguments and
-    errors are those of `Robot.forward_kinematics`.
+    errors are as in `Robot.forward_kinematics`.
     """
     return robot.forward_kinematics(positions, base_pose)

@@ -1,4 +1,4 @@
-"""Motor parameters: those of the model file, or those identified on a robot."""
+"""Motor parameters, of the model file or identified on a robot."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -76,7 +76,7 @@ class JointMotor(PlainFields):
         A data sheet gives the dead band in microseconds; most servos turn by 0.1 degrees in one. Arduino's
         `Servo.write` takes whole degrees, and a PCA9685 at 50 Hz has steps of 4.9 us.
 
-        No data sheet gives the rest, which is that of a Feetech STS3215 in proportion to torque and speed: for a stall
+        No data sheet gives the rest. A Feetech STS3215 has it, in proportion to torque and speed: for a stall
         torque of 3.35 N m, kp = 17.8, armature = 0.028 and dry friction 0.052 N m (joints_properties.xml of
         https://github.com/apirrone/Open_Duck_Playground). The backlash of 1 degree is assumed. The motor is driven by a
         voltage in proportion to the error, less a back-EMF in proportion to the speed: kd = stall torque / no-load

@@ -70,7 +70,7 @@ def urdf(design: QuadrupedDimensions) -> str:
 
 
 def filled(name: str, values: Mapping[str, str], **more: str) -> str:
-    """The text of a template with values in place of its `${names}`."""
+    """The text of a template with its `${names}` replaced by values."""
     return _template(name).substitute(values, **more)
 
 

@@ -58,7 +58,7 @@ class Readings:
 
     The readings of a simulation are live views of its sensor data, not copies. Names with `_b` are in the body frame of
     the base, all others in the world frame. Positions and velocities are current. Torques, forces and accelerations are
-    those of the last physics substep, because MuJoCo computes them when it solves the contacts of a substep.
+    taken in the last physics substep, because MuJoCo computes them when it solves the contacts of a substep.
     """
 
     joint_position: Floats
@@ -92,7 +92,7 @@ class Readings:
 
     @classmethod
     def from_sensordata(cls, model: mujoco.MjModel, sensordata: Floats, robot: Robot) -> Self:
-        """Readings as views of sensordata (..., model.nsensordata), whose leading axes they have in place of N."""
+        """Readings as views of sensordata (..., model.nsensordata), with its leading axes instead of N."""
         views = {}
         for field, columns in sensor_columns(model, robot).items():
             view = sensordata[..., columns]

@@ -50,7 +50,7 @@ _MIRROR_TOLERANCE = 1e-3
 _FOOTPRINT = 4.0 / 3.0
 """Footprint as a multiple of the distance of the farthest foot in the stance; at a start the legs deviate from it."""
 _SIX_DIGITS = 5e-6
-"""Difference between a value of the robot and that of its model, relative from 1 up: MuJoCo writes six digits."""
+"""Tolerance between a value of the robot and its model's, relative from 1 up: MuJoCo writes six digits."""
 ROBOT_FILE = "mini_quadruped.xml"
 """File that a scene includes: a robot's MJCF takes its place."""
 _OF_THE_MODEL: Any = None
@@ -66,7 +66,7 @@ class Robot(Kinematics):
     content is; comments and layout of the model files do not count.
 
     Fields with "None:" follow from the model or the motors where they are not given. A value that is given is compared
-    with that of the model, to six digits.
+    with the model's value, to six digits.
 
     Raises:
         QuadrupedError: if the fields contradict each other, or (at the first use of the model) the model.
@@ -79,13 +79,13 @@ class Robot(Kinematics):
     link_names: tuple[str, ...] = _OF_THE_MODEL
     """Names of the links, the base first. None: all bodies that are named, in the model's order."""
     joint_position_low: Floats = _OF_THE_MODEL
-    """Lower limits of the joint positions (J,), rad. None: those of the model."""
+    """Lower limits of the joint positions (J,), rad. None: the model's."""
     joint_position_high: Floats = _OF_THE_MODEL
-    """Upper limits of the joint positions (J,), rad. None: those of the model."""
+    """Upper limits of the joint positions (J,), rad. None: the model's."""
     velocity_limit: Floats = _OF_THE_MODEL
-    """Maximum joint speeds without load (J,), rad/s. None: those of `motors`."""
+    """Maximum joint speeds without load (J,), rad/s. None: by `motors`."""
     effort_limit: Floats = _OF_THE_MODEL
-    """Maximum joint torques at rest (J,), N m. None: those of `motors`."""
+    """Maximum joint torques at rest (J,), N m. None: by `motors`."""
     stance: Floats
     """Joint positions with each foot under its hip (J,), rad."""
     stance_height: float = _OF_THE_MODEL
@@ -101,7 +101,7 @@ class Robot(Kinematics):
     """Index of each foot's counterpart on the other side."""
     sensors: Mapping[str, tuple[str, ...]] = _OF_THE_MODEL
     """Sensors of the model for each field of `quadruped_env.robot.readings.Readings`, in order. None: the model gets
-    them, those of the base at its origin."""
+    them, with the base's sensors at its origin."""
     motors: MotorConfig
     """Motors of the joints. They are written into the model, whatever actuators it has."""
     mjcf: str
@@ -293,7 +293,7 @@ class Robot(Kinematics):
         """Factor from each joint's position to its counterpart's under the left/right mirror (J,), 1 or -1.
 
         It is `mirror_signs`, or follows from the axes in the stance: the mirror y -> -y turns the axis (x, y, z) of a
-        hinge into (-x, y, -z), and that of a slide into (x, -y, z).
+        hinge into (-x, y, -z), and the axis of a slide into (x, -y, z).
 
         Raises:
             QuadrupedError: if a joint's axis is not the mirror image of its counterpart's.
@@ -307,7 +307,7 @@ class Robot(Kinematics):
         if wrong.any():
             joint = int(wrong.argmax())
             raise self._error(
-                f"the axis of {self.joint_names[joint]} is not the mirror image of that of "
+                f"the axis of {self.joint_names[joint]} is not the mirror image of the axis of "
                 f"{self.joint_names[self.joint_mirror[joint]]}, its counterpart in joint_mirror; correct joint_mirror, "
                 f"or give mirror_signs"
             )
@@ -321,7 +321,7 @@ class Robot(Kinematics):
 
         Raises:
             QuadrupedError: if MuJoCo cannot read the MJCF, it has a ground or another geom of the world, or its joints
-                or actuators are not those of `joint_names`.
+                or actuators differ from `joint_names`.
         """
         spec = self._parsed(scene)
         make_servos(spec, self.joint_names)
@@ -413,7 +413,7 @@ class Robot(Kinematics):
                 given, value = (float(np.asarray(x)[wrong][0]) for x in (given, value))
                 owner = "its motors" if name in ("velocity_limit", "effort_limit") else "its model"
                 raise self._error(
-                    f"{name}{of} is {given:.6g}, and that of {owner} is {value:.6g}; correct it, "
+                    f"{name}{of} is {given:.6g}, but {value:.6g} in {owner}; correct it, "
                     f"or give {name}=None for the latter"
                 )
         self._set(_restated=True)

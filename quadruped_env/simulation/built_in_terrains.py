@@ -114,7 +114,7 @@ NAMES: Final = ", ".join(entry.name for entry in TERRAINS)
 
 
 def terrain_scale(terrain: Terrain, robot: Robot) -> float:
-    """Factor on a terrain's lengths for a robot: that of its legs; 1 for a user's terrain, whose lengths stay."""
+    """Factor on a terrain's lengths for a robot, by its leg length; 1 for a user's terrain, whose lengths stay."""
     return scale_of("m", robot) if any(terrain.function is entry.function for entry in TERRAINS) else 1.0
 
 

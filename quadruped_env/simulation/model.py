@@ -49,7 +49,7 @@ def build_model(
     The ground is the geom `ground`: a plane at height 0, or a height field with a plane around it, `surroundings`.
 
     Args:
-        timestep: physics time step, s. None: that of the robot's model.
+        timestep: physics time step, s. None: the robot model's.
         motors: motors that replace the robot's own.
         terrain: the ground; by default a plane.
         robot: the robot.

@@ -30,7 +30,7 @@ class PushLimit:
 
         Args:
             velocity: its velocity, m/s.
-            time: simulated time, s, not before that of an earlier push.
+            time: simulated time, s, not before an earlier push.
 
         Raises:
             QuadrupedError: if it is not finite, or too large together with the others; it is not counted then.

@@ -170,6 +170,6 @@ class SingleSimulation:
         self._keep_readings(readings)
 
     def _keep_readings(self, readings: Floats) -> None:
-        """Replace the readings of the first half of a step by those of before a push, if there was one."""
+        """Replace the readings of the first half of a step by those before a push, if there was one."""
         self.data.sensordata = readings
         self._settled = False

@@ -86,8 +86,8 @@ class Grid:
     def first(self) -> float:
         """Sign of the first slope away from the start: 1 for up, and -1 in a tile.
 
-        A height field's highest point decides which parts of a robot MuJoCo looks up in it. With hollows in place of
-        hills, that is the base only for robots that walk through a hollow.
+        A height field's highest point decides which parts of a robot MuJoCo looks up in it. With hollows instead of
+        hills, it is the base only for robots that walk through a hollow.
         """
         return -1.0 if self.tile else 1.0
 
@@ -146,9 +146,9 @@ class Terrain:
     level: int | None = None
     """Level from 1 to `LEVELS`, which determines the parameters in `hardest`; None: they have their defaults."""
     scale: float = 1.0
-    """Factor on all its lengths, which are the built-in robot's; those of a user's terrain are as they are: 1."""
+    """Factor on all its lengths, which are the built-in robot's; 1 for a user's terrain."""
     values: tuple[tuple[str, float], ...] = ()
-    """Name and value of the parameters that differ from their defaults, or from those of the level."""
+    """Name and value of the parameters that differ from their defaults, or from the level's."""
     file: TaskFile | None = field(default=None, compare=False)
     """User's file that defines it; None for a terrain that is built in or defined in Python alone."""
 

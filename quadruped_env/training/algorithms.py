@@ -1,12 +1,9 @@
 """Algorithms of Stable-Baselines3 and sb3-contrib: where they are, and which settings of a training they use."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final
-
-from quadruped_env.errors import QuadrupedError, did_you_mean, short
-from quadruped_env.training.user_classes import is_user_class, load_class
 
 _ON_POLICY: Final = frozenset(
     {"n_steps", "learning_rate", "gamma", "gae_lambda", "log_std_init", "final_log_std", "symmetric"}
@@ -14,20 +11,16 @@ _ON_POLICY: Final = frozenset(
 _OFF_POLICY: Final = frozenset(
     {"n_steps", "learning_rate", "gamma", "batch_size", "buffer_size", "learning_starts", "gradient_steps", "symmetric"}
 )
-_SHORT: Final[Mapping[str, Any]] = MappingProxyType(
-    {"timesteps": 3_000_000, "n_steps": 16, "log_std_init": -2.0, "final_log_std": -4.0}
-)
+_SHORT: Final = {"timesteps": 3_000_000, "n_steps": 16, "log_std_init": -2.0, "final_log_std": -4.0}
 """Defaults of the other algorithms that learn from the last steps alone."""
-_REPLAY: Final[Mapping[str, Any]] = MappingProxyType(
-    {
-        "timesteps": 3_000_000,
-        "num_envs": 64,
-        "n_steps": 1,
-        "batch_size": 512,
-        "learning_rate": 1e-3,
-        "hidden": (128, 128),
-    }
-)
+_REPLAY: Final = {
+    "timesteps": 3_000_000,
+    "num_envs": 64,
+    "n_steps": 1,
+    "batch_size": 512,
+    "learning_rate": 1e-3,
+    "hidden": (128, 128),
+}
 """Defaults of the algorithms with a replay buffer: an update after each step of all envs."""
 
 
@@ -40,7 +33,7 @@ class Algorithm:
     class_name: str
     settings: frozenset[str]
     """Fields of `TrainConfig` that it uses, of those in `SETTINGS`."""
-    defaults: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))
+    defaults: Mapping[str, Any] = field(default_factory=dict)
     """Its defaults of fields of `TrainConfig` that differ from those of PPO."""
     policies: str = ""
     """Module of its policy and actor; empty for an on-policy algorithm, whose policy is `ActorCritic`."""
@@ -68,13 +61,13 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
             "stable_baselines3.a2c",
             "A2C",
             _ON_POLICY | {"ent_coef", "max_grad_norm"},
-            MappingProxyType({**_SHORT, "learning_rate": 7e-4}),
+            {**_SHORT, "learning_rate": 7e-4},
         ),
         "trpo": Algorithm(
             "sb3_contrib.trpo",
             "TRPO",
             _ON_POLICY | {"batch_size"},
-            MappingProxyType({**_SHORT, "batch_size": 1024, "learning_rate": 1e-3}),
+            {**_SHORT, "batch_size": 1024, "learning_rate": 1e-3},
         ),
         "sac": _off_policy("stable_baselines3.sac", "SAC", "stable_baselines3.sac.policies", "SACPolicy", "tau"),
         "td3": _off_policy(
@@ -91,58 +84,3 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
 
 SETTINGS: Final[frozenset[str]] = frozenset(name for entry in ALGORITHMS.values() for name in entry.settings)
 """Fields of `TrainConfig` that not every algorithm uses, and those that each uses in its own way."""
-
-
-def algorithm(name: str) -> Algorithm:
-    """An algorithm by its name, or that from which a user's class is derived; the class's file is executed.
-
-    Raises:
-        QuadrupedError: if there is none; the message names those that there are.
-    """
-    base = base_of(name)
-    if base not in ALGORITHMS:
-        raise QuadrupedError(
-            f"--algo: {short(name)} is unknown; valid algorithms are {', '.join(ALGORITHMS)}, or FILE.py:CLASS"
-            f"{did_you_mean(base, ALGORITHMS)}"
-        )
-    return ALGORITHMS[base]
-
-
-def base_of(name: str) -> str:
-    """The name of the algorithm from which a user's class is derived; any other name as it is.
-
-    Raises:
-        QuadrupedError: if the class is derived from none.
-    """
-    if not is_user_class(name):
-        return name
-    _, kind = load_class("algo", name)
-    names = {entry.class_name: known for known, entry in ALGORITHMS.items()} | dict(_ANY_ALGORITHM)
-    for base in kind.__mro__:
-        if base.__name__ in names and base.__module__.startswith(("stable_baselines3", "sb3_contrib")):
-            return names[base.__name__]
-    raise QuadrupedError(
-        f"--algo: {kind.__name__} is not derived from an algorithm of Stable-Baselines3 or sb3-contrib "
-        f"({', '.join(entry.class_name for entry in ALGORITHMS.values())}); train it in a script of your own "
-        f"(docs/training.md#your-own-algorithm)"
-    )
-
-
-_ANY_ALGORITHM: Final[Mapping[str, str]] = MappingProxyType({"OnPolicyAlgorithm": "a2c", "OffPolicyAlgorithm": "sac"})
-"""Base class of other algorithms -> algorithm whose settings and defaults theirs have."""
-
-
-def check_used(name: str, typed: Iterable[str]) -> None:
-    """Check that an algorithm uses the settings that a user typed.
-
-    Raises:
-        QuadrupedError: naming the first option that it does not use, and the algorithms that do.
-    """
-    used = algorithm(name).settings
-    for setting in typed:
-        if setting in SETTINGS - used:
-            users = [other for other, entry in ALGORITHMS.items() if setting in entry.settings]
-            raise QuadrupedError(
-                f"--{setting.replace('_', '-')}: {name} does not use it; leave it out, or choose --algo "
-                f"{' or '.join(users)}"
-            )

@@ -1,13 +1,17 @@
-"""Recipes: named settings of a training and its task, as plain values that the run keeps."""
+"""Recipes: named settings of a training and its task, and the settings of a training in which a user gave some."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final
 
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.envs.arguments import changed
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
+from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.task.task_config import values_for
+from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS
+from quadruped_env.training.train_config import TrainConfig, check_fields
 
 
 @dataclass(frozen=True)
@@ -56,23 +60,36 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
 """The recipes by name; `flat` is the default."""
 
 
-def recipe(name: str) -> Recipe:
-    """A recipe by its name.
+def with_recipe(given: Mapping[str, Any], robot: Robot, whole: Iterable[str] = ()) -> TrainConfig:
+    """The settings of a training: those that the user gave, over those of the recipe and the algorithm.
+
+    All numbers of the recipe's task follow the robot's size by their units.
+
+    Args:
+        given: fields of `TrainConfig`; of `task`, changes to the config.
+        robot: robot of the task.
+        whole: sections of the task's config that the user chose as a whole, in place of the recipe's.
 
     Raises:
-        QuadrupedError: if there is none; the message names those that there are.
+        QuadrupedError: if a value is not valid, or the algorithm does not use one; the message begins with the field.
     """
-    if name not in RECIPES:
-        raise QuadrupedError(f"--recipe: {short(name)} is unknown; valid recipes are {', '.join(RECIPES)}")
-    return RECIPES[name]
+    check_fields(given)
+    algo, recipe = given.get("algo", TrainConfig.algo), RECIPES[given.get("recipe", TrainConfig.recipe)]
+    check_used(algo, given)
+    own = given.get("task", {})
+    chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
+    task = {name: values for name, values in values_for(recipe.task, robot).items() if name not in chosen}
+    defaults = {"name": algo, **ALGORITHMS[algo].defaults, **recipe.training, **(recipe.ppo if algo == "ppo" else {})}
+    return TrainConfig(**{**defaults, **given, "task": changed(task, own)})
 
 
-def task_values(name: str, robot: Robot) -> dict[str, Any]:
-    """Changes of a recipe to the task's config, for a robot, as plain values: those of the preset in place of its name.
-
-    All numbers follow the robot's size by their units.
+def check_used(algo: str, given: Iterable[str]) -> None:
+    """Check that an algorithm uses the settings that a user gave.
 
     Raises:
-        QuadrupedError: if there is no such recipe.
+        QuadrupedError: naming the first field that it does not use, and the algorithms that do.
     """
-    return values_for(recipe(name).task, robot)
+    for name in given:
+        if name in SETTINGS - ALGORITHMS[algo].settings:
+            users = [other for other, entry in ALGORITHMS.items() if name in entry.settings]
+            raise QuadrupedError(f"{name}: {algo} does not use it; leave it out, or choose algo {' or '.join(users)}")

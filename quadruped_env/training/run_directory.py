@@ -15,7 +15,6 @@ from typing import Any, Final
 from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies.files import CHECKPOINTS
-from quadruped_env.training import user_classes
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.files import LATEST, unwritable, write_whole
 from quadruped_env.utils.provenance import TaskFile, git_commit, machine, versions
@@ -69,10 +68,7 @@ class Run:
         self.facts = {"command": command, "git_commit": git_commit(), "versions": versions(), "machine": machine()}
         if resumed_from is not None:
             self.facts[RESUMED_FROM] = dict(resumed_from)
-        if code := user_classes.recorded(vars(config)):
-            self.facts[user_classes.RECORDED] = code
-        names = {option: user_classes.recorded_name(getattr(config, option)) for option in user_classes.OPTIONS}
-        document = {"training": asdict(config) | names, "task": task, **self.facts}
+        document = {"training": asdict(config), "task": task, **self.facts}
         # Terms that only the resumed run had keep their columns.
         columns = [*PROGRESS_COLUMNS, *(f"{TERM_COLUMN}{name}" for name in terms), *(curve[0] if curve else ())]
         self._columns = tuple(dict.fromkeys(columns))
@@ -127,7 +123,7 @@ def check_latest(parent: Path) -> None:
     link = parent / LATEST
     if os.path.lexists(link) and not link.is_symlink():
         raise QuadrupedError(
-            f"--output: {link} is not a symbolic link, and the name is reserved for the link to the newest run; "
+            f"{link} is not a symbolic link, and the name is reserved for the link to the newest run; "
             f"rename it, or name another place"
         )
 
@@ -148,9 +144,7 @@ def _new_directory(parent: Path, name: str) -> Path:
         except FileExistsError:
             continue
         except OSError as error:
-            raise QuadrupedError(
-                f"--output: cannot create {directory} ({error.strerror}); name another place"
-            ) from error
+            raise QuadrupedError(f"cannot create {directory} ({error.strerror}); name another place") from error
         return directory
     raise QuadrupedError(f"{parent / name}: exists a thousand times; clear {parent}")
 

@@ -4,32 +4,26 @@ PPO: Schulman et al. 2017, https://arxiv.org/abs/1707.06347; the massively paral
 https://arxiv.org/abs/2109.11978.
 """
 
-import contextlib
 import importlib
-import inspect
 import os
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any, Final
 
 # Torch's idle threads would spin on the cores that the physics needs. Read once, when torch is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.policies import Policy
 from quadruped_env.policies.sb3 import MODULES
-from quadruped_env.training.algorithms import algorithm
+from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RESUME_FILE
 from quadruped_env.training.train_config import TrainConfig
-from quadruped_env.training.user_classes import is_user_class, load_class
 
 try:
     import numpy as np
     import torch
     from stable_baselines3.common.noise import NormalActionNoise
-    from stable_baselines3.common.policies import BasePolicy
     from stable_baselines3.common.save_util import load_from_zip_file
 
     from quadruped_env.training.actor_critic import ActorCritic, mirrors
@@ -39,25 +33,8 @@ except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
 _ACTIVATIONS = {name: getattr(torch.nn, module) for module, name in MODULES.items()}
-_DIRECT: Final = frozenset(
-    {
-        "n_steps",
-        "batch_size",
-        "n_epochs",
-        "gamma",
-        "gae_lambda",
-        "clip_range",
-        "ent_coef",
-        "max_grad_norm",
-        "buffer_size",
-        "learning_starts",
-        "gradient_steps",
-        "tau",
-    }
-)
-"""Fields of `TrainConfig` that are arguments of the algorithms' classes."""
-_OF_OUR_POLICIES: Final = frozenset({"actor_width", "mirror", "critic_mirror"})
-"""Arguments of `ActorCritic` and `SquashedPolicy` that Stable-Baselines3's policies do not have."""
+_OTHERWISE: Final = frozenset({"learning_rate", "log_std_init", "final_log_std", "symmetric", "action_noise"})
+"""Settings that are not arguments of an algorithm's class as they are."""
 
 
 def go_on_from(model: Any, parent: Parent) -> None:
@@ -69,7 +46,9 @@ def go_on_from(model: Any, parent: Parent) -> None:
         QuadrupedError: if its file cannot be read.
     """
     path = parent.directory / RESUME_FILE
-    with _resuming(path):
+    # The zip reader, torch and SB3 each fail in their own way on a damaged file. Their texts are left out: torch
+    # advises to unpickle the file.
+    try:
         with zipfile.ZipFile(path) as archive:
             # Few bytes could stand for more than any memory holds.
             if any(entry.compress_type != zipfile.ZIP_STORED for entry in archive.infolist()):
@@ -80,6 +59,11 @@ def go_on_from(model: Any, parent: Parent) -> None:
         # Such as the weight of the entropy, which the line above leaves out.
         for name, value in (variables or {}).items():
             getattr(model, name).data.copy_(value.data)
+    except Exception as error:
+        reason = str(error) if isinstance(error, _UnusableError) else type(error).__name__
+        raise QuadrupedError(
+            f"{path}: cannot be resumed ({reason}); resume another checkpoint or run, or start a new training"
+        ) from None
     model.num_timesteps = parent.timesteps
     model.learning_rate.go_on(parent.timesteps, parent.budget_left)
 
@@ -88,24 +72,8 @@ class _UnusableError(Exception):
     """A defect of a file that is found here, in words."""
 
 
-@contextlib.contextmanager
-def _resuming(path: Path) -> Iterator[None]:
-    """While a run's network and optimizer are loaded: errors of any kind become this package's.
-
-    The zip reader, torch and SB3 each fail in their own way on a damaged file. Their texts are left out: torch
-    advises to unpickle the file.
-    """
-    try:
-        yield
-    except Exception as error:
-        reason = str(error) if isinstance(error, _UnusableError) else type(error).__name__
-        raise QuadrupedError(
-            f"{path}: cannot be resumed ({reason}); resume another checkpoint or run, or start a new training"
-        ) from None
-
-
 def _check_finite(value: Any, place: str = "") -> None:
-    """Check that all numbers in nested dictionaries and lists of tensors are finite; for `_resuming`."""
+    """Check that all numbers in nested dictionaries and lists of tensors are finite."""
     if isinstance(value, (Mapping, list, tuple)):
         for name, entry in value.items() if isinstance(value, Mapping) else enumerate(value):
             _check_finite(entry, f"{place}.{name}".lstrip("."))
@@ -114,21 +82,16 @@ def _check_finite(value: Any, place: str = "") -> None:
 
 
 def algorithm_class(name: str) -> Any:
-    """Class of an algorithm, or that of a user's file, which is executed.
+    """Class of an algorithm of `ALGORITHMS`.
 
     Raises:
         MissingExtraError: if it is in sb3-contrib, which is not installed.
     """
-    if is_user_class(name):
-        return load_class("algo", name)[1]
-    return _member(name, algorithm(name).module, algorithm(name).class_name)
-
-
-def _member(name: str, module: str, member: str) -> Any:
+    entry = ALGORITHMS[name]
     try:
-        return getattr(importlib.import_module(module), member)
+        return getattr(importlib.import_module(entry.module), entry.class_name)
     except ImportError as error:
-        raise MissingExtraError(f"--algo {name}", "contrib") from error
+        raise MissingExtraError(f"the algorithm {name}", "contrib") from error
 
 
 def make_model(config: TrainConfig, env: Any) -> Any:
@@ -137,8 +100,6 @@ def make_model(config: TrainConfig, env: Any) -> Any:
     Args:
         config: settings of the training.
         env: its Stable-Baselines3 env.
-        kind: makes the model. None: the class of the algorithm.
-        changes: arguments of the class that replace those that `config` gives.
 
     Raises:
         MissingExtraError: if the algorithm is in sb3-contrib, which is not installed.
@@ -147,10 +108,10 @@ def make_model(config: TrainConfig, env: Any) -> Any:
     # The bits of the first weights and of every update depend on the number of threads, and the default is that of the
     # machine's cores. Two are no faster, in batches up to 1024 samples a third slower.
     torch.set_num_threads(1)
-    entry = algorithm(config.algo)
+    entry, kind = ALGORITHMS[config.algo], algorithm_class(config.algo)
     layout = env.task.control.layout
     hidden = list(config.hidden)
-    arguments = {name: getattr(config, name) for name in sorted(entry.settings & _DIRECT)}
+    arguments = {name: getattr(config, name) for name in sorted(entry.settings - _OTHERWISE)}
     own: dict[str, Any] = {
         "actor_width": layout.history * layout.width,
         "activation_fn": _ACTIVATIONS[config.activation],
@@ -164,7 +125,6 @@ def make_model(config: TrainConfig, env: Any) -> Any:
         if config.symmetric:
             own["critic_mirror"] = critic_mirror
     else:
-        _member(config.algo, entry.policies, entry.policy)
         policy = squashed_policy(importlib.import_module(entry.policies), entry.policy)
         own["net_arch"] = {"pi": hidden, "qf": hidden}
         # SB3's own `n_steps` of these algorithms is another setting.
@@ -172,37 +132,5 @@ def make_model(config: TrainConfig, env: Any) -> Any:
         if "action_noise" in entry.settings:
             joints = env.action_space.shape[0]
             arguments["action_noise"] = NormalActionNoise(np.zeros(joints), np.full(joints, config.action_noise))
-    if config.policy:
-        policy, own = _own_policy(config, own)
     arguments |= {"seed": config.seed, "device": "cpu", "verbose": 0, "policy_kwargs": own}
-    arguments["learning_rate"] = Schedule(config)
-    kind = algorithm_class(config.algo)
-    if is_user_class(config.algo):
-        arguments = accepted(kind, arguments)
-    model = kind(policy, env, **arguments)
-    if config.policy or is_user_class(config.algo):
-        Policy.from_sb3(model)  # which says why a policy could not be saved, before the training
-    return model
-
-
-def _own_policy(config: TrainConfig, arguments: dict[str, Any]) -> tuple[type[Any], dict[str, Any]]:
-    """A user's policy class, and those of the arguments that it takes."""
-    _, kind = load_class("policy", config.policy)
-    if not issubclass(kind, BasePolicy):
-        raise QuadrupedError(f"--policy: {kind.__name__} is not derived from a policy class of Stable-Baselines3")
-    if not issubclass(kind, ActorCritic):
-        if config.asymmetric_critic:
-            raise QuadrupedError(
-                f"--asymmetric-critic: the actor of {kind.__name__} would see the privileged readings, too; choose "
-                f"--no-asymmetric-critic, or derive the class from {ActorCritic.__module__}.{ActorCritic.__name__}"
-            )
-        arguments = {name: value for name, value in arguments.items() if name not in _OF_OUR_POLICIES}
-    return kind, accepted(kind, arguments)
-
-
-def accepted(kind: Callable[..., Any], arguments: dict[str, Any]) -> dict[str, Any]:
-    """Those of some keyword arguments that a class takes."""
-    taken = inspect.signature(kind).parameters
-    if any(parameter.kind is parameter.VAR_KEYWORD for parameter in taken.values()):
-        return arguments
-    return {name: value for name, value in arguments.items() if name in taken}
+    return kind(policy, env, **arguments, learning_rate=Schedule(config))

@@ -4,7 +4,6 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, replace
 from pathlib import Path
 
 # First, because it sets a variable that torch reads when it is loaded.
@@ -12,7 +11,6 @@ from quadruped_env.training.sb3_models import go_on_from, make_model
 
 # isort: split
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.task import BUILT_IN, load_task_file
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import Run, check_latest
 from quadruped_env.training.train_config import TrainConfig
@@ -25,7 +23,7 @@ def train(
     config: TrainConfig,
     runs: Path,
     command: str,
-    resume: Path | None = None,
+    parent: Parent | None = None,
     task_file: Path | None = None,
     observer: Observer | None = None,
     threads: int = 0,
@@ -36,7 +34,7 @@ def train(
         config: settings of the training.
         runs: parent of the run directory.
         command: what the user typed, for the record.
-        resume: a run or checkpoint to go on from, whose task and network `config` has: `Parent.resumed` makes one.
+        parent: a run or checkpoint to go on from, of which `config` is the result of `Parent.resumed`.
         task_file: a user's file of terms, which is executed.
         observer: watches the training; the clock stands still meanwhile.
         threads: threads of the physics; 0: one per core.
@@ -45,15 +43,10 @@ def train(
         The run directory, and whether the whole budget was used.
 
     Raises:
-        QuadrupedError: if a setting is not possible, the run to resume is not complete, or a file cannot be
-            written; then what was saved before is kept.
+        QuadrupedError: if a setting is not possible, the parent's network is damaged, or a file cannot be written;
+            then what was saved before is kept.
     """
     check_latest(runs)
-    parent = None
-    if resume is not None:
-        parent = Parent.load(resume, BUILT_IN if task_file is None else load_task_file(task_file))
-        parent.check(asdict(config))
-        config = replace(config, task=parent.with_reward(config.task))
     env = make_sb3_vec_env(
         config.num_envs,
         seed=config.seed,

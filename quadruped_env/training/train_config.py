@@ -5,39 +5,35 @@ import numbers
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, get_args
 
-from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.policies.activations import ACTIVATIONS
-from quadruped_env.training.algorithms import algorithm
-from quadruped_env.training.recipes import recipe
-from quadruped_env.training.user_classes import is_user_class
+from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.utils.seeds import check_training_seeds
 
-OPEN: Final = math.nextafter(0.0, 1.0)
+_OPEN: Final = math.nextafter(0.0, 1.0)
 """Lowest value of a number that must be more than 0."""
 BOUNDS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType(
     {
         "timesteps": (1, 10**12),
-        "seconds": (OPEN, 1e9),
+        "seconds": (_OPEN, 1e9),
         "seed": (0, 2**32 - 1),
         "num_envs": (1, 10**6),
-        "checkpoint_seconds": (OPEN, 1e9),
+        "checkpoint_seconds": (_OPEN, 1e9),
         "n_steps": (1, 10**6),
         # Advantages are normalized over a batch.
         "batch_size": (2, 10**9),
         "n_epochs": (1, 1000),
-        "learning_rate": (OPEN, 1.0),
-        "gamma": (OPEN, 1.0),
+        "learning_rate": (_OPEN, 1.0),
+        "gamma": (_OPEN, 1.0),
         "gae_lambda": (0.0, 1.0),
-        "clip_range": (OPEN, 10.0),
+        "clip_range": (_OPEN, 10.0),
         "ent_coef": (0.0, 1000.0),
-        "max_grad_norm": (OPEN, 1e6),
+        "max_grad_norm": (_OPEN, 1e6),
         "buffer_size": (1, 10**9),
         "learning_starts": (0, 10**9),
         "gradient_steps": (1, 10**6),
-        "tau": (OPEN, 1.0),
+        "tau": (_OPEN, 1.0),
         "action_noise": (0.0, 10.0),
         # As Stable-Baselines3 clips it: exp(2) is 7 times the range of an action.
         "log_std_init": (-20.0, 2.0),
@@ -45,25 +41,30 @@ BOUNDS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType(
     }
 )
 """Lowest and highest value of every number in `TrainConfig`. Beyond them a training overflows, or never ends."""
-MAX_WIDTH: Final = 16_384
+_MAX_WIDTH: Final = 16_384
 """Maximum width of a hidden layer."""
-MAX_LAYERS: Final = 16
+_MAX_LAYERS: Final = 16
+OWN_ALGORITHM: Final = (
+    "one of your own trains in your own script, and Policy.from_sb3 or an agent file brings its policy back "
+    "(docs/training.md#your-own-algorithm)"
+)
+"""The way of an algorithm that is not built in."""
 
 
 @dataclass(frozen=True)
 class TrainConfig:
-    """Settings of a training, the options of `mini-quadruped train`; an algorithm's have Stable-Baselines3's names.
+    """Settings of a training; an algorithm's have Stable-Baselines3's names.
 
-    The defaults are those of PPO; `algorithms.ALGORITHMS` has those of the others.
+    The defaults are those of PPO with the recipe `flat`: `settings.train_config` has those of the others.
+
+    Raises:
+        QuadrupedError: if a value is not valid; the message begins with the field's name.
     """
 
     recipe: Literal["flat", "rough"] = "flat"
     """Named settings of the training and its task, which other options change"""
-    algo: str = "ppo"
-    """Algorithm: ppo, a2c, sac, td3 or ddpg of Stable-Baselines3; trpo, tqc or crossq of sb3-contrib; or FILE.py:CLASS
-    of your own, derived from one of them (docs/training.md#your-own-algorithm)"""
-    policy: str = ""
-    """Policy class FILE.py:CLASS of your own, derived from one of Stable-Baselines3's, in place of the symmetric one"""
+    algo: Literal["ppo", "a2c", "trpo", "sac", "td3", "ddpg", "tqc", "crossq"] = "ppo"
+    """Algorithm: ppo, a2c, sac, td3 or ddpg of Stable-Baselines3; trpo, tqc or crossq of sb3-contrib"""
     action_mode: Literal["position", "residual"] = "residual"
     """`position`: learn from scratch; `residual`: learn on top of the scripted gait"""
     timesteps: int = 1_500_000
@@ -126,55 +127,47 @@ class TrainConfig:
 
     def __post_init__(self) -> None:
         check_fields(vars(self))
-        if self.action_mode not in ACTION_MODES:
+        algorithm = ALGORITHMS[self.algo]
+        if self.symmetric and algorithm.on_policy and any(width % 2 for width in self.hidden):
             raise QuadrupedError(
-                f"--action-mode: {self.action_mode!r} is unknown; valid modes are {', '.join(ACTION_MODES)}"
+                f"hidden: expected even widths, since a symmetric network has pairs of units; found "
+                f"{short(self.hidden)}; change them, or set symmetric to false"
             )
-        recipe(self.recipe)
-        # A user's file is not executed because a config names it.
-        entry = None if is_user_class(self.algo) else algorithm(self.algo)
-        if self.policy and not is_user_class(self.policy):
-            raise QuadrupedError(f"--policy: expected FILE.py:CLASS; found {short(self.policy)}")
-        on_policy = entry is not None and entry.on_policy
-        if self.symmetric and on_policy and not self.policy and any(width % 2 for width in self.hidden):
-            raise QuadrupedError(
-                f"--hidden: expected even widths, or --no-symmetric: a symmetric network has pairs of units; found "
-                f"{short(self.hidden)}"
-            )
-        check_training_seeds("--seed", self.seed, self.num_envs)
+        check_training_seeds("seed", self.seed, self.num_envs)
         if "/" in self.name or self.name in {"", ".", ".."} or not self.name.isprintable():
-            raise QuadrupedError(f"--name: {short(self.name)} cannot be part of a directory's name")
-        minibatches = entry is not None and entry.on_policy and "batch_size" in entry.settings
-        if minibatches and self.num_envs * self.n_steps < self.batch_size:
+            raise QuadrupedError(f"name: {short(self.name)} cannot be part of a directory's name")
+        samples = self.num_envs * self.n_steps
+        if algorithm.on_policy and "batch_size" in algorithm.settings and samples < self.batch_size:
             raise QuadrupedError(
-                f"--batch-size: {self.batch_size} is more than the {self.num_envs * self.n_steps} samples of an update "
-                f"(num_envs * n_steps); lower it or use more envs"
+                f"batch_size: {self.batch_size} is more than the {samples} samples of an update (num_envs * n_steps); "
+                f"lower it or use more envs"
             )
 
 
 def field_rule(name: str, value: Any) -> str | None:
     """Description of the valid values of a field of `TrainConfig` if a value, perhaps from a file, is not one."""
-    default = getattr(TrainConfig, name, None)
+    entry = TrainConfig.__dataclass_fields__[name]
     if name == "hidden":
-        valid = isinstance(value, (list, tuple)) and len(value) <= MAX_LAYERS
-        if valid and all(type(width) is int and 1 <= width <= MAX_WIDTH for width in value):
+        valid = isinstance(value, (list, tuple)) and len(value) <= _MAX_LAYERS
+        if valid and all(type(width) is int and 1 <= width <= _MAX_WIDTH for width in value):
             return None
-        return f"up to {MAX_LAYERS} whole numbers, widths of 1 or more, and at most {MAX_WIDTH}"
-    if name == "task":
-        return None if isinstance(value, dict) else "a table of fields"
-    if name == "activation":
-        return None if isinstance(value, str) and value in ACTIVATIONS else f"one of {', '.join(ACTIVATIONS)}"
-    if name not in BOUNDS:
-        kind, rule = (bool, "true or false") if isinstance(default, bool) else (str, "a text")
-        return None if isinstance(value, kind) else rule
+        return f"up to {_MAX_LAYERS} whole numbers, widths of 1 or more, and at most {_MAX_WIDTH}"
+    if name in BOUNDS:
+        return _number_rule(value, entry.default, *BOUNDS[name])
+    if choices := get_args(entry.type) if isinstance(entry.default, str) else ():
+        return None if isinstance(value, str) and value in choices else f"one of {', '.join(choices)}"
+    kind, rule = {"task": (dict, "a table of fields"), "name": (str, "a text")}.get(name, (bool, "true or false"))
+    return None if isinstance(value, kind) else rule
+
+
+def _number_rule(value: Any, default: Any, low: float, high: float) -> str | None:
     if value is None and default is None:
         return None
     number = numbers.Integral if isinstance(default, int) else numbers.Real
-    low, high = BOUNDS[name]
     if isinstance(value, number) and not isinstance(value, bool) and bool(low <= value <= high):  # type: ignore[operator]
         return None
     kind_of_number = "a whole number, " if isinstance(default, int) and not isinstance(value, numbers.Integral) else ""
-    from_low = "more than 0" if low == OPEN else f"{low:g} or more"
+    from_low = "more than 0" if low == _OPEN else f"{low:g} or more"
     return f"{kind_of_number}{from_low}, and at most {high:.10g}{' (or null)' if default is None else ''}"
 
 
@@ -182,12 +175,12 @@ def check_fields(values: Mapping[str, Any]) -> None:
     """Check the type and the bounds of some fields of `TrainConfig`.
 
     Raises:
-        QuadrupedError: naming the option, the bounds and the value; if there is no such field.
+        QuadrupedError: naming the field, the bounds and the value; if there is no such field.
     """
     for name, value in values.items():
-        option = f"--{name.replace('_', '-')}"
         if name not in TrainConfig.__dataclass_fields__:
-            raise QuadrupedError(f"{short(option)}: unknown setting of a training; leave it out")
+            raise QuadrupedError(f"{short(name)}: unknown setting of a training; leave it out")
         rule = field_rule(name, value)
         if rule is not None:
-            raise QuadrupedError(f"{option}: expected {rule}; found {short(value)}")
+            hint = f"; {OWN_ALGORITHM}" if name == "algo" else ""
+            raise QuadrupedError(f"{name}: expected {rule}; found {short(value)}{hint}")

@@ -29,7 +29,6 @@ from quadruped_env.task import TaskConfig
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.schedules import Scheduled
 from quadruped_env.training.train_config import TrainConfig
-from quadruped_env.training.user_classes import recorded_name
 from quadruped_env.utils.files import unwritable, whole, write_whole
 
 try:
@@ -232,7 +231,7 @@ class Recorder(Scheduled):
         card = {
             **self._run.facts,
             "recipe": self._config.recipe,
-            "algo": recorded_name(self._config.algo),
+            "algo": self._config.algo,
             "seed": self._config.seed,
             "timesteps": int(self.model.num_timesteps),
             "seconds": round(self.seconds, 1),

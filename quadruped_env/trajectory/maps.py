@@ -28,7 +28,7 @@ If all columns are given by number, the file is expected to have no header line;
 A value is missing if it equals a number of `missing` once it is read as float64 (2146000000.0 equals 2.146e9), or a
 text of it once the spaces around it are removed. It counts as not recorded and becomes NaN. An effort may be NaN; a row
 with such a position or velocity is an error unless it is left out (`drop`) or the velocities are not read (`ignore`).
-Timestamps are never missing. The account says how many values were missing. Timestamps are decimals of any length, or
+Timestamps are never missing. The notes say how many values were missing. Timestamps are decimals of any length, or
 dates and times of ISO 8601 to the ns (UTC unless they name a zone), and are read exactly.
 
     [joints.LF_hip_joint]     # one table per joint of this robot

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.rows import Rows
-from quadruped_env.trajectory.steps import MAX_AWAY, MAX_SPEED, Steps, clock_jumps, frozen, within_reach
+from quadruped_env.trajectory.steps import MAX_AWAY, MAX_SPEED, Steps, clock_jumps, frozen
 
 TURN: Final = 2.0 * np.pi
 
@@ -28,8 +28,6 @@ _PERIODS: Final = (5e-5, 1.0)
 """Shortest and longest time between rows of a robot's log, s."""
 _MIN_MOTION: Final = 0.02
 """Root mean square motion within 0.1 s from which on a joint counts as moving, rad."""
-_MAX_DELAY: Final = 0.1
-"""Largest delay of velocities that is looked for, s."""
 _MAX_TORQUE: Final = 500.0
 """N m; no leg that fits this package has more."""
 _FACTORS: Final = {
@@ -59,8 +57,6 @@ class Finding:
     """Description with place, magnitude and repair"""
     joints: tuple[str, ...]
     """Joints concerned; all of them if the timestamps are"""
-    spoils: bool = True
-    """True if a fit to the recording would be wrong"""
 
 
 @dataclass
@@ -77,7 +73,7 @@ class _Events:
 
 
 def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN,)) -> tuple[Finding, ...]:
-    """The findings in rows whose timestamps increase, those that spoil a fit first.
+    """The findings in rows whose timestamps increase.
 
     Args:
         rows: of a recording.
@@ -87,7 +83,7 @@ def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN
     if len(rows) < _MIN_ROWS:
         return ()
     with np.errstate(all="ignore"):
-        return tuple(sorted(_Check(rows, row_name, periods).findings(), key=lambda one: not one.spoils))
+        return tuple(_Check(rows, row_name, periods).findings())
 
 
 class _Check:
@@ -148,10 +144,6 @@ class _Check:
         short = duration < 0.2 * np.sort(duration)[: len(duration) * 99 // 100].mean()
         for name, mask in (("short", short), ("long", ~short)):
             self._sums[name] += np.array([mask.sum(), motion[mask].sum()])
-        repeats = np.logical_and.reduce([(np.diff(array, axis=0) == 0.0).all(axis=1) for array in rows.values.values()])
-        moving = within_reach(size.max(axis=1) > 0.01, 10)
-        self._sums["moving"] += moving[inside].sum()
-        self._sums["repeated"] += (moving & repeats)[inside].sum()
 
     def _add_sums(self, rows: Rows, steps: Steps, begin: int, end: int) -> None:
         """Sums over windows of 0.1 s: motion, integrated velocity, and their products; range of the efforts."""
@@ -180,16 +172,13 @@ class _Check:
             speed = np.where(whole, windows(integral), 0.0)
             sums["speed"] += (speed**2).sum(axis=0)
             sums["product"] += motion.T @ speed
-            for shift in range(1, min(_MARGIN, int(_MAX_DELAY / max(self._period, 1e-3))) + 1):
-                late = np.where(whole, motion * windows(np.roll(integral, -shift, axis=0)), 0.0)
-                sums[f"late {shift}"] += late.sum(axis=0)
         if "effort" in rows.values:
             effort = rows.values["effort"][begin : end - 1]
             sums["least"] = np.fmin(sums.get("least", np.inf), np.nan_to_num(effort, nan=np.inf).min(axis=0))
             sums["most"] = np.fmax(sums.get("most", -np.inf), np.nan_to_num(effort, nan=-np.inf).max(axis=0))
 
     def findings(self) -> Iterator[Finding]:
-        """The findings, in no order."""
+        """The findings, by kind."""
         velocities = list(self._of_velocities())
         for name in (name for finding in velocities for name in finding.joints):
             self._places["speed"].counts.pop(self._names.index(name), None)
@@ -224,14 +213,6 @@ class _Check:
                 f"of the mean time, as if they were taken when messages arrived in batches; use the header's, or "
                 f"{_PERIOD}",
             )
-        repeated, moving = self._sums["repeated"], self._sums["moving"]
-        if repeated >= 10 and repeated > 0.1 * moving:
-            text = (
-                f"{repeated:.0f} of the {moving:.0f} {row}s in motion repeat the one before in every number: the "
-                f"joints have new values at about {(1.0 - repeated / moving) / self._period:.3g} Hz only; "
-                f"differentiate over a longer time (convert --differentiate 0.1)"
-            )
-            yield Finding("timestamps", text, self._names, spoils=False)
 
     def _of_places(self) -> Iterator[Finding]:
         jump = self._places["jump"]
@@ -243,7 +224,7 @@ class _Check:
             f"them (--unwrap{option})",
             "spike": f"positions jump away and back within {MAX_AWAY} {self._row_name}s, which no joint can do: by "
             "{size:.3g} rad in {step:.3g} s in {joints}, {at}; leave such rows out (--repair despike)",
-            "jump": "positions jump faster than a joint can turn, or than its velocity (joint targets may): by "
+            "jump": "positions jump faster than a joint can turn (joint targets may): by "
             f"{{size:.3g}} rad in {{step:.3g}} s, {{speed:.0f}} rad/s, in {{joints}}, {{at}}; {wrap}{_CUT}, or mark "
             "the value as missing in a map (missing, with --repair drop)",
             "impossible": "positions jump in {share:.0f} % of the steps of {joints}, as no joint can (joint targets "
@@ -273,8 +254,6 @@ class _Check:
         motion, speed = self._rms("motion"), self._rms("speed")
         correlation = sums["product"] / np.sqrt(np.outer(sums["motion"], sums["speed"]))
         own = np.diag(correlation)
-        shifted = [sums[name] for name in sums if name.startswith("late")]
-        late = np.array([own, *(total / np.sqrt(sums["motion"] * sums["speed"]) for total in shifted)])
         groups: dict[str, list[int]] = {}
         factors: dict[str, list[float]] = {}
         swapped = ""
@@ -283,7 +262,6 @@ class _Check:
         for i in np.flatnonzero(known):
             factor = speed[i] / motion[i]
             sampled = sums["smooth"][i] > 0.5 * sums["steps"][i]
-            delay = int(np.nan_to_num(late[:, i]).argmax())
             others = np.where(np.arange(len(own)) == i, -1.0, np.nan_to_num(correlation[i], nan=-1.0))
             best = int(others.argmax())
             if speed[i] == 0.0:
@@ -294,8 +272,6 @@ class _Check:
                 factors.setdefault(problem, []).append(float(factor))
             elif own[i] < -0.8:
                 problem = "have the opposite sign of the rate at which the positions change"
-            elif own[i] < 0.8 and late[delay, i] > max(0.95, others[best]):
-                problem = f"come {delay * self._period:.3g} s after the positions, as if filtered"
             elif own[i] < 0.8 and others[best] > 0.95:
                 swapped = swapped or f"{self._names[best]} for {self._names[i]}"
                 problem = f"do not fit their positions, and those of other joints do ({swapped}): swapped or copied"

@@ -77,10 +77,7 @@ class Steps:
         self.impossible = too_fast & (too_fast.mean(axis=0) > _MAX_SHARE)
         """Steps that no joint makes, of joints that make many of them (n - 1, J)"""
         velocity = rows.values.get("velocity", np.zeros_like(position))
-        self.jumps = stands_out & (size > bound) & ~beside
-        if "velocity" in rows.values:
-            self.jumps |= self._unexpected(velocity) & ~beside & (self.wrapped == 0.0)
-        self.jumps &= ~self.impossible
+        self.jumps = stands_out & (size > bound) & ~beside & ~self.impossible
         self.bad = self.jumps | self.impossible | beside
         """Steps that say nothing about the motion (n - 1, J)"""
         speed = np.abs(velocity)[:-1]
@@ -105,14 +102,6 @@ class Steps:
             for k in range(1, count + 1):
                 spikes[k : k + len(found)] |= found
         return spikes
-
-    def _unexpected(self, velocity: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Mask (n - 1, J) of steps that are large, and far larger than the velocity (n, J) says."""
-        size, expected = np.abs(self.change), (velocity[1:] + velocity[:-1]) / 2.0 * self.duration[:, None]
-        rest = np.abs(self.change - expected)
-        bound = np.maximum(_MIN_STEP, _MAX_SPEED / 2.0 * self.time[:, None])
-        stands_out = (rest > _PROMINENCE * _around(rest)[0]) & (size > 2.0 * np.abs(expected))
-        return np.logical_and(np.minimum(size, rest) > bound, stands_out, dtype=np.bool_)
 
 
 def beyond(change: NDArray[np.float64], time: NDArray[np.float64], max_speed: float = MAX_SPEED) -> NDArray[np.bool_]:
@@ -174,10 +163,3 @@ def clock_jumps(steps: Steps) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
         off = np.abs(steps.change[i] - ahead)
         found[i] = moving.sum() >= 2 and bool((off[moving] < 0.5 * near.mean(axis=0)[moving]).all())
     return found, np.broadcast_to(steps.duration[:, None], found.shape)
-
-
-def within_reach(mask: NDArray[np.bool_], rows: int) -> NDArray[np.bool_]:
-    """True where the mask is true within some rows before and within some rows after."""
-    before = np.convolve(mask, np.ones(rows + 1))[: len(mask)] > 0.0
-    after = np.convolve(mask[::-1], np.ones(rows + 1))[: len(mask)][::-1] > 0.0
-    return before & after

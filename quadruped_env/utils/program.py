@@ -70,6 +70,12 @@ class ArgumentParser(argparse.ArgumentParser):
             self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
         return found, unknown
 
+    def in_options(self, message: str) -> str:
+        """A message with the option in place of the field's name with which it begins, if it begins with one."""
+        name = message.partition(":")[0]
+        option = f"--{name.replace('_', '-')}"
+        return f"{option}{message.removeprefix(name)}" if option in self._option_string_actions else message
+
     def _get_value(self, action: argparse.Action, arg_string: str) -> Any:
         """See `argparse`; the case of a choice does not count."""
         value = super()._get_value(action, arg_string)

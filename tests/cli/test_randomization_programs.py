@@ -13,7 +13,7 @@ from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import PRESETS, RandomizationConfig, TaskConfig, preset_values
 from quadruped_env.training import train as training
-from quadruped_env.training.recipes import task_values
+from quadruped_env.training.recipes import with_recipe
 
 
 @pytest.mark.parametrize("program", ["train", "evaluate", "compare", "view"])
@@ -52,7 +52,7 @@ def run(*arguments):
 
 def test_training_gets_the_plain_values_of_a_preset(asked, tmp_path):
     run("--randomization", "hard", "-o", str(tmp_path))
-    recipe = task_values("flat", MINI_QUADRUPED)
+    recipe = with_recipe({}, MINI_QUADRUPED).task
     assert asked[0].task == {**recipe, "randomization": preset_values("hard")}
     assert TaskConfig.from_dict(asked[0].task).randomization == RandomizationConfig(preset="hard")
 

@@ -163,11 +163,3 @@ def test_gymnasiums_vector_wrapper_over_the_native_env_equals_it_over_sync_vecto
         assert_same(without_times(result), without_times(expected))
         ended += int((result[2] | result[3]).sum())
     assert ended > 3
-
-
-def test_generators_and_seeds_are_those_of_sync_vector_env():
-    native, sync = make_native(3, config=ROUGH), make_sync(3, config=ROUGH)
-    for env in (native, sync):
-        env.reset(seed=[4, 9, 2])
-    assert native.np_random_seed == sync.np_random_seed == (4, 9, 2)
-    assert_same([rng.random() for rng in native.np_random], [rng.random() for rng in sync.np_random])

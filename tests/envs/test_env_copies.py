@@ -85,23 +85,6 @@ def test_a_restored_single_environment_continues_identically():
         assert_same(play(other, 150, seed=9), expected)
 
 
-def test_a_restored_vector_environment_continues_identically():
-    kwargs = {"action_mode": "residual", "config": ROUGH, "max_episode_steps": EPISODE_STEPS}
-    env, fresh = make_native(**kwargs), make_native(**kwargs)
-    episodes(env, 50)
-    state = env.get_state()
-
-    def continue_(e):
-        rng = np.random.default_rng(1)
-        return [e.step(rng.uniform(-1, 1, e.action_space.shape).astype(np.float32)) for _ in range(100)]
-
-    expected = continue_(env)
-    assert any("final_info" in info for *_, info in expected)
-    for other in (env, fresh):
-        other.set_state(state)
-        assert_same(continue_(other), expected)
-
-
 @pytest.mark.parametrize(
     ("duplicate", "mode"),
     [(copy.deepcopy, AutoresetMode.DISABLED), (through_pickle, AutoresetMode.NEXT_STEP)],

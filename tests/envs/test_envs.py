@@ -132,15 +132,6 @@ def test_seed_determines_everything_including_the_commands():
     assert (commands != np.array([info["command"] for *_, info in trace(4)])).any(axis=(1, 2)).all()
 
 
-def test_env_i_gets_the_seed_plus_i():
-    env = make_native(4, config=ROUGH)
-    numbered, _ = env.reset(seed=10)
-    listed, _ = env.reset(seed=[10, 11, 12, 13])
-    assert_same(listed, numbered)
-    single = make(config=ROUGH)
-    assert_same(single.reset(seed=12)[0], numbered[2])
-
-
 @pytest.mark.parametrize("maker", [make, make_native])
 def test_the_default_seed_is_not_a_fixed_one(maker):
     assert (maker().reset()[0] != maker().reset()[0]).any()

@@ -39,14 +39,3 @@ def ray_heights(model, points):
     geom = np.zeros((1, 1), dtype=np.int32)
     down = [0.0, 0.0, -1.0]
     return [3.0 - mujoco.mj_ray(model, data, [*point, 3.0], down, _GROUND_ONLY, 1, -1, geom, None) for point in points]
-
-
-def ray_normals(model, points):
-    """Unit normal of the ground (N, 3) at points (N, 2), from rays."""
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    normals = np.zeros((len(points), 3, 1))
-    geom, down = np.zeros((1, 1), dtype=np.int32), [0.0, 0.0, -1.0]
-    for point, normal in zip(points, normals, strict=True):
-        mujoco.mj_ray(model, data, [*point, 3.0], down, _GROUND_ONLY, 1, -1, geom, normal)
-    return normals[..., 0]

@@ -9,8 +9,7 @@ from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_driver import TrialBook
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
 from quadruped_env.scale.sweep.sweep_results import collect, table, write
-from quadruped_env.training import TrainConfig
-from quadruped_env.training.default_settings import with_recipe
+from quadruped_env.training.recipes import with_recipe
 
 SCORE = {"total": 0.5, "components": dict.fromkeys(COMPONENTS, 0.5)}
 SUITE_RESULTS = {
@@ -26,7 +25,7 @@ SUITE_RESULTS = {
 
 def make(fields):
     """Settings of a training, as the program makes them."""
-    return TrainConfig(**with_recipe(dict(fields), MINI_QUADRUPED, ()))
+    return with_recipe(fields, MINI_QUADRUPED)
 
 
 def write_sweep(parent):

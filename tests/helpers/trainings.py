@@ -29,11 +29,11 @@ def command(runs, *arguments):
     return [sys.executable, str(SCRIPT), "-o", str(runs), *map(str, arguments)]
 
 
-def learn(runs, config, resume=None):
+def learn(runs, config, parent=None):
     """Train in this process; the run directory."""
     from quadruped_env.training.train import train
 
-    return train(config, runs, "train", resume)[0]
+    return train(config, runs, "train", parent)[0]
 
 
 def completed(command, status=0):

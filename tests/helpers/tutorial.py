@@ -15,7 +15,6 @@ JOINTS = (
 LIMITS = {"hip": (-1.5, 1.5), "knee": (-2.0, 0.0)}
 EFFORT, VELOCITY = 10.0, 5.0
 GRAY, BLUE, BLACK = (0.5, 0.5, 0.5, 1.0), (0.2, 0.3, 0.8, 1.0), (0.1, 0.1, 0.1, 1.0)
-YELLOW = (0.94, 0.89, 0.26, 1.0)
 LINKS = ("base_link", "LF_hip", "LF_leg", "RF_hip", "RF_leg", "LH_hip", "LH_leg", "RH_hip", "RH_leg")
 SHAPES = {
     "base_link": ("box", (0.30, 0.15, 0.08), GRAY, (0.0, 0.0, 0.0)),
@@ -23,17 +22,6 @@ SHAPES = {
     "leg": ("cylinder", (0.02, 0.16), BLACK, (0.0, 0.0, -0.08)),
 }
 """Shape, size, colour and centre of each link in the tutorial; its inertia is that of this shape."""
-VISUALS = {
-    "base_link": (SHAPES["base_link"], ("box", (0.031, 0.152, 0.082), YELLOW, (0.1355, 0.0, 0.0))),
-    "hip": (SHAPES["hip"],),
-    # Rounded, as the foot is in physics.
-    "leg": (
-        ("cylinder", (0.02, 0.14), BLACK, (0.0, 0.0, -0.07)),
-        ("sphere", (0.02,), BLACK, (0.0, 0.0, -0.14)),
-        ("sphere", (0.02,), BLACK, (0.0, 0.0, 0.0)),
-    ),
-}
-"""Drawn shapes of each link: those of the tutorial, with a mark at the front and round feet."""
 MASSES = {"base_link": 2.2, "hip": 0.25, "leg": 0.20}
 
 

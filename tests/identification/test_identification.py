@@ -1,6 +1,5 @@
 """Identification of motors: simulated recordings with known motors must give these motors."""
 
-import argparse
 import html
 import json
 from pathlib import Path
@@ -11,10 +10,9 @@ import pytest
 from paths import DYNA1
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
-from quadruped_env.cli.identify import add_arguments
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.recorded_episode import play, publish
-from quadruped_env.identification import BASES, FITTED, QUANTITIES, identify
+from quadruped_env.identification import BASES, FITTED, QUANTITIES, identify, rough_least_squares
 from quadruped_env.identification.dataset import align, held
 from quadruped_env.identification.fit import MotorFit, joint_spec
 from quadruped_env.identification.fitted_parameters import (
@@ -95,6 +93,13 @@ def without(trajectory, *kinds):
         None if "velocities" in kinds else trajectory.velocities,
         None if "efforts" in kinds else trajectory.efforts,
     )
+
+
+@pytest.fixture
+def few_rounds(monkeypatch):
+    """A short search, where it does not matter how good the fit is."""
+    monkeypatch.setattr(rough_least_squares, "_ROUNDS", 2)
+    monkeypatch.setattr(rough_least_squares, "_DRAWS", 1)
 
 
 @pytest.fixture(scope="module")
@@ -248,14 +253,10 @@ class TestRefusals:
 
 
 class TestCoordinates:
-    def test_conversion_there_and_back_gives_the_same_values(self):
+    def test_conversion_there_and_back_and_its_derivatives(self):
         values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
-        again = from_coordinates(to_coordinates(values))
-        assert again == pytest.approx(values)
+        assert from_coordinates(to_coordinates(values)) == pytest.approx(values)
         assert with_values(MotorConfig(), values) == TRUTH
-
-    def test_derivatives_are_those_of_the_values(self):
-        values = {name: value_of(TRUTH, name) for name in names_of(QUANTITIES, MINI_QUADRUPED)}
         base = np.array(list(to_coordinates(values).values()))
         found = coordinate_derivatives(values)
         for column, name in enumerate(values):
@@ -308,6 +309,7 @@ class TestIdentify:
         with pytest.raises(QuadrupedError, match=r"motors\.json: exists already"):
             save_numbers(found, tmp_path / "fit", "")
 
+    @pytest.mark.usefixtures("few_rounds")
     def test_parameter_that_the_recording_does_not_determine_stays_and_is_named(self):
         """A motor that never comes to its limit has unknown strength."""
         commands = commanded(3.0, steps=0.0)
@@ -322,6 +324,7 @@ class TestIdentify:
         assert "not determined: stays" in found.text()
         assert found.assumed == ("stall_torque", "no_load_speed", "kd", "damping", "friction_loss", "armature", "delay")
 
+    @pytest.mark.usefixtures("few_rounds")
     def test_subset_is_fitted_under_a_condition_that_every_result_states(self, short, tmp_path):
         """With wrong values of the others the intervals exclude the truth: nothing in the recording tells."""
         commands, recording = short
@@ -338,6 +341,7 @@ class TestIdentify:
         assert json.loads((tmp_path / "identification.json").read_text())["assumed"] == list(found.assumed)
         assert words in html.unescape((tmp_path / "report.html").read_text())
 
+    @pytest.mark.usefixtures("few_rounds")
     def test_joint_that_hardly_follows_its_commands_is_named_and_can_be_left_out(self, short):
         commands, recording = short
         positions, velocities = recording.positions.copy(), recording.velocities.copy()
@@ -353,6 +357,7 @@ class TestIdentify:
         assert np.isnan(part.errors(after=True)["position"][2])
         assert "RF_hip" not in part.text()
 
+    @pytest.mark.usefixtures("few_rounds")
     def test_identify_a_walk_on_the_ground_with_a_fixed_base_warns_and_gives_no_interval(self, walked, tmp_path):
         commands, recording = walked
         start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
@@ -369,15 +374,6 @@ class TestIdentify:
         assert numbers["base_fits"] is False
         assert numbers["mismatch"]["fixed"] > numbers["mismatch"]["free"]
         assert "Do not trust these motors" in (tmp_path / "report.html").read_text()
-
-    @pytest.mark.slow
-    def test_identify_on_the_ground_with_a_free_base_gives_no_interval(self, walked):
-        commands, recording = walked
-        found = identify(recording, commands, base="free", start=TRUTH, fitted=["kp"])
-        assert found.base_fits
-        assert "Do not trust" not in found.verdict()
-        assert all(estimate.half_width is None for estimate in found.estimates)
-        assert "No intervals: contacts" in found.text()
 
     @pytest.mark.parametrize("place", ["fixed", "free"])
     @pytest.mark.parametrize(
@@ -447,6 +443,7 @@ class TestIdentify:
 
 
 class TestProgram:
+    @pytest.mark.usefixtures("few_rounds")
     def test_program_fits_motors_to_files(self, short, tmp_path, monkeypatch, capsys):
         monkeypatch.chdir(tmp_path)
         commands, recording = short
@@ -491,10 +488,3 @@ class TestProgram:
         np.testing.assert_allclose(found[0], [positions, targets])
         assert main([*options, "--commands", "log.csv"]) == 2
         np.testing.assert_allclose(found[1], [positions, targets])
-
-    def test_joints_to_leave_out_may_be_named_one_by_one_or_together(self):
-        parser = argparse.ArgumentParser()
-        add_arguments(parser)
-        options = ["walk.csv", "--without", "LF_hip_joint", "RF_hip_joint", "--without", "LH_knee_joint"]
-        assert parser.parse_args(options).without == ["LF_hip_joint", "RF_hip_joint", "LH_knee_joint"]
-        assert parser.parse_args(["walk.csv"]).without == []

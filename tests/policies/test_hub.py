@@ -61,14 +61,14 @@ class Hub(BaseHTTPRequestHandler):
         parts = self.path.strip("/").split("/")
         owner, name, _, revision, file = parts if len(parts) == 5 else ("", "", "", "", "")
         code, content = "", b""
-        if (owner, name) not in (("me", "walker"), ("me", "empty")):
+        if (owner, name) not in (("me", "walker"), ("me", "empty"), ("me", "damaged")):
             code = "RepoNotFound"
         elif revision not in ("main", "v1", COMMIT):
             code = "RevisionNotFound"
         elif name == "empty" or file not in self.files:
             code = "EntryNotFound"
         else:
-            content = self.files[file]
+            content = self.files[file][: -1 if (name, file) == ("damaged", "policy.safetensors") else None]
         self.send_response(404 if code else 200)
         self.send_header("X-Repo-Commit", COMMIT)
         self.send_header("ETag", f'"{sha256(content).hexdigest()}"')
@@ -166,8 +166,8 @@ def test_policy_of_the_hub_acts_as_the_uploaded_one_also_offline_and_only_two_fi
 
 
 def test_errors_name_the_address_and_the_fix(load):
-    (repository, revision, form, files, name), _ = load(
-        "hf://me/nothing", "hf://me/walker@v2", "hf://walker", "hf://me/empty", "hf://me/a b"
+    (repository, revision, form, files, name, damaged), _ = load(
+        "hf://me/nothing", "hf://me/walker@v2", "hf://walker", "hf://me/empty", "hf://me/a b", "hf://me/damaged"
     )
     assert repository.startswith("hf://me/nothing: there is no such repository, or it is private")
     assert revision == "hf://me/walker@v2: the repository has no revision 'v2'; leave it out"
@@ -178,8 +178,6 @@ def test_errors_name_the_address_and_the_fix(load):
     assert offline.startswith(
         "hf://me/walker: the hub cannot be reached (the client is offline), and its policy is not"
     )
-    Hub.files["policy.safetensors"] = Hub.files["policy.safetensors"][:-1]
-    (damaged,), _ = load("hf://me/walker")
     assert "policy.safetensors: its SHA-256 differs from weights_sha256 in policy.json" in damaged
 
 

@@ -31,10 +31,8 @@ def write_all(folder):
     """Files and folders that are no policies."""
     zipped(folder / "sb3.zip", "data", "policy.pth", "_stable_baselines3_version")
     zipped(folder / "model_100.pt", "model_100/data.pkl", "model_100/data/0")
-    zipped(folder / "pages.zip", "index.html")
     for name, content in {
         "walk.onnx": b"\x08\x07",
-        "weights.safetensors": b"\x08",
         "vecnormalize.pkl": b"\x80\x04.",
         "dog.urdf": b'<?xml version="1.0"?><robot name="dog"/>',
         "walk.mcap": b"\x89MCAP0\r\n",
@@ -42,8 +40,6 @@ def write_all(folder):
         (folder / name).write_bytes(content)
     (folder / "zoo").mkdir()
     zipped(folder / "zoo" / "best_model.zip", "data", "policy.pth")
-    (folder / "rsl").mkdir()
-    zipped(folder / "rsl" / "model_0.pt", "x/data.pkl")
     make_policy().save(folder / "run")
     zipped(folder / "run" / "sb3_model.zip", "data", "policy.pth")
 
@@ -53,11 +49,8 @@ KINDS = [
     ("zoo", r"zoo: this folder holds models of Stable-Baselines3; '.*import-policy \S*best_model.zip'"),
     ("run/sb3_model.zip", r"a file of a policy's folder; name the folder, \S*run$"),
     ("run/policy.json", r"a file of a policy's folder; name the folder, \S*run$"),
-    ("model_100.pt", r"a checkpoint of torch; .* is code \(docs/training.md#a-policy-that-is-code\)"),
-    ("rsl", r"this folder holds checkpoints of torch"),
-    ("pages.zip", r"this is a zip archive; unpack it"),
+    ("model_100.pt", r"a pickle, which is not opened; .* is code \(docs/training.md#a-policy-that-is-code\)"),
     ("walk.onnx", r"this is an ONNX graph; .*import-policy \S*walk.onnx'"),
-    ("weights.safetensors", r"a file of tensors without its policy.json"),
     (
         "vecnormalize.pkl",
         r"a pickle, which is not opened; .*import-policy MODEL.zip --vecnormalize \S*\.pkl'",

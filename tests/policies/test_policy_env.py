@@ -24,7 +24,7 @@ def test_shipped_policy_follows_its_velocity_commands(name):
     policy = load_policy(name)
     assert {"command", "seed", "versions", "git_commit"} <= set(policy.card)
     config = policy.config.on_terrain("flat").randomized("none")
-    env = make_vec(ENV_ID, num_envs=16, action_mode=policy.action_mode, config=config)
+    env = make_vec(ENV_ID, num_envs=4, action_mode=policy.action_mode, config=config)
     for command in ((0.4, 0.0), (-0.2, 0.0), (0.0, 0.0), (0.2, 0.5)):
         observation, _ = env.reset(seed=0, options={"command": command})
         velocities = []

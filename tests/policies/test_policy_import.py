@@ -21,14 +21,10 @@ from quadruped_env.policies import load_policy
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.policy_import import import_policy
 
-OFF_POLICY = {"buffer_size": 500, "learning_starts": 4}
-SHORT = {"n_steps": 8, "batch_size": 16}
 
-
-def trained(kind, env, policy="MlpPolicy", **arguments):
-    model = kind(policy, env, seed=0, device="cpu", **arguments)
-    model.learn(32)
-    return model
+def small(kind, env, **arguments):
+    """A model whose network has one small layer."""
+    return kind("MlpPolicy", env, policy_kwargs={"net_arch": [8]}, device="cpu", **arguments)
 
 
 def seen(env):
@@ -50,7 +46,7 @@ def test_zip_of_any_algorithm_becomes_a_run(name, tmp_path, capsys, monkeypatch)
     monkeypatch.chdir(tmp_path)
     kind = getattr(stable_baselines3, name, None) or getattr(pytest.importorskip("sb3_contrib"), name)
     env = make_sb3_vec_env(2, seed=0, action_mode="residual")
-    model = kind("MlpPolicy", env, device="cpu", **(OFF_POLICY if hasattr(kind, "load_replay_buffer") else {}))
+    model = small(kind, env, **({"buffer_size": 9} if hasattr(kind, "load_replay_buffer") else {}))
     model.save("mine")
     assert main(["import-policy", "mine.zip", "--action-mode", "residual"]) == 0
     printed = capsys.readouterr().out
@@ -66,7 +62,8 @@ def test_zip_of_any_algorithm_becomes_a_run(name, tmp_path, capsys, monkeypatch)
 
 def test_statistics_of_a_vecnormalize_become_a_part_of_the_policy(tmp_path, capsys):
     env = VecNormalize(make_sb3_vec_env(2, seed=0), clip_obs=1e6)
-    model = trained(PPO, env, **SHORT)
+    model = small(PPO, env, n_steps=8, batch_size=16, n_epochs=1)
+    model.learn(16)
     model.save(tmp_path / "mine")
     env.save(tmp_path / "statistics.pkl")
     command = ["import-policy", str(tmp_path / "mine.zip"), "-o", str(tmp_path / "run")]
@@ -84,7 +81,7 @@ def test_statistics_of_a_vecnormalize_become_a_part_of_the_policy(tmp_path, caps
 
 def test_task_of_the_training_is_an_option(tmp_path):
     env = make_sb3_vec_env(1, config={"observation_history": 1})
-    trained(SAC, env, **OFF_POLICY).save(tmp_path / "mine")
+    small(SAC, env, buffer_size=9).save(tmp_path / "mine")
     command = ["import-policy", str(tmp_path / "mine.zip"), "-o", str(tmp_path / "run")]
     assert main(command) == 2
     assert main([*command, "--task", '{"observation_history": 1}']) == 0

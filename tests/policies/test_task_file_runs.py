@@ -68,11 +68,9 @@ VERSION = (
 
 def trained(file, runs, resume=None, **changes):
     values = {**SMALL, "timesteps": 64, **changes}
-    if resume is None:
-        config = TrainConfig(**values)
-    else:
-        config = Parent.load(resume, load_task_file(file)).resumed({"timesteps": 64})
-    return train(config, runs, "train", resume, task_file=file)[0]
+    parent = None if resume is None else Parent.load(resume, load_task_file(file))
+    config = TrainConfig(**values) if parent is None else parent.resumed({"timesteps": 64})
+    return train(config, runs, "train", parent, file)[0]
 
 
 def edited(folder, text, *changes):
@@ -262,7 +260,7 @@ def test_program_resumes_with_the_copy_of_the_run(rewarded, tmp_path, capsys):
     options = ["-o", str(tmp_path), "--resume", str(rewarded), "--trust-task", "--timesteps", "32", "--task", task]
     assert cli.run(parser.parse_args(options), argparse.Namespace(line="train")) == 0
     assert (
-        "note: the reward differs from the run's: reward.weights.hip_usage -1 (the run: -0.5)"
+        "note: the reward differs from the run's: reward.weights.hip_usage -1.0 (the run: -0.5)"
         in capsys.readouterr().out
     )
     run = (tmp_path / "latest").resolve()

@@ -7,7 +7,7 @@ import pytest
 import quadruped_env
 from quadruped_env import QuadrupedError, compare, evaluate, load_policy, page, train
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.training.default_settings import with_recipe
+from quadruped_env.training.recipes import with_recipe
 
 SMALL = {"num_envs": 2, "n_steps": 8, "batch_size": 16, "timesteps": 32}
 
@@ -20,9 +20,9 @@ def test_names_are_functions():
 def test_training_has_the_settings_of_the_recipe_as_on_the_command_line(recipe, tmp_path):
     run = train(tmp_path, recipe=recipe, **SMALL)
     config = json.loads((run / "config.json").read_text(encoding="utf-8"))
-    typed = with_recipe({"recipe": recipe, **SMALL}, MINI_QUADRUPED, ())
-    assert config["training"]["task"] == json.loads(json.dumps(typed["task"]))
-    assert config["training"]["action_mode"] == typed.get("action_mode", "residual")
+    expected = with_recipe({"recipe": recipe, **SMALL}, MINI_QUADRUPED)
+    assert config["training"]["task"] == json.loads(json.dumps(expected.task))
+    assert config["training"]["action_mode"] == expected.action_mode
     assert config["command"].startswith(f"quadruped_env.train(recipe={recipe!r}, num_envs=2")
     assert json.loads(json.dumps(load_policy(run).config.to_dict())) == config["task"]
     with pytest.raises(QuadrupedError, match="unknown setting of a training"):

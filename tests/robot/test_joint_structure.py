@@ -154,7 +154,7 @@ def test_axis_without_mirror_image_is_refused_only_where_the_mirror_is_used():
     order[0], order[1] = order[1], order[0]
     robot = dataclasses.replace(three_joints(), joint_mirror=tuple(order))
     layout = ObservationLayout(robot)
-    with pytest.raises(QuadrupedError, match=r"axis of HR_1 is not the mirror image of that of HL_2.*, or give"):
+    with pytest.raises(QuadrupedError, match=r"axis of HR_1 is not the mirror image of the axis of HL_2.*, or give"):
         MirrorMap.of(layout)
 
 

@@ -94,16 +94,6 @@ class TestKinematics:
             found = Rotation.from_quat(world[link][1], scalar_first=True).as_matrix()
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
 
-    def test_base_poses_and_positions_broadcast(self):
-        rng = np.random.default_rng(0)
-        base = np.tile([0.0, 0, 0, 1, 0, 0, 0], (3, 1))
-        base[:, 0] = [1.0, 2.0, 3.0]
-        one = forward_kinematics(STANCE, base)["LF_leg"][0]
-        assert one.shape == (3, 3)
-        np.testing.assert_allclose(np.diff(one[:, 0]), 1.0, rtol=0, atol=1e-12)
-        many = forward_kinematics(random_positions(rng, 2, 1), base)["LF_leg"][0]
-        assert many.shape == (2, 3, 3)
-
     @pytest.mark.parametrize(
         ("positions", "base_pose", "message"),
         [

@@ -1,7 +1,6 @@
 """The built-in robot's numbers, held against its URDF, its MJCF and the tutorial."""
 
 import itertools
-import os
 
 import mujoco
 import numpy as np
@@ -193,26 +192,3 @@ class TestAssets:
         assert again.vis.global_.offwidth < 5000
         assert build_model(motors=MotorConfig(hip=JointMotor(armature=0.02))).dof_armature[6] == 0.02
         assert build_model().dof_armature[6] == 0.01
-
-    def test_build_model_compiles_each_variant_once_and_an_edited_scene_again(self, monkeypatch, tmp_path):
-        scene = tmp_path / "scene.xml"
-        scene.write_text(asset_path("scene.xml").read_text())
-        monkeypatch.setattr("quadruped_env.simulation.model.asset_path", tmp_path.joinpath)
-        compiled = []
-        from_string = mujoco.MjSpec.from_string
-
-        class CountingSpec:
-            @staticmethod
-            def from_string(text, **options):
-                if "include" in options:  # the scene, not the robot alone
-                    compiled.append(text)
-                return from_string(text, **options)
-
-        monkeypatch.setattr(mujoco, "MjSpec", CountingSpec)
-        for _ in range(3):
-            assert build_model(0.004).opt.gravity[2] == -9.81
-        assert len(compiled) == 1
-        scene.write_text(scene.read_text().replace("<worldbody>", '<option gravity="0 0 -1.6"/><worldbody>', 1))
-        os.utime(scene, ns=(1, 1))
-        assert build_model(0.004).opt.gravity[2] == -1.6
-        assert len(compiled) == 2

@@ -156,14 +156,20 @@ def test_fields_that_restate_the_model_follow_from_it():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"stance_height": 0.3}, "stance_height is 0.3, and that of its model is 0.183753; .* stance_height=None"),
+        ({"stance_height": 0.3}, "stance_height is 0.3, but 0.183753 in its model; .* stance_height=None"),
         ({"stance_height": 0.0}, "stance_height must be a positive number"),
         ({"stance_height": "0.18"}, "stance_height must be a positive number .*found '0.18'"),
-        ({"foot_radius": 0.021}, "foot_radius is 0.021, and that of its model is 0.02"),
-        ({"effort_limit": [9.0] * 8}, "effort_limit of LF_hip_joint is 9, and that of its motors is 10"),
-        ({"velocity_limit": [5.0] * 7 + [6.0]}, "velocity_limit of RH_knee_joint is 6, and that of its motors is 5"),
-        ({"joint_position_low": [-1.5, -1.99] * 4}, "joint_position_low of LF_knee_joint is -1.99, .* model is -2;"),
-        ({"motors": MotorConfig(JointMotor(stall_torque=3.0))}, "effort_limit of LF_hip_joint is 10, .* motors is 3;"),
+        ({"foot_radius": 0.021}, "foot_radius is 0.021, but 0.02 in its model"),
+        ({"effort_limit": [9.0] * 8}, "effort_limit of LF_hip_joint is 9, but 10 in its motors"),
+        ({"velocity_limit": [5.0] * 7 + [6.0]}, "velocity_limit of RH_knee_joint is 6, but 5 in its motors"),
+        (
+            {"joint_position_low": [-1.5, -1.99] * 4},
+            "joint_position_low of LF_knee_joint is -1.99, but -2 in its model;",
+        ),
+        (
+            {"motors": MotorConfig(JointMotor(stall_torque=3.0))},
+            "effort_limit of LF_hip_joint is 10, but 3 in its motors;",
+        ),
     ],
 )
 def test_value_that_contradicts_the_model_is_refused(change, message):

@@ -102,7 +102,7 @@ class TestModel:
             ({"sensors": {"orientation": ("compass",)}}, "no sensor 'compass'"),
             (
                 {"joint_position_high": MINI_QUADRUPED.joint_position_high + 0.1},
-                "joint_position_high of LF_hip_joint is 1.6, and that of its model is 1.5; correct it, or give joint",
+                "joint_position_high of LF_hip_joint is 1.6, but 1.5 in its model; correct it, or give joint",
             ),
             ({"mjcf": "<mujoco><worldbody/></mujoco>"}, "one free joint"),
             ({"mjcf": "no XML"}, "cannot read its MJCF"),

@@ -112,7 +112,7 @@ def moved(model, begin, pull):
     data = mujoco.MjData(model)
     data.qpos[:] = begin
     positions = []
-    for _ in range(5000):
+    for _ in range(10000):
         pull(data)
         mujoco.mj_step(model, data)
         positions.append(data.qpos.copy())

@@ -14,7 +14,6 @@ from drivers import (
     draw_starts,
     draw_targets,
     physics_of,
-    readings_of,
     run,
     snapshot,
     start,
@@ -35,18 +34,6 @@ def test_a_restored_state_has_the_same_future(driver):
     for row in ALL:
         simulation.set_state(row, states[row])
     np.testing.assert_array_equal(run(simulation, 20, seed=2), expected)
-
-
-def test_a_state_moves_between_drivers():
-    source = start("singles")
-    run(source, 10, seed=1)
-    expected, states = snapshot(source), [source.get_state(row) for row in ALL]
-    target = start("2 threads", seed=7)
-    run(target, 3, seed=3)
-    for row in ALL:
-        target.set_state(row, states[row])
-    np.testing.assert_array_equal(snapshot(target), expected)
-    np.testing.assert_array_equal(run(target, 20, seed=2), run(source, 20, seed=2))
 
 
 @pytest.mark.parametrize("duplicate", [False, True])
@@ -76,31 +63,6 @@ def test_restored_env_is_diverged_if_it_was_when_saved(driver):
 
 def through_pickle(simulation):
     return pickle.loads(pickle.dumps(simulation))  # noqa: S301
-
-
-@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
-def test_a_copied_single_simulation_continues_identically(model, duplicate):
-    rng = np.random.default_rng(0)
-    original = SingleSimulation(copy.copy(model))
-    original.model_field("geom_friction")[:, :, 0] = 0.6
-    original.reset(np.array([0]), *draw_starts(rng, 1))
-    for _ in range(20):
-        original.step(draw_targets(rng)[:1], SUBSTEPS)
-    duplicates = [duplicate(original), duplicate(duplicate(original))]
-    for _ in range(30):
-        target = draw_targets(rng)[:1]
-        for simulation in (original, *duplicates):
-            simulation.step(target, SUBSTEPS)
-        expected = original.get_state(0)
-        for simulation in duplicates:
-            np.testing.assert_array_equal(readings_of(simulation.readings), readings_of(original.readings))
-            np.testing.assert_array_equal(simulation.get_state(0).integration, expected.integration)
-    # Nothing is shared: a reset of the original and its new friction do not affect the copies.
-    before = readings_of(duplicates[0].readings)
-    original.model_field("geom_friction")[:] = 0.1
-    original.reset(np.array([0]), *draw_starts(rng, 1))
-    np.testing.assert_array_equal(readings_of(duplicates[0].readings), before)
-    assert duplicates[0].model.geom_friction[0, 0] == 0.6
 
 
 def test_renderers_copy_of_an_env_equals_that_env(model):

@@ -44,16 +44,6 @@ def test_height_field_lookup_equals_mujocos_rays_inside_and_outside(shape):
     np.testing.assert_allclose(field.at(points[outside]), shape.heights().min() - 0.01, atol=1e-9)
 
 
-def test_height_field_lookup_at_grid_points_equals_the_terrains_heights():
-    shape = hills.variant(2)
-    grid = np.linspace(-0.5 * shape.size, 0.5 * shape.size, len(shape.heights()))
-    x, y = np.meshgrid(grid, grid)
-    # MuJoCo stores heights as float32.
-    np.testing.assert_allclose(
-        HeightField.of(build_model(terrain=shape)).at(np.stack([x, y], -1)), shape.heights(), atol=1e-8
-    )
-
-
 def test_height_field_lookup_of_a_point_does_not_depend_on_the_others():
     field = HeightField.of(build_model(terrain=rough))
     points = np.random.default_rng(1).uniform(-21.0, 21.0, (100, 4, 3))

@@ -11,7 +11,7 @@ from tasks import Terms, random_readings
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
 from quadruped_env.task import TaskConfig
-from quadruped_env.training.recipes import RECIPES, task_values
+from quadruped_env.training.recipes import RECIPES, with_recipe
 
 DT, SUBSTEPS, SECONDS = 0.02, 4, 5.0
 LEG_PHASES = np.array([0.0, math.pi, math.pi, 0.0])
@@ -106,7 +106,7 @@ def earned(motion, config):
 
 @pytest.fixture(scope="module", params=RECIPES)
 def config(request):
-    return TaskConfig.from_dict(task_values(request.param, MINI_QUADRUPED))
+    return TaskConfig.from_dict(with_recipe({"recipe": request.param}, MINI_QUADRUPED).task)
 
 
 @pytest.fixture(scope="module")

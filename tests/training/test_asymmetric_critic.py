@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 import torch
 from networks import perturb
-from settings import settings
 from trainings import SMALL, STEPS, assert_complete, learn
 
 from quadruped_env import QuadrupedError
@@ -21,6 +20,7 @@ from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.sb3_models import make_model
+from quadruped_env.training.schedules import Scheduled
 
 WIDTH = make_sb3_vec_env(1, seed=0).observation_space.shape[0]
 """Of an observation, without privileged readings"""
@@ -105,22 +105,56 @@ def test_without_randomization_the_constants_are_those_of_the_model():
     np.testing.assert_allclose(columns(env, "action_latency", observation), delay, atol=1e-9)
 
 
-def test_last_observation_of_an_episode_has_the_privileged_readings_of_its_end():
-    env = make_sb3_vec_env(4, seed=0, privileged=True, max_episode_steps=15, config=settings(max_tilt=0.35))
-    env.reset()
-    rng, seen = np.random.default_rng(0), 0
-    for _ in range(40):
-        before = env.task.simulation.readings.linear_velocity_b.copy()
-        observation, _, done, infos = env.step(rng.uniform(-1, 1, (4, 8)).astype(np.float32))
-        for i in np.flatnonzero(done):
-            last = infos[i]["terminal_observation"]
-            assert last.shape == observation[i].shape
-            # The base moves by centimetres per second within a step; a reset starts at 0.2 m/s at most.
-            velocity = last[None, WIDTH:][:, :3] / 2.0
-            assert np.abs(velocity - before[i]).max() < 1.0
-            assert (last[WIDTH:] != observation[i, WIDTH:]).any()
-            seen += 1
-    assert seen >= 4
+TIMED = {"privileged": True, "config": {"termination": {"max_tilt": 3.1}, "randomization": "hard"}}
+"""Episodes that a time limit ends."""
+
+
+def test_time_limit_leaves_the_whole_observation_that_would_have_followed():
+    """Next to the same envs without the limit."""
+    env, unlimited = (make_sb3_vec_env(4, seed=0, max_episode_steps=steps, **TIMED) for steps in (15, 1000))
+    env.reset(), unlimited.reset()
+    for action in np.random.default_rng(0).uniform(-1, 1, (15, 4, 8)).astype(np.float32):
+        (observation, _, done, infos), (following, *_) = env.step(action), unlimited.step(action)
+    assert done.all()
+    for env_id, info in enumerate(infos):
+        assert info["TimeLimit.truncated"]
+        np.testing.assert_array_equal(info["terminal_observation"], following[env_id])
+    assert (observation[:, WIDTH:] != following[:, WIDTH:]).any(axis=1).all(), "another state than that of the reset"
+
+
+def test_ppo_bootstraps_a_time_limit_by_the_critics_value_of_the_privileged_readings():
+    """The last reward of an episode gets the discounted value of the state that would have followed."""
+    seen = {}
+
+    class Rollout(Scheduled):
+        def _on_training_start(self):
+            super()._on_training_start()
+            actions, self.following = self.model.env.step_async, []
+            unlimited.reset()
+
+            def step_async(action):
+                actions(action)
+                self.following.append(unlimited.step(action)[:2])
+
+            self.model.env.step_async = step_async
+
+        def _on_rollout_end(self):
+            super()._on_rollout_end()
+            seen["rewards"] = self.model.rollout_buffer.rewards.copy()
+            with torch.no_grad():
+                last = torch.as_tensor(self.following[-1][0])
+                without = torch.cat([last[:, :WIDTH], torch.zeros_like(last[:, WIDTH:])], dim=1)
+                seen["value"], seen["blind"] = (self.model.policy.predict_values(x)[:, 0] for x in (last, without))
+            seen["own"] = np.array([reward for _, reward in self.following])
+
+    config = TrainConfig(num_envs=4, n_steps=15, batch_size=60, n_epochs=1, gamma=0.9, log_std_init=0.0)
+    env, unlimited = (make_sb3_vec_env(4, seed=0, max_episode_steps=steps, **TIMED) for steps in (15, 1000))
+    model = make_model(config, env)
+    perturb(model, 0.1)
+    model.learn(60, Rollout())
+    np.testing.assert_array_equal(seen["rewards"][:-1], seen["own"][:-1])
+    np.testing.assert_allclose(seen["rewards"][-1], seen["own"][-1] + 0.9 * seen["value"].numpy(), rtol=1e-5)
+    assert (seen["value"] - seen["blind"]).abs().min() > 1e-3, "the privileged readings matter"
 
 
 def model_of(**changes):
@@ -183,9 +217,7 @@ def test_training_saves_and_resumes_the_asymmetric_critic(tmp_path):
     assert assert_complete(run).weights[0].shape[0] == WIDTH
     assert json.loads((run / CONFIG_FILE).read_text())["training"]["asymmetric_critic"] is True
     parent = Parent.load(run)
-    with pytest.raises(QuadrupedError, match=r"--asymmetric-critic: found False; .* has True"):
-        parent.resumed({"asymmetric_critic": False})
-    again = learn(tmp_path, parent.resumed({"timesteps": STEPS}), run)
+    again = learn(tmp_path, parent.resumed({"timesteps": STEPS}), parent)
     assert load_policy(again).card["timesteps"] == 3 * STEPS
 
 

@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 import shutil
 import subprocess
 import traceback
@@ -15,12 +16,12 @@ from trainings import ENDLESS, STEPS, assert_complete, command, learn, progress,
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.cli.main import main
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
-from quadruped_env.training import TrainConfig
-from quadruped_env.training.resume import Parent, _difference
+from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
 
 
@@ -53,94 +54,91 @@ def edit(path, section, **changes):
     path.write_text(json.dumps(document))
 
 
-# --- settings that cannot change ---
+# --- settings ---
 
 
 @pytest.mark.parametrize(
-    ("asked", "message"),
+    ("asked", "field"),
     [
-        ({"action_mode": "position"}, r"--action-mode: found 'position'; \S+-first has 'residual', .*leave"),
-        ({"hidden": (32, 32)}, r"--hidden: found \(32, 32\); \S+-first has \(8,\)"),
-        ({"activation": "tanh"}, r"--activation: found 'tanh'; \S+-first has 'elu'"),
-        ({"log_std_init": -1.0}, r"--log-std-init: found -1.0; \S+-first has -1.5"),
-        ({"task": {"decimation": 7}}, r"--task: decimation: found 7; \S+-first has 4,"),
-        ({"batch_size": 999}, r"--batch-size: 999 is more than the 32 samples"),
+        ({"hidden": (32, 32)}, "hidden"),
+        ({"learning_rate": 5e-4, "timesteps": 99}, "learning_rate"),
+        ({"name": "second"}, "name"),
+        ({"symmetric": True}, "symmetric"),  # as the run has it
+        ({"task": {"decimation": 7, "reward": {}}}, r"task\.decimation"),
+        ({"task": {"randomization": "none"}}, r"task\.randomization"),
     ],
 )
-def test_setting_that_a_resumed_training_cannot_change_is_refused(run, asked, message):
+def test_setting_that_a_resumed_training_keeps_is_refused(run, asked, field):
+    message = rf"^{field}: \S+-first keeps its own: .* its budget .*and its reward .*; leave it out"
     with pytest.raises(QuadrupedError, match=message):
         Parent.load(run).resumed(asked)
 
 
-def test_training_goes_on_with_another_reward_and_says_so(run):
+def test_program_names_the_option_that_a_resumed_training_keeps(run, tmp_path, capsys):
+    for options, named in (
+        (("--hidden", "8"), "--hidden: "),
+        (("--terrain", "stairs"), "task.terrain: "),
+        (("--randomization", "hard"), "task.randomization: "),
+    ):
+        assert main(["train", "-o", str(tmp_path / "runs"), "--resume", str(run), *options]) == 2
+        assert f"error: {named}{run.name} keeps its own" in capsys.readouterr().err
+    assert not (tmp_path / "runs").exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--trust-task",), r"--trust-task: found without --resume; .*--task FILE"),
+        (("--trust-task", "--resume", "RUN", "--task", "FILE.py"), r"--trust-task: found next to --task .*FILE.py"),
+        (
+            ("--resume", "RUN", "--task", "FILE.py"),
+            r"FILE.py: \S+-first was trained without a task file",
+        ),
+    ],
+)
+def test_file_of_terms_that_the_run_does_not_have_is_refused(run, tmp_path, options, message, capsys):
+    (tmp_path / "FILE.py").write_text("from quadruped_env.task import Command; height = Command('h', 'm', (0, 1))")
+    places = {"RUN": str(run), "FILE.py": str(tmp_path / "FILE.py")}
+    assert main(["train", "-o", str(tmp_path / "runs"), *(places.get(option, option) for option in options)]) == 2
+    assert re.search(message, capsys.readouterr().err)
+
+
+def test_training_goes_on_with_another_reward_and_says_so(run, tmp_path):
     parent = Parent.load(run)
-    asked = {"task": {"reward": {"weights": {"upright": -9.0}}}}
-    config = parent.resumed(asked)
+    config = parent.resumed({"task": {"reward": {"weights": {"upright": -9.0}}}, "timesteps": STEPS})
     weights = parent.config.task["reward"]["weights"]
+    assert config.task == {**parent.config.task, "reward": config.task["reward"]}
     assert config.task["reward"]["weights"] == {**weights, "upright": -9.0}
     changes = f"the reward differs from the run's: reward.weights.upright -9.0 (the run: {weights['upright']})"
     assert parent.reward_changes(config) == changes
     assert parent.reward_changes(parent.resumed({})) == ""
-    resumed = learn(run.parent, replace(config, timesteps=STEPS), run)
+    resumed = learn(tmp_path, config, parent)
     assert load_policy(resumed).config.reward.weights["upright"] == -9.0
-
-
-def test_settings_equal_to_those_of_the_run_are_accepted(run):
-    parent = Parent.load(run)
-    task = {"decimation": parent.config.task["decimation"], "reward": {"weights": {}}}
-    asked = {"action_mode": "residual", "hidden": (8,), "log_std_init": -1.5, "symmetric": True, "task": task}
-    assert parent.resumed(asked) == parent.resumed({})
-
-
-@pytest.mark.parametrize(
-    ("asked", "kept", "found"),
-    [
-        ({"a": 1}, {"a": 1, "b": 2}, None),
-        ({"b": {"c": 1}}, {"a": 1, "b": {"c": 2}}, ("b.c", 1, 2)),
-        ({"b": {"c": 1}}, {"b": 2}, ("b", {"c": 1}, 2)),
-        ({"b": 1}, {"b": {"c": 1}}, ("b", 1, {"c": 1})),
-        ({"b": 1}, {}, ("b", 1, None)),
-    ],
-)
-def test_first_setting_that_differs_is_found_at_any_depth(asked, kept, found):
-    assert _difference(asked, kept) == found
-
-
-def test_train_refuses_a_config_of_another_network(run, tmp_path):
-    with pytest.raises(QuadrupedError, match=r"--hidden: found \(128, 128\)"):
-        learn(tmp_path, TrainConfig(), resume=run)
-    assert not list(tmp_path.iterdir())
-
-
-# --- settings and state of the parent ---
-
-
-def test_settings_that_are_not_given_are_those_of_the_run(run):
-    parent = Parent.load(run)
-    assert parent.resumed({}) == parent.config
-    changed = parent.resumed({"learning_rate": 5e-4, "name": "second"})
-    assert (changed.learning_rate, changed.name, changed.num_envs) == (5e-4, "second", 4)
 
 
 def test_budget_is_the_rest_of_the_run_or_as_much_again_or_the_given_one(run, killed):
     whole = Parent.load(run)
     assert whole.budget_left == 0.0
-    assert whole.resumed({}).timesteps == 8 * STEPS
+    assert whole.resumed({}) == whole.config
     with pytest.warns(QuadrupedWarning):
         half = Parent.load(killed)
-    assert half.resumed({}).timesteps == 4 * STEPS
+    assert half.resumed({}) == replace(half.config, timesteps=4 * STEPS)
     assert half.resumed({"timesteps": 99}).timesteps == 99
     assert half.resumed({"seconds": 3.0}).seconds == 3.0
     edit(half.directory / CONFIG_FILE, "training", seconds=60.0)
+    edit(half.directory / CARD_FILE, "card", seconds=45.0)
     timed = Parent.load(half.directory)
-    assert timed.resumed({}).seconds == 30.0
+    assert timed.resumed({}).seconds == 15.0
     assert timed.resumed({"timesteps": 99}).seconds is None
+
+
+# --- state ---
 
 
 def test_resumed_training_continues_steps_and_curve_and_names_its_parent(killed, tmp_path):
     checkpoint = killed / CHECKPOINTS / "00002s"
     parent = Parent.load(checkpoint)
-    directory = learn(tmp_path / "runs", parent.resumed({}), checkpoint)
+    directory = learn(tmp_path / "runs", parent.resumed({}), parent)
     policy = assert_complete(directory)
     assert policy.card["timesteps"] == 8 * STEPS
     assert policy.card["budget_left"] == 0.0
@@ -156,10 +154,6 @@ def test_resumed_training_continues_steps_and_curve_and_names_its_parent(killed,
     assert logged[0] > 4 * STEPS
     assert logged[-1] == 8 * STEPS
     assert float(rows[-1]["seconds"]) >= parent.seconds
-    # A resumed run keeps its own share of the budget that is left.
-    again = Parent.load(directory)
-    assert again.budget_left_at_start == 0.5
-    assert again.resumed({}).timesteps == 4 * STEPS
 
 
 def test_the_curve_of_a_run_ends_where_its_checkpoint_was_taken(copy):
@@ -231,7 +225,7 @@ def test_killed_training_continues_from_its_last_checkpoint(tmp_path):
 def test_an_incomplete_run_is_not_resumed(copy, name):
     Parent.load(copy)
     (copy / name).unlink()
-    missing = rf"--resume: {copy / name} is missing.*checkpoints/, or start a new training"
+    missing = rf"{copy / name} is missing.*checkpoints/, or start a new training"
     with pytest.raises(QuadrupedError, match=missing):
         Parent.load(copy)
 
@@ -242,10 +236,6 @@ def test_an_incomplete_run_is_not_resumed(copy, name):
         ("{", r"config.json: not valid JSON.*start a new training"),
         ('{"training": [], "task": {}}', r"config.json: field 'training' is missing"),
         ('{"training": {}}', r"config.json: field 'task' is missing"),
-        (
-            '{"training": {"hidden": [8]}, "task": {}}',
-            r"config.json: field 'training.recipe' is missing; start a new training",
-        ),
     ],
 )
 def test_a_damaged_config_is_not_resumed(copy, text, message):
@@ -258,24 +248,12 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
     ("file", "section", "changes", "message"),
     [
         (CONFIG_FILE, "training", {"gamma": None}, r"field 'training.gamma' is missing; start a new training"),
+        (CONFIG_FILE, "training", {"tempo": 1}, r"field 'training.tempo' is unknown; start a new training"),
         (CONFIG_FILE, "training", {"hidden": [8.5]}, r"training.hidden: expected up to 16 whole numbers"),
-        (
-            CONFIG_FILE,
-            "training",
-            {"activation": "step"},
-            r"training.activation: expected one of tanh, elu, relu.*; found",
-        ),
-        (CONFIG_FILE, "training", {"symmetric": 1}, r"training.symmetric: expected true or false; found 1"),
-        (CONFIG_FILE, "training", {"num_envs": "4"}, r"training.num_envs: expected a whole number, .*; found '4'"),
+        (CONFIG_FILE, "training", {"hidden": 8}, r"training.hidden: expected up to 16 whole numbers"),
         (CONFIG_FILE, "training", {"gamma": 2.0}, r"config.json: training.gamma: .*found 2.0; start a new training"),
-        (CONFIG_FILE, "training", {"seconds": "x"}, r"training.seconds: expected .*(or null).*; found 'x'"),
-        (CONFIG_FILE, "training", {"tempo": 1}, r"training has the unknown field 'tempo'; start a new training"),
-        (
-            CONFIG_FILE,
-            "training",
-            {"action_mode": "position"},
-            r"action_mode is 'position' and task.action.mode is 'resi",
-        ),
+        (CONFIG_FILE, "training", {"device": "cuda"}, r"training.device: found 'cuda', .* its policy works"),
+        (CONFIG_FILE, "training", {"algo": "mine.py:MyPPO"}, r"training.algo: expected one of ppo, .*own-algorithm"),
         (CONFIG_FILE, "task", {"tempo": 1}, r"config.json: config: unknown field 'tempo'.*start a new training"),
         (CARD_FILE, "card", {"timesteps": None}, r"policy.json: card.timesteps: expected a whole number, 0 to 1e"),
         (CARD_FILE, "card", {"timesteps": 1.5}, r"card.timesteps: expected a whole number, 0 to 1e\+15; found 1.5"),
@@ -314,11 +292,9 @@ def test_a_run_with_a_curve_of_words_is_not_resumed(copy):
         Parent.load(copy)
 
 
-def test_run_whose_parent_had_used_its_whole_budget_is_resumed(copy):
-    config = json.loads((copy / CONFIG_FILE).read_text())
-    (copy / CONFIG_FILE).write_text(json.dumps({**config, "resumed_from": {"budget_left": 0.0}}))
-    edit(copy / CARD_FILE, "card", budget_left=0.5)
-    assert Parent.load(copy).resumed({}).timesteps == 4 * STEPS
+def test_run_of_an_earlier_version_is_resumed(copy):
+    edit(copy / CONFIG_FILE, "training", ranks=2, device="cpu", policy="")
+    assert Parent.load(copy).config.hidden == (8,)
 
 
 class Unpickled:
@@ -358,8 +334,9 @@ def set_nan(state):
 )
 def test_a_run_whose_network_is_damaged_is_not_resumed(copy, tmp_path, damage, reason):
     damage(copy / RESUME_FILE)
+    parent = Parent.load(copy)
     pattern = rf"{copy}/{RESUME_FILE}: cannot be resumed \({reason}\); resume another .*, or start a new training"
     with pytest.raises(QuadrupedError, match=pattern) as caught:
-        learn(tmp_path / "runs", Parent.load(copy).resumed({}), copy)
+        learn(tmp_path / "runs", parent.resumed({}), parent)
     assert "weights_only" not in "".join(traceback.format_exception(caught.value))
     assert not (tmp_path / "runs").exists()

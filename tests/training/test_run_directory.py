@@ -28,7 +28,7 @@ def test_runs_that_start_within_a_second_get_a_directory_each(tmp_path):
 @pytest.mark.parametrize("make", [Path.mkdir, Path.touch])
 def test_runs_in_which_latest_is_not_a_link_are_refused_and_kept(tmp_path, make):
     make(tmp_path / "latest")
-    message = r"--output: .*latest is not a symbolic link.*; rename it, or name another"
+    message = r"latest is not a symbolic link.*; rename it, or name another"
     with pytest.raises(QuadrupedError, match=message):
         Run(tmp_path, TrainConfig(), {}, "train")
     assert [path.name for path in tmp_path.iterdir()] == ["latest"]

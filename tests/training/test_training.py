@@ -1,6 +1,8 @@
 """Training: the files of a run, repeated, budgeted and stopped runs."""
 
+import contextlib
 import dataclasses
+import io
 import json
 import re
 import signal
@@ -14,42 +16,59 @@ from trainings import ENDLESS, TINY, assert_complete, command, progress, running
 from waiting import output_of
 
 import quadruped_env
+from quadruped_env.cli.main import main
 from quadruped_env.envs import ENV_ID
+from quadruped_env.evaluation.learning_gain import GAIN_HEADER, reward_in_words
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.policy_data import TENSORS_FILE
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.recipes import task_values
+from quadruped_env.training.recipes import with_recipe
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS
 
 
 @pytest.fixture(scope="module")
 def tiny_run(tmp_path_factory):
-    """A finished tiny training: its directory, its seed 0."""
-    return train(tmp_path_factory.mktemp("runs"), *TINY)
+    """A finished tiny training by the program, in this process: its directory; and what the program printed."""
+    runs = tmp_path_factory.mktemp("runs")
+    with contextlib.redirect_stdout(output := io.StringIO()):
+        assert main(["train", "-o", str(runs), *TINY]) == 0
+    return (runs / "latest").resolve(), output.getvalue()
 
 
-def test_a_run_is_complete(tiny_run):
-    policy = assert_complete(tiny_run)
+@pytest.fixture(scope="module")
+def directory(tiny_run):
+    return tiny_run[0]
+
+
+def test_a_run_is_complete(directory):
+    policy = assert_complete(directory)
     assert policy.action_mode == TrainConfig().action_mode
     assert policy.card["timesteps"] == 2048
     assert policy.card["seed"] == 0
-    assert tiny_run.name.endswith("-ppo")
-    assert (tiny_run.parent / "latest").is_symlink()
-    assert (tiny_run.parent / "latest").readlink() == Path(tiny_run.name), "relative, so that runs/ can be moved"
+    assert directory.name.endswith("-ppo")
+    assert (directory.parent / "latest").readlink() == Path(directory.name), "relative, so that runs/ can be moved"
 
 
-def test_run_records_its_settings_and_versions(tiny_run):
-    document = json.loads((tiny_run / CONFIG_FILE).read_text())
+def test_training_ends_with_what_it_added_over_the_zero_action_and_keeps_it_on_the_card(tiny_run):
+    directory, output = tiny_run
+    learning, lines = load_policy(directory).card["learning"], output.splitlines()
+    assert learning["episodes"] == 2, "as many steps are measured as were trained, and two episodes at least"
+    assert f"In its own task, 2 episodes of 20 s, it {learning['verdict']}" in lines
+    first = next(i for i, line in enumerate(lines) if line.split() == " ".join(GAIN_HEADER).split()) + 1
+    assert lines[first].startswith("own task  "), "motions take more steps than this training had"
+    assert lines[first + 1] == reward_in_words(learning)
+
+
+def test_run_records_its_settings_and_versions(directory):
+    document = json.loads((directory / CONFIG_FILE).read_text())
     training = dict(document["training"])
     assert training["hidden"] == list(TrainConfig().hidden)
-    recipe = task_values("flat", MINI_QUADRUPED)
-    sizes = {"timesteps": 2048, "num_envs": 16, "n_steps": 16, "batch_size": 64}
-    expected = TrainConfig(**sizes, task=recipe)
+    expected = with_recipe({"timesteps": 2048, "num_envs": 16, "n_steps": 16, "batch_size": 64}, MINI_QUADRUPED)
     assert TrainConfig(**{**training, "hidden": tuple(training["hidden"])}) == expected
     task = TaskConfig.from_dict(document["task"])
-    assert dataclasses.replace(task, action=TaskConfig().action) == TaskConfig.from_dict(recipe)
+    assert dataclasses.replace(task, action=TaskConfig().action) == TaskConfig.from_dict(expected.task)
     assert task.action.mode == training["action_mode"]
     assert document["versions"]["mini-quadruped"] == quadruped_env.__version__
     for library in ("python", "mujoco", "gymnasium", "numpy", "stable-baselines3", "torch"):
@@ -57,13 +76,13 @@ def test_run_records_its_settings_and_versions(tiny_run):
     assert re.fullmatch(r"[0-9a-f]{12,40}(-dirty)?|unknown", document["git_commit"])
     assert "--num-envs 16" in document["command"]
     assert "cores" in document["machine"]
-    card = load_policy(tiny_run).card
+    card = load_policy(directory).card
     for name in ("versions", "git_commit", "command", "machine"):
         assert card[name] == document[name], name
 
 
-def test_progress_is_logged_as_csv_and_for_tensorboard_with_every_reward_term(tiny_run):
-    rows = progress(tiny_run)
+def test_progress_is_logged_as_csv_and_for_tensorboard_with_every_reward_term(directory):
+    rows = progress(directory)
     weights = TaskConfig().reward.weights
     assert tuple(rows[0]) == (*PROGRESS_COLUMNS, *(f"reward_{name}" for name in weights))
     assert int(rows[-1]["timesteps"]) == 2048
@@ -74,17 +93,17 @@ def test_progress_is_logged_as_csv_and_for_tensorboard_with_every_reward_term(ti
         assert values["fall_rate"] >= 0
         # Per second, and the return for an episode of 20 s.
         assert 20.0 * sum(values[f"reward_{name}"] for name in weights) == pytest.approx(values["return"])
-    shown = scalars(tiny_run)
+    shown = scalars(directory)
     for name in weights:
         assert shown[f"reward_per_second/{name}"] == len(rows), name
     for name in PROGRESS_COLUMNS[1:]:
         assert shown[f"progress/{name}"] == len(rows), name
 
 
-def test_policy_of_a_run_acts_in_the_environment(tiny_run):
+def test_policy_of_a_run_acts_in_the_environment(directory):
     import gymnasium
 
-    policy = load_policy(tiny_run)
+    policy = load_policy(directory)
     env = gymnasium.make(ENV_ID, action_mode=policy.action_mode, config=policy.config)
     observation, _ = env.reset(seed=0)
     for _ in range(10):
@@ -93,10 +112,10 @@ def test_policy_of_a_run_acts_in_the_environment(tiny_run):
 
 
 @pytest.mark.slow
-def test_the_same_seed_gives_the_same_policy_bit_for_bit(tiny_run, tmp_path):
+def test_the_same_seed_gives_the_same_policy_bit_for_bit(directory, tmp_path):
     again, other = train(tmp_path, *TINY), train(tmp_path, *TINY, "--seed", 1)
-    assert (again / TENSORS_FILE).read_bytes() == (tiny_run / TENSORS_FILE).read_bytes()
-    assert (other / TENSORS_FILE).read_bytes() != (tiny_run / TENSORS_FILE).read_bytes()
+    assert (again / TENSORS_FILE).read_bytes() == (directory / TENSORS_FILE).read_bytes()
+    assert (other / TENSORS_FILE).read_bytes() != (directory / TENSORS_FILE).read_bytes()
     assert len(list(tmp_path.glob("*-ppo*"))) == 2, "a directory each, whenever they start"
 
 

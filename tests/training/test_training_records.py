@@ -28,6 +28,7 @@ ROWS_EVERY = 2
 EPISODE_STEPS = 20
 SEED = 3
 LEARNING_RATE = 1e-3
+UPDATE = PPO.train
 
 
 def config(**changes):
@@ -62,10 +63,10 @@ class Watched:
         monkeypatch.setattr(train, "make_sb3_vec_env", self._make_env)
         monkeypatch.setattr(train, "make_model", self._make_model(sb3_models.make_model))
         # On the class, because SB3 saves the attributes of an instance.
-        monkeypatch.setattr(PPO, "train", self._update(PPO.train))
+        monkeypatch.setattr(PPO, "train", self._update())
 
-    def train(self, runs, config, resume=None):
-        self.directory, self.finished = train.train(config, runs, "a test", resume)
+    def train(self, runs, config, parent=None):
+        self.directory, self.finished = train.train(config, runs, "a test", parent)
         return self
 
     def _make_env(self, num_envs, **kwargs):
@@ -100,9 +101,9 @@ class Watched:
 
         return made
 
-    def _update(self, update):
+    def _update(self):
         def train(model):
-            update(model)
+            UPDATE(model)
             self.learning_rates.append(model.policy.optimizer.param_groups[0]["lr"])
             model.policy.log_std.data.fill_(5.0)
 
@@ -291,9 +292,9 @@ def test_tensorboard_has_the_levels_of_the_curriculum(watched, tmp_path):
 
 def test_first_episodes_of_new_and_of_resumed_trainings_end_at_different_steps(watched, tmp_path):
     standing = {"termination": {"max_tilt": 3.1}}
-    first = watched().train(tmp_path / "first", config(task=standing))
+    first = watched().train(tmp_path / "first", config(task=standing, timesteps=3 * SAMPLES))
     parent = Parent.load(first.directory)
-    again = watched().train(tmp_path / "again", parent.resumed({}), parent.directory)
+    again = watched().train(tmp_path / "again", parent.resumed({}), parent)
     for run in (first, again):
         assert sum(run.falls) == 0
         ends = np.array(run.dones)[:EPISODE_STEPS]
@@ -388,16 +389,40 @@ def test_policy_that_is_saved_is_the_one_that_was_trained(run):
     np.testing.assert_allclose(load_policy(run.directory).predict(observation), expected, atol=1e-5)
 
 
-def test_resumed_training_continues_clock_steps_and_schedules(run, watched, tmp_path):
-    checkpoint = sorted((run.directory / "checkpoints").iterdir())[0]
-    parent = Parent.load(checkpoint)
-    resumed = watched().train(tmp_path, parent.resumed({}), checkpoint)
-    rollouts = ROLLOUTS - 4
-    assert len(resumed.rewards) == rollouts * N_STEPS
-    left = 1.0 - np.arange(4, ROLLOUTS + 1) / ROLLOUTS
-    np.testing.assert_allclose(resumed.learning_rates, LEARNING_RATE * (0.1 + 0.9 * left[1:]), rtol=1e-6)
-    np.testing.assert_allclose(explorations(resumed), -3.0 + left[:-1], atol=1e-6)
-    np.testing.assert_array_equal(column(resumed, "timesteps")[-1], ROLLOUTS * SAMPLES)
-    np.testing.assert_allclose(column(resumed, "seconds")[-1], 6.0, atol=1e-3)
-    card = load_policy(resumed.directory).card
+@pytest.mark.parametrize("budget", [{}, {"seconds": 6.0}])
+def test_run_that_is_resumed_twice_uses_the_budget_of_the_first_once(watched, tmp_path, budget):
+    """After 4, 8 and 12 of its 12 rollouts, which take half a second each."""
+    first = watched().train(tmp_path / "first", config(**budget))
+    second = resume(watched(), first, "00002s", tmp_path / "second")
+    third = resume(watched(), second, "00004s", tmp_path / "third")
+    assert [len(one.rewards) // N_STEPS for one in (first, second, third)] == [12, 8, 4]
+    for one, begun in ((second, 4), (third, 8)):
+        left = 1.0 - np.arange(begun, ROLLOUTS + 1) / ROLLOUTS
+        rates = LEARNING_RATE * (0.1 + 0.9 * left[1:])
+        np.testing.assert_allclose(one.learning_rates, rates[: len(one.learning_rates)], rtol=1e-6)
+        np.testing.assert_allclose(explorations(one), -3.0 + left[:-1], atol=1e-6)
+        facts = json.loads((one.directory / "config.json").read_text())["resumed_from"]
+        assert (facts["timesteps"], facts["seconds"]) == (begun * SAMPLES, begun / 2.0)
+        assert facts["budget_left"] == pytest.approx(left[0], abs=1e-6)
+    card = load_policy(third.directory).card
     assert (card["timesteps"], card["seconds"], card["budget_left"]) == (ROLLOUTS * SAMPLES, 6.0, 0.0)
+    rows = np.arange(1, ROLLOUTS // ROWS_EVERY + 1)
+    np.testing.assert_array_equal(column(third, "timesteps"), rows * ROWS_EVERY * SAMPLES)
+    np.testing.assert_allclose(column(third, "seconds"), rows, atol=1e-3)
+
+
+def test_rest_of_a_training_that_continues_a_complete_one_is_resumed(run, watched, tmp_path):
+    """As much again, of which 4 of 12 rollouts are used; the schedules stay at their ends."""
+    parent = Parent.load(run.directory)
+    again = watched().train(tmp_path / "again", parent.resumed({}), parent)
+    assert column(again, "timesteps")[-1] == 2 * ROLLOUTS * SAMPLES
+    rest = resume(watched(), again, "00008s", tmp_path / "rest")
+    assert len(rest.rewards) == (ROLLOUTS - 4) * N_STEPS
+    np.testing.assert_allclose(rest.learning_rates, 0.1 * LEARNING_RATE)
+    assert load_policy(rest.directory).card["timesteps"] == 2 * ROLLOUTS * SAMPLES
+
+
+def resume(watched, run, checkpoint, runs):
+    """Go on from a run's checkpoint with the rest of its budget."""
+    parent = Parent.load(run.directory / "checkpoints" / checkpoint)
+    return watched.train(runs, parent.resumed({}), parent)

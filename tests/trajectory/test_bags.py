@@ -29,13 +29,11 @@ from rosbags.typesys import Stores, get_typestore
 class TestRoundTrip:
     @pytest.mark.parametrize("kind", KINDS)
     def test_to_the_last_bit(self, tmp_path, kind):
-        trajectory = random_trajectory(rows=4200)
+        trajectory = random_trajectory(rows=1000)
         assert_same(JointTrajectory.load(save(trajectory, tmp_path / "new", kind)), trajectory)
         assert [entry.name for entry in (tmp_path / "new").iterdir()] in (["bag"], [kind])
 
-    @pytest.mark.parametrize(
-        "changes", [{"velocities": None}, {"efforts": None}, {"velocities": None, "efforts": None}]
-    )
+    @pytest.mark.parametrize("changes", [{"velocities": None}, {"velocities": None, "efforts": None}])
     def test_fields_that_were_not_recorded_stay_missing(self, tmp_path, changes):
         trajectory = random_trajectory(**changes)
         assert_same(JointTrajectory.load(save(trajectory, tmp_path, "mcap")), trajectory)
@@ -68,6 +66,9 @@ class TestReadByOthers:
         trajectory.save(tmp_path / "a.mcap")
         topics = read_independently(tmp_path / "a.mcap")
         assert set(topics) == {"/joint_states", "/robot_description", "/tf", "/tf_static"}
+        ((time, description),), ((_, static),) = topics["/robot_description"], topics["/tf_static"]
+        assert (time, description.data) == (trajectory.stamps[0], asset_path("mini_quadruped.urdf").read_text())
+        assert list(static.transforms) == []
         states = topics["/joint_states"]
         assert [time for time, _ in states] == trajectory.stamps.tolist()
         assert [m.header.stamp.sec * 10**9 + m.header.stamp.nanosec for _, m in states] == trajectory.stamps.tolist()
@@ -81,21 +82,12 @@ class TestReadByOthers:
 
     def test_every_chunk_has_its_checksum(self, tmp_path):
         reader = pytest.importorskip("mcap.stream_reader")
-        random_trajectory(rows=6000).save(tmp_path / "a.mcap")
+        random_trajectory(rows=3000).save(tmp_path / "a.mcap")
         with (tmp_path / "a.mcap").open("rb") as file:
             records = list(reader.StreamReader(file, emit_chunks=True, validate_crcs=True).records)
         chunks = [record for record in records if type(record).__name__ == "Chunk"]
         assert len(chunks) > 1
         assert all(chunk.uncompressed_crc == zlib.crc32(chunk.data) for chunk in chunks)
-
-    def test_latched_topics_stand_at_the_beginning(self, tmp_path):
-        trajectory = random_trajectory(rows=100)
-        trajectory.save(tmp_path / "a.mcap")
-        topics = read_independently(tmp_path / "a.mcap")
-        ((time, description),) = topics["/robot_description"]
-        assert (time, description.data) == (STAMPS[0], asset_path("mini_quadruped.urdf").read_text())
-        ((time, static),) = topics["/tf_static"]
-        assert (time, list(static.transforms)) == (STAMPS[0], [])
 
     def test_transforms_are_those_of_the_rows_every_50_ms_at_most(self, tmp_path):
         trajectory = random_trajectory(rows=1000)
@@ -217,7 +209,6 @@ class TestBagsOfOthers:
             part.save(tmp_path / "bag" / f"bag_{i}.mcap")
         loaded = JointTrajectory.load(tmp_path / "bag")
         assert_same(loaded, trajectory)
-        assert loaded.source.notes[0] == "there is no metadata.yaml: the storage files were read without it"
 
     def test_topics_are_chosen_and_never_guessed(self, tmp_path):
         messages = [(i, fields(stamp=i)) for i in range(10)]
@@ -236,11 +227,12 @@ class TestBagsOfOthers:
         assert loaded.stamps.tolist() == [0, 2, 4, 6, 8]
         assert loaded.source.notes == ("read /joint_states; there are joint states on /other too (--topic)",)
 
-    def test_a_bag_of_something_else_is_named(self, tmp_path):
-        with Writer(tmp_path / "bag", version=8, storage_plugin=StoragePlugin.MCAP) as writer:
-            connection = writer.add_connection("/chatter", "std_msgs/msg/String", typestore=cdr.typestore())
-            writer.write(connection, 0, cdr.serialize(cdr.message("std_msgs/msg/String", data="x")))
-        with pytest.raises(QuadrupedError, match=r"no topic of type .*; the types in it are: std_msgs/msg/String"):
+    @pytest.mark.parametrize("storage", ["MCAP", "SQLITE3"])
+    def test_messages_in_another_serialization_are_refused(self, tmp_path, storage):
+        with Writer(tmp_path / "bag", version=8, storage_plugin=StoragePlugin[storage]) as writer:
+            kind = {"typestore": cdr.typestore(), "serialization_format": "json"}
+            writer.write(writer.add_connection("/joint_states", JOINT_STATE, **kind), 0, b"{}")
+        with pytest.raises(QuadrupedError, match=r"/joint_states is serialized as 'json'; only 'cdr' is known"):
             JointTrajectory.load(tmp_path / "bag")
 
     def test_timestamps_may_be_the_times_of_recording(self, tmp_path):
@@ -301,15 +293,17 @@ class TestTargets:
 
 @pytest.mark.parametrize("module", ["rosbags.rosbag2", "rosbags.rosbag1", "yaml"])
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch, module):
-    random_trajectory().save(tmp_path / "a.mcap")
+    write_ros1(tmp_path / "a.bag", random_trajectory())
     (tmp_path / "a.yaml").write_text("header:\n")
     monkeypatch.setitem(sys.modules, module, None)
+    programs = {
+        "rosbags.rosbag2": lambda: random_trajectory().save(tmp_path / "b.mcap"),
+        "rosbags.rosbag1": lambda: JointTrajectory.load(tmp_path / "a.bag"),
+        "yaml": lambda: JointTrajectory.load(tmp_path / "a.yaml"),
+    }
     with pytest.raises(MissingExtraError, match=r"needs the 'ros' extra: .*pip install 'mini-quadruped\[ros\]'"):
-        JointTrajectory.load(tmp_path / ("a.yaml" if module == "yaml" else "a.mcap"))
-    if module == "rosbags.rosbag2":
-        with pytest.raises(MissingExtraError, match="writing bags needs the 'ros' extra"):
-            random_trajectory().save(tmp_path / "b.mcap")
-        assert not (tmp_path / "b.mcap").exists()
+        programs[module]()
+    assert not (tmp_path / "b.mcap").exists()
 
 
 def test_float_with_any_alignment_is_read(tmp_path):

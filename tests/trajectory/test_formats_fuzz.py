@@ -1,10 +1,11 @@
 """Mutated files of every format: refused with this package's own error, or read exactly as their bytes now say.
 
-By default a few hundred files per format; `pytest -m slow` tries many.
+With more files per format: `FUZZED_FILES=2000 pytest tests/trajectory/test_formats_fuzz.py`.
 """
 
 import csv
 import json
+import os
 import re
 import sqlite3
 import struct
@@ -18,7 +19,6 @@ from trajectories import assert_same, random_trajectory
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.errors import MAX_MESSAGE
-from quadruped_env.trajectory import ColumnMap
 
 pytest.importorskip("rosbags")
 import yaml
@@ -26,6 +26,7 @@ from rosbags.rosbag1 import Reader as Reader1
 from rosbags.typesys import Stores, get_typestore
 
 NAMES = ["a_joint", "b_joint"]
+FILES = int(os.environ.get("FUZZED_FILES", "80"))
 
 
 def small(rows=12):
@@ -50,17 +51,6 @@ def parse_csv(path):
     }
     stamps = [round(Fraction(row[0].strip())) for row in rows]
     return JointTrajectory(stamps, names, columns["position"], columns.get("velocity"), columns.get("effort"))
-
-
-def parse_table(path):
-    """A CSV of other columns, by Python's own reader."""
-    with path.open(encoding="utf-8-sig", newline=None) as file:
-        header, *rows = csv.reader(file)
-    header = [title.strip() for title in header]
-    at = [header.index(name) for name in ("time", *NAMES)]
-    rows = [[row[i].strip() for i in at] for row in rows]
-    stamps = [round(Fraction(row[0]) * 10**9) for row in rows]
-    return JointTrajectory(stamps, NAMES, [[float(cell) for cell in row[1:]] for row in rows])
 
 
 def parse_yaml(path):
@@ -150,9 +140,10 @@ def parse_sqlite3(path):
     store = get_typestore(Stores.ROS2_HUMBLE)
     database = sqlite3.connect(f"{path.as_uri()}?immutable=1", uri=True)
     try:
+        database.execute("PRAGMA writable_schema = ON")
         rows = database.execute(
-            "SELECT data FROM messages JOIN topics ON topics.id = topic_id "
-            "WHERE type = 'sensor_msgs/msg/JointState' ORDER BY timestamp, messages.id"
+            "SELECT data FROM messages NOT INDEXED JOIN topics ON topics.id = topic_id "
+            "WHERE type = 'sensor_msgs/msg/JointState' ORDER BY messages.id"
         ).fetchall()
     finally:
         database.close()
@@ -166,14 +157,6 @@ def parse_ros1(path):
         connections = [one for one in reader.connections if one.msgtype == JOINT_STATE]
         found = [store.deserialize_ros1(data, JOINT_STATE) for _, _, data in reader.messages(connections)]
     return trajectory_of(found)
-
-
-def write_table(trajectory, path):
-    rows = [
-        f"{stamp // 10**9}.{stamp % 10**9:09d},walk,{row[0]!r},{row[1]!r}\n"
-        for stamp, row in zip(trajectory.stamps.tolist(), trajectory.positions.tolist(), strict=True)
-    ]
-    path.write_text(f"time,mode,{','.join(NAMES)}\n" + "".join(rows))
 
 
 def write_yaml(trajectory, path):
@@ -210,20 +193,17 @@ def write_echo(trajectory, path):
 
 WRITERS = {
     "csv": lambda trajectory, path: trajectory.save(path),
-    "table.csv": write_table,
     "echo.yaml": write_yaml,
     "echo.csv": write_echo,
     "jsonl": write_jsonl,
     "mcap": lambda trajectory, path: trajectory.save(path),
     "db3": lambda trajectory, path: trajectory.save(path),
     "bag": lambda trajectory, path: write_ros1(path, trajectory),
-    "metadata": lambda trajectory, path: trajectory.save(path),
     "db3.zstd": lambda trajectory, path: write_bag(path, messages_of(trajectory), "sqlite3", "file"),
 }
 
 PARSERS = {
     "csv": parse_csv,
-    "table.csv": parse_table,
     "echo.yaml": parse_yaml,
     "echo.csv": parse_echo,
     "jsonl": parse_jsonl,
@@ -231,8 +211,6 @@ PARSERS = {
     "bag": parse_ros1,
 }
 """Formats without checksums; in the others, everything that is read must be what was written."""
-
-OPTIONS = {"table.csv": {"columns": ColumnMap("time", NAMES)}}
 
 
 def mutated(data, rng):
@@ -266,15 +244,15 @@ def fuzz(directory, kind, count, seed):
     """Read `count` mutated files; returns how many were refused and how many were read."""
     rng = np.random.default_rng(seed)
     original, path = small(), directory / f"file.{kind}"
-    if kind in {"metadata", "db3.zstd"}:
+    if kind == "db3.zstd":
         path = directory / "bag"
     WRITERS[kind](original, path)
-    damaged = {"metadata": path / "metadata.yaml", "db3.zstd": path / "bag.db3.zstd"}.get(kind, path)
+    damaged = path / "bag.db3.zstd" if kind == "db3.zstd" else path
     data = damaged.read_bytes()
     refused = read = 0
     for _ in range(count):
         damaged.write_bytes(mutated(data, rng))
-        options = dict(OPTIONS.get(kind, {}), unit="rad")
+        options = {"unit": "rad"}
         plain = rng.random() < 0.6
         if not plain:
             options["repair"] = [name for name in ("salvage", "drop", "sort") if rng.random() < 0.6]
@@ -295,14 +273,6 @@ def fuzz(directory, kind, count, seed):
 
 @pytest.mark.parametrize("kind", WRITERS)
 def test_damaged_files_are_refused_or_read_as_they_are(tmp_path, kind):
-    refused, read = fuzz(tmp_path, kind, 200, seed=0)
-    assert refused > 20
-    assert read > 0
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", WRITERS)
-def test_many_damaged_files(tmp_path, kind):
-    refused, read = fuzz(tmp_path, kind, 1500, seed=1)
-    assert refused > 150
+    refused, read = fuzz(tmp_path, kind, FILES, seed=0)
+    assert refused > FILES // 10
     assert read > 0

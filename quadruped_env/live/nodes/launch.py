@@ -140,7 +140,8 @@ def _launch(nodes: Sequence[Sequence[str]]) -> int:
 
 def _started(node: Sequence[str], piped: bool) -> subprocess.Popen[str]:
     command = [sys.executable, "-m", "quadruped_env.live", *node]
-    return subprocess.Popen(command, stderr=subprocess.PIPE if piped else None, text=True, errors="replace")  # noqa: S603
+    stderr = subprocess.PIPE if piped else None
+    return subprocess.Popen(command, stderr=stderr, encoding="utf-8", errors="replace")  # noqa: S603
 
 
 def _copy(log: Any) -> None:

@@ -26,8 +26,6 @@ FIXED: Final = {
     "name": "it is part of the directory's name",
     "checkpoint_seconds": "it changes no policy",
     "seconds": "trials are compared after equal numbers of steps; vary timesteps",
-    "ranks": "each trial is one process",
-    "device": "trials run on CPUs",
     "task": "name a field of it, such as task.reward.weights.foot_slip",
 }
 """Fields of `TrainConfig` that do not vary -> reason or fix."""

@@ -13,7 +13,6 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.scale.sweep.search_space import TASK, Dimension, of_dict
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.train_config import check_fields
-from quadruped_env.training.user_classes import is_user_class
 from quadruped_env.utils.documents import check_regular
 from quadruped_env.utils.plain import plain
 from quadruped_env.utils.seeds import check_training_seeds
@@ -71,11 +70,6 @@ class SweepConfig:
         for name, count in Counter(dimension.field for dimension in self.space).items():
             if count > 1:
                 raise QuadrupedError(f"--vary {name}: found twice; give each field once, in --vary or in --space")
-        for dimension in self.space:
-            if any(isinstance(choice, str) and is_user_class(choice) for choice in dimension.choices):
-                raise QuadrupedError(
-                    f"--vary {dimension.field}: a class of your own does not vary; run one sweep for each class"
-                )
         first = self.training.get("seed", TrainConfig.seed)
         num_envs = self.training.get("num_envs", TrainConfig.num_envs)
         check_fields({"seed": first + self.seeds - 1})

@@ -29,7 +29,6 @@ from quadruped_env.scale.sweep.sweep_definition import FORMAT_VERSION, SweepConf
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.train_config import field_rule
-from quadruped_env.training.user_classes import OPTIONS, is_user_class
 from quadruped_env.utils.documents import check_regular, read_json
 from quadruped_env.utils.files import check_no_links, free_path, unwritable, whole, write_json, write_whole
 from quadruped_env.utils.parameters import is_quantity
@@ -153,10 +152,6 @@ class TrialFolder:
     number: int
     config: SweepConfig
 
-    def _may_execute(self, option: str, text: str) -> bool:
-        """True unless a field names a file that the sweep does not, and so perhaps not the user."""
-        return not is_user_class(text) or text == self.config.training.get(option)
-
     def write_settings(self, settings: Mapping[str, Any]) -> None:
         """Write trial.json."""
         write_json(self.path / TRIAL_FILE, {"sweep": self.sweep, **settings})
@@ -173,7 +168,6 @@ class TrialFolder:
                 and found["values"].keys() == space.keys()
                 and all(space[name].holds(value) for name, value in found["values"].items())
                 and all(field_rule(name, value) is None for name, value in known(found["training"]).items())
-                and all(self._may_execute(name, found["training"].get(name, "")) for name in OPTIONS)
             )
 
         return self._read(TRIAL_FILE, sound)

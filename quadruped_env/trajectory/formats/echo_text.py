@@ -28,7 +28,7 @@ from quadruped_env.ros.robot_messages import RECORDED_TYPES, RawJointState, dyna
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.formats.message_rows import assembled
-from quadruped_env.trajectory.formats.salvage import choose_topics
+from quadruped_env.trajectory.formats.storage import choose_topics
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, Rows
 

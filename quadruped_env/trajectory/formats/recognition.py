@@ -9,8 +9,8 @@ from typing import Final
 
 from quadruped_env.errors import short
 from quadruped_env.robot.description import description_problem
-from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, salvage
-from quadruped_env.trajectory.formats.salvage.records import ZSTD_MAGIC
+from quadruped_env.trajectory.formats import bag_reader, echo_text, mapped_csv, project_csv, storage
+from quadruped_env.trajectory.formats.storage.records import ZSTD_MAGIC
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import check_regular
@@ -25,9 +25,9 @@ _KNOWN: Final = (
     "echo (YAML and --csv), JSON lines of rosbridge, rosbag2 (MCAP and sqlite3) and ROS 1 bags"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
-    b"\x89MCAP0": partial(bag_reader.read, storage=salvage.MCAP),
-    b"SQLite format 3\x00": partial(bag_reader.read, storage=salvage.SQLITE3),
-    b"#ROSBAG V2.0": partial(bag_reader.read, storage=salvage.ROS1),
+    b"\x89MCAP0": bag_reader.read,
+    b"SQLite format 3\x00": bag_reader.read,
+    b"#ROSBAG V2.0": bag_reader.read_ros1,
 }
 """First bytes of a file -> its reader."""
 
@@ -45,7 +45,7 @@ def read(reading: Reading, stack: ExitStack) -> Iterator[Rows]:
     """
     head = _head(reading)
     while head.startswith(ZSTD_MAGIC):
-        reading.path = salvage.decompressed(reading.path, stack, reading)
+        reading.path = storage.decompressed(reading.path, stack, reading)
         head = _head(reading)
     reader = mapped_csv.read if reading.options.columns is not None else _reader(head, reading)
     return reader(reading)
@@ -72,9 +72,9 @@ def _head(reading: Reading) -> bytes:
 def _reader(head: bytes, reading: Reading) -> Reader:
     """The reader for a file with these first bytes."""
     if reading.path.is_dir():
-        if not salvage.storage_files(reading.path):
+        if not storage.storage_files(reading.path):
             raise reading.error(None, "the directory is not a bag; expected metadata.yaml and .mcap or .db3 files")
-        return partial(bag_reader.read, storage=salvage.DIRECTORY)
+        return bag_reader.read
     for magic, reader in _MAGICS.items():
         if head.startswith(magic):
             return reader

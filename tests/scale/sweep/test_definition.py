@@ -10,8 +10,7 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.scale.sweep import Dimension, SweepConfig
 from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
-from quadruped_env.training import TrainConfig
-from quadruped_env.training.default_settings import with_recipe
+from quadruped_env.training.recipes import with_recipe
 
 RATE = Dimension("learning_rate", 1e-4, 1e-2, log=True)
 HIDDEN = Dimension("hidden", choices=((8,), (16, 16)))
@@ -19,7 +18,7 @@ SLIP = Dimension("task.reward.weights.foot_slip", -1.0, 0.0)
 
 
 def make(fields):
-    return TrainConfig(**with_recipe(dict(fields), MINI_QUADRUPED, ()))
+    return with_recipe(fields, MINI_QUADRUPED)
 
 
 def test_trials_are_every_seed_of_every_setting():
@@ -60,7 +59,7 @@ def test_definition_that_does_not_fit_together_is_an_error(changes, message):
 
 def test_end_of_a_range_that_no_training_accepts_is_an_error_before_the_first_trial():
     config = SweepConfig(space=(Dimension("gamma", 0.9, 1.5),), settings=2)
-    with pytest.raises(QuadrupedError, match=r"--vary gamma: 1\.5 is not valid: --gamma: expected more than 0"):
+    with pytest.raises(QuadrupedError, match=r"--vary gamma: 1\.5 is not valid: gamma: expected more than 0"):
         config.check(make)
     tilt = SweepConfig(space=(Dimension("task.termination.max_tilt", -2.0, 1.0),), settings=2)
     with pytest.raises(QuadrupedError, match=r"--vary task\.termination\.max_tilt: -2\.0 is not valid"):

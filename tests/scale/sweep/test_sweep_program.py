@@ -47,7 +47,7 @@ def fails(tmp_path, capsys):
             "--vary learning_rat: unknown field 'learning_rat'; similar fields: learning_rate",
         ),
         (("--vary", "learning_rate=1e-2..1e-4"), "swap the ends: 0.0001..0.01"),
-        (("--vary", "tau=0.1..0.2"), "--tau"),
+        (("--vary", "tau=0.1..0.2"), "tau: ppo does not use it"),
         (("--seeds", 0), "--seeds: expected 1 or more, and at most 1000000000; found 0"),
         (("--trials", 5), "--trials: found 5 without a field that varies"),
         (("--scheduler", "asha"), "--scheduler: asha compares trials"),
@@ -89,20 +89,6 @@ def test_task_file_that_only_a_sweep_names_is_not_executed(fails, tmp_path):
     message = fails("--resume", folder, "--task", file)
     assert f"--task {file}: SHA-256: found '{sha256_of(file)[:8]}" in message
     assert f"has '{config.task_sha256[:8]}" in message
-
-
-def test_own_class_that_only_a_sweep_names_is_not_executed(fails, tmp_path, monkeypatch):
-    file = tmp_path / "mine.py"
-    file.write_text("raise RuntimeError('executed')\n")
-    monkeypatch.chdir(tmp_path)
-    for option in ("policy", "algo"):
-        config = SweepConfig({"timesteps": 2048, option: f"{file}:Mine"}, seeds=8)
-        folder = SweepFolder.create(tmp_path, "mine", config, "sweep").path
-        for named in ((), (f"--{option}", "other.py:Mine")):
-            message = fails("--resume", folder, *named)
-            assert f"not executed automatically: check the file, then name it with --{option} {file}:Mine" in message
-    assert "RuntimeError: executed" in fails("--resume", folder, "--algo", "mine.py:Mine"), "told to"
-    assert "--vary algo: a class of your own does not vary" in fails("--vary", "algo=ppo,mine.py:Mine")
 
 
 def test_address_without_a_listener_is_an_error_that_says_what_to_check(fails):

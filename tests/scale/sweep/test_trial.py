@@ -13,14 +13,13 @@ from quadruped_env.scale.sweep import Dimension, SweepConfig, sweep_results, tri
 from quadruped_env.scale.sweep.search import Proposals
 from quadruped_env.scale.sweep.sweep_driver import TrialBook
 from quadruped_env.scale.sweep.sweep_records import SweepFolder
-from quadruped_env.training import TrainConfig
-from quadruped_env.training.default_settings import with_recipe
+from quadruped_env.training.recipes import with_recipe
 
 BUDGET = {**SMALL, "timesteps": 320}
 
 
 def make(fields):
-    return TrainConfig(**with_recipe(dict(fields), MINI_QUADRUPED, ()))
+    return with_recipe(fields, MINI_QUADRUPED)
 
 
 @pytest.fixture
@@ -103,9 +102,9 @@ def test_trial_whose_fields_do_not_fit_together_fails_alone(sweep):
         book.ended(number)
     document = sweep_results.collect(folder, "sweep")
     assert [entry["state"] for entry in document["trials"]] == ["finished", "failed"]
-    assert "--batch-size: 4096 is more than the 32 samples" in document["trials"][1]["error"]
+    assert "batch_size: 4096 is more than the 32 samples" in document["trials"][1]["error"]
     assert "Traceback" in (folder.path / "trials" / "0001" / "error.txt").read_text()
-    assert "trial 1, seed 0, batch_size=4096: failed (QuadrupedError: --batch-size" in said[-1]
+    assert "trial 1, seed 0, batch_size=4096: failed (QuadrupedError: batch_size" in said[-1]
     assert "2 of 2 done" in said[-1]
     assert not book.missing()
     _, table = sweep_results.write(folder, document)

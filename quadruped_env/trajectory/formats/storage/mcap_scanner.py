@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import BinaryIO, Final
 from zlib import crc32
 
-from quadruped_env.trajectory.formats.salvage.records import Message, Topic, decompress
+from quadruped_env.trajectory.formats.storage.records import Message, Topic, decompress
 from quadruped_env.trajectory.reading import Reading
 
 _MAGIC: Final = b"\x89MCAP0\r\n"
@@ -28,7 +28,8 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
                 schemas[key] = _text(data, 2)[0]
             elif op == _CHANNEL:
                 key, schema = struct.unpack_from("<HH", data)
-                yield Topic(key, _text(data, 4)[0], schemas.get(schema, ""))
+                name, end = _text(data, 4)
+                yield Topic(key, name, schemas.get(schema, ""), _text(data, end)[0])
             elif op == _MESSAGE:
                 key, _, time, _ = struct.unpack_from("<HIQQ", data)
                 yield Message(key, time, data[22:], checked=checked)

@@ -10,13 +10,13 @@ import shutil
 import sqlite3
 import struct
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, closing, suppress
 from itertools import takewhile
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.trajectory.formats.salvage.records import Message, Topic
+from quadruped_env.trajectory.formats.storage.records import Message, Topic
 from quadruped_env.trajectory.reading import Reading
 
 _SIDECARS: Final = ("-wal", "-journal")
@@ -38,9 +38,12 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
         return
     if size < pages * page_size and unapplied(path) is None:
         reading.damage(f"{path.name}: cut off at byte {size} of {pages * page_size}")
-    for key, name, message_type in _rows(path, "topics", {"name": str, "type": str}, page_size, reading):
+    if rest := unapplied(path):
+        reading.note(f"{rest.name} holds changes that are not in {path.name} yet: both were read, on a copy")
+    topics = {"name": str, "type": str, "serialization_format": str}
+    for key, name, message_type, encoding in _rows(path, "topics", topics, page_size, reading):
         if name.startswith("/"):
-            yield Topic(key, name, message_type)
+            yield Topic(key, name, message_type, encoding)
     columns = {"topic_id": int, "timestamp": int, "data": bytes}
     for _, topic, time, data in _rows(path, "messages", columns, page_size, reading):
         yield Message(topic, time, data)
@@ -52,7 +55,7 @@ def unapplied(path: Path) -> Path | None:
     return next((file for file in files if file.is_file() and file.stat().st_size), None)
 
 
-def _rows(path: Path, table: str, types: dict[str, type], page_size: int, reading: Reading) -> Iterator[_Row]:
+def _rows(path: Path, table: str, types: Mapping[str, type], page_size: int, reading: Reading) -> Iterator[_Row]:
     """Id and columns of each row of a table that can be read, where the columns have these types."""
     query = f"SELECT rowid, {', '.join(types)} FROM {table} NOT INDEXED"  # noqa: S608
     last, problem = 0, ""

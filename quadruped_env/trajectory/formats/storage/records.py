@@ -20,6 +20,8 @@ class Topic:
     """Its number in the bag, by which messages refer to it"""
     name: str
     message_type: str
+    encoding: str = ""
+    """Serialization of its messages, where it is known"""
 
 
 @dataclass(frozen=True)

@@ -1,13 +1,13 @@
-"""Bags without their index: the readable messages of a rosbag2 bag that was cut off, damaged or never closed.
+"""Storage files of rosbag2: the messages of MCAP and sqlite3, also of files that were cut off, damaged or never closed.
 
-Messages come in the order of the file. ROS itself repairs ROS 1 bags (`rosbag reindex`).
+Files are read without an index and without `metadata.yaml`, which such bags lack, in the order of the files.
 """
 
 import re
 import sqlite3
 import struct
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
@@ -15,51 +15,46 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros.robot_messages import JOINT_STATE, RECORDED_TYPES
-from quadruped_env.trajectory.formats.salvage import mcap_scanner, sqlite3_scanner
-from quadruped_env.trajectory.formats.salvage.records import Message, Topic, zstd, zstd_has_checksum
+from quadruped_env.trajectory.formats.storage import mcap_scanner, sqlite3_scanner
+from quadruped_env.trajectory.formats.storage.records import Message, Topic, zstd, zstd_has_checksum
 from quadruped_env.trajectory.reading import KEEP, Reading
-
-DIRECTORY: Final = "dir"
-MCAP: Final = ".mcap"
-SQLITE3: Final = ".db3"
-ROS1: Final = ".bag"
 
 DEFAULT_TOPIC: Final = "/joint_states"
 
-_SCANNERS: Final = {MCAP: mcap_scanner.scan, SQLITE3: sqlite3_scanner.scan}
+_METADATA: Final = "metadata.yaml"
+_MAX_METADATA: Final = 1_000_000
+_SCANNERS: Final[Mapping[bytes, Callable[[Path, Reading], Iterator[Topic | Message]]]] = {
+    b"\x89MCAP0": mcap_scanner.scan,
+    b"SQLite": sqlite3_scanner.scan,
+}
+"""First bytes of a file -> its scanner"""
+_SUFFIXES: Final = (".mcap", ".db3")
 _STEP: Final = 1 << 16
 _SMALL_STEP: Final = 4096
 
 
-def messages(reading: Reading, storage: str) -> Iterator[Message]:
+def messages(reading: Reading) -> Iterator[Message]:
     """Every joint state that can be read.
 
     Raises:
-        QuadrupedError: if there is no topic of joint states, or several and the options name none.
+        QuadrupedError: if there is no topic of joint states, or several and the options name none; at damage, unless
+            the options ask to salvage.
         MissingExtraError: if rosbags is not installed.
     """
     topics: dict[tuple[Path, Any], Topic] = {}
     # The file is scanned twice, since a topic may come after its messages; the first scan reports no progress.
-    for path, found in _scan(replace(reading, progress=None), storage):
+    for path, found in _scan(replace(reading, progress=None)):
         if isinstance(found, Topic):
             topics[path, found.key] = found
     wanted = choose_topics({topic.name: topic.message_type for topic in topics.values()}, reading)
+    for topic in topics.values():
+        if topic.name in wanted and topic.encoding not in {"", "cdr"}:
+            problem = f"{topic.name} is serialized as {topic.encoding!r}; only 'cdr' is known: convert the bag"
+            raise reading.error(None, problem)
     types = {key: wanted[topic.name] for key, topic in topics.items() if topic.name in wanted}
-    for path, found in _scan(reading, storage):
+    for path, found in _scan(reading):
         if isinstance(found, Message) and (path, found.topic) in types:
             yield replace(found, message_type=types[path, found.topic])
-
-
-def first_damage(reading: Reading, storage: str) -> str:
-    """Place of the first damage in a bag that cannot be opened, as seen without its index; "" if none is seen."""
-    looking = Reading(reading.path, replace(reading.options, repair=("salvage",)))
-    try:
-        for _ in _scan(looking, storage):
-            if looking.notes:
-                break
-    except (QuadrupedError, OSError):
-        return ""
-    return looking.notes[0] if looking.notes else ""
 
 
 def choose_topics(types: Mapping[str, str], reading: Reading) -> dict[str, str]:
@@ -144,24 +139,44 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
     return plain
 
 
-def _scan(reading: Reading, storage: str) -> Iterator[tuple[Path, Topic | Message]]:
+def _scan(reading: Reading) -> Iterator[tuple[Path, Topic | Message]]:
     """Topics and messages of all files of a bag, each with its file."""
-    if storage != DIRECTORY:
-        for found in _scan_file(reading.path, storage, reading):
-            yield reading.path, found
-        return
-    for path in storage_files(reading.path):
+    is_directory = reading.path.is_dir()
+    if is_directory:
+        _note_missing_files(reading)
+    for path in storage_files(reading.path) if is_directory else [reading.path]:
         with ExitStack() as stack:
             plain = decompressed(path, stack, reading) if path.suffix == ".zstd" else path
-            for found in _scan_file(plain, plain.suffix, reading):
+            for found in _scan_file(plain, reading):
                 yield path, found
 
 
-def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | Message]:
+def _note_missing_files(reading: Reading) -> None:
+    """Add a remark on files that the metadata name by other names. Raises a QuadrupedError if their number differs."""
+    try:
+        with (reading.path / _METADATA).open("rb") as file:
+            text = file.read(_MAX_METADATA).decode(errors="replace")
+    except OSError:
+        return
+    named = re.findall(r"^\s*- (?:\S*/)?([^\s/]{1,99}\.(?:mcap|db3)(?:\.zstd)?)\s*$", text, re.MULTILINE)
+    there = [file.name for file in storage_files(reading.path)]
+    missing = [name for name in named if name not in there]
+    if missing:
+        names = f"{_METADATA} names {', '.join(named[:9])}, and the directory holds {', '.join(there)}"
+        if len(named) != len(there) and not reading.repairs("salvage"):
+            raise reading.error(None, f"{names}; add {missing[0]}, or {KEEP}")
+        reading.note(f"{names}: those were read")
+
+
+def _scan_file(path: Path, reading: Reading) -> Iterator[Topic | Message]:
     """Topics and messages of one file, up to damage that the scanner cannot skip."""
     checked = path in reading.checked_files
     try:
-        for found in _SCANNERS[storage](path, reading):
+        with path.open("rb") as file:
+            head = file.read(6)
+        # By the content of the file; a damaged beginning leaves its name.
+        scan = _SCANNERS.get(head) or _SCANNERS[b"SQLite" if path.suffix == ".db3" else b"\x89MCAP0"]
+        for found in scan(path, reading):
             yield replace(found, checked=True) if checked and isinstance(found, Message) else found
     except QuadrupedError:
         raise
@@ -175,5 +190,5 @@ def _scan_file(path: Path, storage: str, reading: Reading) -> Iterator[Topic | M
 
 def storage_files(directory: Path) -> list[Path]:
     """The storage files of a bag in the order of their numbers."""
-    files = [path for path in directory.iterdir() if path.name.removesuffix(".zstd").endswith((MCAP, SQLITE3))]
+    files = [path for path in directory.iterdir() if path.name.removesuffix(".zstd").endswith(_SUFFIXES)]
     return sorted(files, key=lambda path: [int(part) for part in re.findall(r"\d+", path.name)] + [0])
