@@ -3,11 +3,9 @@
 import functools
 import math
 import time
-from collections import deque
 from pathlib import Path
 from typing import Any, Final
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -34,7 +32,7 @@ from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.utils.rotations import rotate
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, Offered, ViewedTrace, heading, sample, world_vector
+from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, ViewedTrace, heading, sample, world_vector
 
 NAME: Final = "live robot"
 _ROW: Final = np.zeros(1, dtype=np.intp)
@@ -59,8 +57,8 @@ _MIN_NORM: Final = 1e-3
 """Smallest quaternion norm that still defines an orientation."""
 
 
-class LiveRobot:
-    """A `ViewedRobot` that takes its state from topics and sends commands as messages.
+class LiveRobot(ViewedRobot):
+    """A robot that takes its state from topics and sends commands as messages.
 
     Args:
         node: the node that subscribes, and publishes commands and pushes.
@@ -70,13 +68,6 @@ class LiveRobot:
         driver: conversion of the driver's joints; None: they are the robot's.
     """
 
-    name = NAME
-    timestep = _TIMESTEP
-    fell_at: float | None = None
-    diverged = False
-    follows_command = True
-    term_names: tuple[str, ...] = ()
-
     def __init__(
         self,
         node: Node,
@@ -85,7 +76,8 @@ class LiveRobot:
         terrain: Terrain = flat,
         driver: DriverJoints | None = None,
     ) -> None:
-        self.robot = robot
+        simulation = SingleSimulation(build_model(terrain=terrain, robot=robot), robot)
+        super().__init__(NAME, robot, simulation, terrain, _TIMESTEP)
         self._driver = driver or DriverJoints(robot)
         joints = JointReader(self._driver, states=True)
         self._states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=joints)
@@ -110,22 +102,9 @@ class LiveRobot:
         self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
-        self.terrain = terrain
-        self._simulation = SingleSimulation(build_model(terrain=terrain, robot=robot), robot)
         self._steps = 0
         self._smooth_velocity = np.zeros(2)
-        self.history: deque[ViewedTrace] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
         self.reset(0, (0.0, 0.0))
-
-    @property
-    def model(self) -> mujoco.MjModel:
-        """MuJoCo's model."""
-        return self._simulation.model
-
-    @property
-    def data(self) -> mujoco.MjData:
-        """MuJoCo's data, set to the received state."""
-        return self._simulation.data
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
         """Clear the plots and set the command; the robot stays where it is."""

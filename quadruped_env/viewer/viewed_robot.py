@@ -1,9 +1,10 @@
 """One robot of the viewer: its source, its task, and samples of its recent history for plots and recordings."""
 
+from abc import ABC, abstractmethod
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
 import mujoco
 import numpy as np
@@ -61,68 +62,78 @@ def sample(robot: Robot, timestep: float, terrain: Terrain, readings: Readings, 
     return ViewedTrace(robot=robot, timestep=timestep, terrain=terrain, **copies)
 
 
-class ViewedRobot(Protocol):
-    """A robot that the viewer shows and steers: a simulated one, or one that sends messages."""
+class ViewedRobot(ABC):
+    """A robot that the viewer shows and steers: a simulated one, or one that sends messages.
 
-    name: str
-    """Name of its source."""
-    robot: Robot
-    """Its description."""
-    timestep: float
-    """Time between samples, s."""
-    history: deque[ViewedTrace]
-    """Samples of the last seconds, the latest last."""
-    fell_at: float | None
-    """Episode time of the fall, s; None if it has not fallen."""
-    diverged: bool
-    """True if the simulation diverged and has to be reset."""
-    term_names: tuple[str, ...]
-    """Names of the samples' reward terms."""
-    terrain: Terrain
-    """Ground below it."""
-    follows_command: bool
+    Args:
+        name: name of its source.
+        robot: its description.
+        simulation: what is drawn, with the current state.
+        terrain: ground below it.
+        timestep: time between samples, s.
+    """
+
+    follows_command: bool = True
     """False if the velocity command has no effect."""
+    fell_at: float | None = None
+    """Episode time of the fall, s; None if it has not fallen."""
+    diverged: bool = False
+    """True if the simulation diverged and has to be reset."""
+    term_names: tuple[str, ...] = ()
+    """Names of the samples' reward terms."""
+
+    def __init__(
+        self, name: str, robot: Robot, simulation: SingleSimulation, terrain: Terrain, timestep: float
+    ) -> None:
+        self.name = name
+        self.robot = robot
+        self._simulation = simulation
+        self.terrain = terrain
+        self.timestep = timestep
+        self.history: deque[ViewedTrace] = deque(maxlen=round(HISTORY_SECONDS / timestep))
+        """Samples of the last seconds, the latest last."""
 
     @property
     def model(self) -> mujoco.MjModel:
         """MuJoCo's model."""
-        ...
+        return self._simulation.model
 
     @property
     def data(self) -> mujoco.MjData:
         """MuJoCo's data with the current state."""
-        ...
+        return self._simulation.data
 
     @property
+    @abstractmethod
     def gait(self) -> GaitSettings | None:
         """The settings of its scripted gait; None if it has none."""
-        ...
 
     @gait.setter
+    @abstractmethod
     def gait(self, settings: GaitSettings) -> None: ...
 
+    @abstractmethod
     def complaints(self) -> list[str]:
         """Descriptions of the joint limits that its scripted gait exceeds."""
-        ...
 
+    @abstractmethod
     def reset(self, seed: int, command: tuple[float, float]) -> None:
         """Start again with a velocity command."""
-        ...
 
+    @abstractmethod
     def set_command(self, command: tuple[float, float]) -> None:
         """Set the velocity command: forward velocity in m/s and yaw rate in rad/s."""
-        ...
 
+    @abstractmethod
     def push(self, velocity: tuple[float, float]) -> None:
         """Add a velocity (forwards, left) in the robot's heading frame, m/s, to its base."""
-        ...
 
+    @abstractmethod
     def step(self) -> ViewedTrace:
         """Advance by one sample."""
-        ...
 
 
-class TaskRobot:
+class TaskRobot(ViewedRobot):
     """A simulated robot in the task of its source, with another randomization and on another ground if they are given.
 
     Raises:
@@ -136,8 +147,6 @@ class TaskRobot:
         robot: Robot = BUILT_IN.robot,
         terrain: Terrain | None = None,
     ) -> None:
-        self.name = source.name
-        self.robot = robot
         controller = source.make()
         config = task_config(controller.action_mode, task_of(controller, robot))
         if config.robot != robot:
@@ -148,29 +157,13 @@ class TaskRobot:
         self.follows_command = controller.follows_command
         if terrain is not None:
             config = config.on_terrain(terrain, terrain.seed)
-        self.terrain = config.ground
-        model = config.compiled_model()
-        self._simulation = SingleSimulation(model, robot)
+        simulation = SingleSimulation(config.compiled_model(), robot)
+        super().__init__(source.name, robot, simulation, config.ground, config.control_timestep)
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names
-        self.timestep = config.control_timestep
-        self.history: deque[ViewedTrace] = deque(maxlen=round(HISTORY_SECONDS / self.timestep))
-        self.fell_at: float | None = None
-        """Episode time of the fall, s; None if it has not fallen."""
-        self.diverged = False
         self.lane = 0.0
         """Distance of its start on uneven ground to the left of the origin, m."""
         self.reset(0, (0.0, 0.0))
-
-    @property
-    def model(self) -> mujoco.MjModel:
-        """MuJoCo's model."""
-        return self._simulation.model
-
-    @property
-    def data(self) -> mujoco.MjData:
-        """MuJoCo's data."""
-        return self._simulation.data
 
     @property
     def gait(self) -> GaitSettings | None:

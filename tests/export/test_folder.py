@@ -17,6 +17,7 @@ from paths import ROOT
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
 from quadruped_env.control import ControlInterface
+from quadruped_env.control.live_controller import Safety
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
@@ -186,6 +187,11 @@ def test_manifest_states_the_robot_its_joints_and_the_control(flat):
     assert [component["idle"] for component in document["command"]["components"]] == [0.0, 0.0]
     assert [(c["low"], c["high"]) for c in document["command"]["components"]] == [(-0.3, 0.6), (-0.8, 0.8)]
     assert document["entry"]["joint_positions_rad"] == robot.stance.tolist()
+    safety, stop = Safety.of(robot), document["entry"]["stop"]
+    limits = (safety.max_tilt, safety.command_timeout, safety.hold_after, safety.limp_after)
+    assert (
+        tuple(stop[name] for name in ("tilt_rad", "no_command_s", "no_reading_hold_s", "no_reading_limp_s")) == limits
+    )
     assert document["training"]["seed"] == policy.card["seed"]
     assert document["training"]["command"] == policy.card["command"]
     assert not {"metrics", "verdict", "acceptance"} & set(document["training"])

@@ -1,8 +1,10 @@
 """Messages that other threads than the server's queue."""
 
 import asyncio
+import math
 import threading
 
+import numpy as np
 from viewer_clients import connected_browser
 
 from quadruped_env.viewer.guard import ThreadSafeEvent
@@ -39,6 +41,16 @@ def test_setting_it_after_the_loop_has_ended_is_no_error():
     set_elsewhere(event)
     event.set()
     assert not event.is_set(), "nothing waits for it any more"
+
+
+def test_arrow_of_a_push_points_where_the_robot_is_pushed(show):
+    show.controller.paused = True
+    show.controller.reset()
+    show._scene.show_push(math.pi / 2, 0.5)
+    show._scene.update(show.controller.view())
+    ((start, end),) = show._scene._pushes.points
+    np.testing.assert_allclose(end - start, [0.0, 0.35 * 0.5, 0.0], atol=1e-6)
+    show.controller.paused = False
 
 
 def test_drawing_reaches_connected_browsers_through_such_events(show):
