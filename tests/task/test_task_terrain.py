@@ -213,7 +213,7 @@ def test_terrain_of_a_config_is_saved_and_validated():
         ({"name": "moon"}, "terrain: 'moon' is unknown; there are flat, rough, hills"),
         ({"height": 0.1}, "config.terrain: unknown field 'height'; valid fields are name, seed"),
         ({"name": "rough", "height": -1.0}, r"terrain.height must be at least 0 \(m\); found -1.0"),
-        ({"seed": -1}, "terrain.seed must be a whole number, 0 or more, at most 4294967295; found -1"),
+        ({"seed": -1}, "terrain.seed must be a whole number from 0 to 4294967295; found -1"),
     ],
 )
 def test_invalid_terrain_of_a_config_is_refused_with_the_valid_values(values, message):

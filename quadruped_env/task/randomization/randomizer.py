@@ -1,6 +1,6 @@
 """Random quantities of episodes: their starts, model parameters, commands, pushes and sensor noise."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Final
 
 import numpy as np
@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
-from quadruped_env.robot.motors import SERVO_ERRORS
+from quadruped_env.robot.motors import SERVO_ERRORS, MotorConfig
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.command_sampling import CommandSampler
 from quadruped_env.task.randomization.draws import Draws, Purposes
@@ -17,16 +17,15 @@ from quadruped_env.task.randomization.model_fields import ModelField, Payload, c
 from quadruped_env.task.randomization.randomization import (
     Active,
     Randomization,
+    RandomizationSection,
     SensorError,
     ends_of,
     in_steps,
-    is_active,
 )
 from quadruped_env.task.randomization.recurring import Recurring
 from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
 from quadruped_env.task.randomization.servo_errors import ServoErrors
 from quadruped_env.task.randomization.starts import Starts
-from quadruped_env.task.task_config import TaskConfig
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -41,30 +40,42 @@ class Randomizer:
         simulation: simulation of N robots.
         control: gait clocks and commands of the robots.
         draws: source of random numbers.
-        config: ranges and terms.
+        randomizations: randomizations of the task.
+        section: their settings.
+        commands: sampler of the commands.
+        motors: motors without randomization.
     """
 
-    def __init__(self, simulation: Simulation, control: ControlInterface, draws: Draws, config: TaskConfig) -> None:
+    def __init__(
+        self,
+        simulation: Simulation,
+        control: ControlInterface,
+        draws: Draws,
+        randomizations: Iterable[Randomization],
+        section: RandomizationSection,
+        commands: CommandSampler,
+        motors: MotorConfig,
+    ) -> None:
         self._simulation, self._control, self._draws = simulation, control, draws
-        self._config = config
-        active = [r for r in config.definition.randomizations if is_active(config.randomization[r.name])]
+        self._section, self._timestep = section, control.config.timestep
+        active = section.active(randomizations)
         starting, recurring = [r for r in active if r.interval is None], [r for r in active if r.interval is not None]
-        self.sensors = _sensors(simulation, config, active)
+        self.sensors = _sensors(simulation, self._timestep, section, active)
         """Errors of the sensors; None if they have none."""
-        self.servos = _servos(simulation, config, active)
+        self.servos = _servos(simulation, motors, active)
         """Errors of the servos; None if they have none."""
         self._check(starting)
         self.memory = EpisodeMemory(control.num_envs)
         self.command_due: NDArray[np.int64] = self.memory.zeros("command_due", dtype=np.int64)
         """Control step of the episode at which the next command is drawn, (N,)."""
-        self.commands = CommandSampler(config.definition.commands, config.command)
+        self.commands = commands
         self._recurring = []
         for r in recurring:
             assert r.interval is not None
-            interval = config.randomization[r.interval[0]]
-            duration = None if r.duration is None else config.randomization[r.duration[0]]
+            interval = section[r.interval[0]]
+            duration = None if r.duration is None else section[r.duration[0]]
             self._recurring.append(
-                Recurring(self._bound(r), simulation, interval, duration, config.control_timestep, draws, self.memory)
+                Recurring(self._bound(r), simulation, interval, duration, self._timestep, draws, self.memory)
             )
         self._starts = Starts(
             simulation,
@@ -74,26 +85,26 @@ class Randomizer:
             {entry.name: entry.interval for entry in self._recurring},
             self.sensors,
             self.servos,
-            config.control_timestep,
+            self._timestep,
         )
-        amplitudes, layout = config.randomization.noise_amplitude, control.layout
+        amplitudes, layout = section.noise_amplitude, control.layout
         amplitude = np.zeros(layout.width)
         for name, columns in layout.slices.items():
             amplitude[columns] = amplitudes[name]
         self._noisy = np.flatnonzero(amplitude)
-        self._noise_amplitude = config.randomization.observation_noise * amplitude[self._noisy]
+        self._noise_amplitude = section.observation_noise * amplitude[self._noisy]
         # A draw is a hash of its column, so that leaving some out does not change the others.
         self._noise = Purposes({"observation_noise": layout.width})
         self._noise.constants = self._noise.constants[self._noisy]
         self._noise_values = np.zeros((control.num_envs, layout.width))
 
     def _bound(self, randomization: Randomization) -> Active:
-        return Active.of(randomization, self._config.randomization[randomization.name], self._simulation)
+        return Active.of(randomization, self._section[randomization.name], self._simulation)
 
     def _check(self, starting: list[Randomization]) -> None:
         """Check that the ranges of the model's fields leave a model that is physically possible."""
         fields = [
-            (r.name, part, ends_of(self._config.randomization[r.name]))
+            (r.name, part, ends_of(self._section[r.name]))
             for r in starting
             for part in (r.apply if isinstance(r.apply, tuple) else (r.apply,))
             if isinstance(part, (ModelField, Payload))
@@ -147,7 +158,7 @@ class Randomizer:
         """New commands (R, C) for some envs (R,) in the middle of their episodes."""
         steps = self._control.steps[env_ids]
         command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
-        self.command_due[env_ids] = steps + in_steps(seconds, self._config.control_timestep)
+        self.command_due[env_ids] = steps + in_steps(seconds, self._timestep)
         return command
 
     def within_episodes(self, running: EnvIds | None) -> None:
@@ -167,18 +178,20 @@ class Randomizer:
         return self._noise_values
 
 
-def _sensors(simulation: Simulation, config: TaskConfig, active: Sequence[Randomization]) -> Sensors | None:
+def _sensors(
+    simulation: Simulation, timestep: float, section: RandomizationSection, active: Sequence[Randomization]
+) -> Sensors | None:
     """Errors of the sensors that the active randomizations set; None if they set none."""
     largest: dict[Quantity, float] = {}
     for randomization in active:
         if isinstance(randomization.apply, SensorError):
-            quantity, ends = randomization.apply.quantity, ends_of(config.randomization[randomization.name])
+            quantity, ends = randomization.apply.quantity, ends_of(section[randomization.name])
             largest[quantity] = max(largest.get(quantity, 0.0), *ends)
-    return Sensors(simulation, config.control_timestep, largest) if largest else None
+    return Sensors(simulation, timestep, largest) if largest else None
 
 
-def _servos(simulation: Simulation, config: TaskConfig, active: Sequence[Randomization]) -> ServoErrors | None:
+def _servos(simulation: Simulation, motors: MotorConfig, active: Sequence[Randomization]) -> ServoErrors | None:
     """Errors of the servos, of the motors or of an active built-in randomization; None if there are none."""
-    of_motors = any(errors.any() for errors in config.motor.servo_errors(config.robot.joint_kinds))
+    of_motors = any(errors.any() for errors in motors.servo_errors(simulation.robot.joint_kinds))
     randomized = any(randomization.name in SERVO_ERRORS for randomization in active)
-    return ServoErrors(simulation, config.motor) if of_motors or randomized else None
+    return ServoErrors(simulation, motors) if of_motors or randomized else None

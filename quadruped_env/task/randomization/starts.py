@@ -7,7 +7,6 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.control_config import Range
 from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import Simulation, highest_ground
 from quadruped_env.task.command_sampling import CommandSampler
@@ -17,6 +16,7 @@ from quadruped_env.task.randomization.randomization import Active, between, in_s
 from quadruped_env.task.randomization.sensor_errors import Sensors
 from quadruped_env.task.randomization.servo_errors import ServoErrors
 from quadruped_env.utils import rotations
+from quadruped_env.utils.fields import Range
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
