@@ -1,5 +1,6 @@
 """Random quantities of episodes: their starts, model parameters, commands, pushes and sensor noise."""
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import Final
 
@@ -9,7 +10,8 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import SERVO_ERRORS, MotorConfig
-from quadruped_env.simulation import Simulation
+from quadruped_env.robot.units import scale_of
+from quadruped_env.simulation import Simulation, highest_ground
 from quadruped_env.task.command_sampling import CommandSampler
 from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.event import Event
@@ -19,17 +21,21 @@ from quadruped_env.task.randomization.randomization import (
     Randomization,
     RandomizationSection,
     SensorError,
+    between,
     ends_of,
     in_steps,
 )
 from quadruped_env.task.randomization.recurring import Recurring
 from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
 from quadruped_env.task.randomization.servo_errors import ServoErrors
-from quadruped_env.task.randomization.starts import Starts
+from quadruped_env.utils import rotations
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
 
+_CLEARANCE: Final = 0.01
+"""Height of the stance above the ground below it at the start, so that randomized legs do not penetrate it; of the
+built-in robot, m."""
 _NO_STATE: Final = np.zeros((0, 0))
 
 
@@ -77,16 +83,18 @@ class Randomizer:
             self._recurring.append(
                 Recurring(self._bound(r), simulation, interval, duration, self._timestep, draws, self.memory)
             )
-        self._starts = Starts(
-            simulation,
-            draws,
-            self.commands,
-            [self._bound(r) for r in starting],
-            {entry.name: entry.interval for entry in self._recurring},
-            self.sensors,
-            self.servos,
-            self._timestep,
+        self._starting = [self._bound(r) for r in starting]
+        robot = simulation.robot
+        self._start_draws = Purposes(
+            {
+                **{r.name: r.randomization.draws(robot) for r in self._starting},
+                "phase": 1,
+                **{f"{entry.name}/interval": 1 for entry in self._recurring},
+                **commands.purposes.widths,
+            }
         )
+        moved = any(r.name in ("start_joint_position", "start_tilt") for r in starting)
+        self._start_height = robot.stance_height + (_CLEARANCE * scale_of("m", robot) if moved else 0.0)
         amplitudes, layout = section.noise_amplitude, control.layout
         amplitude = np.zeros(layout.width)
         for name, columns in layout.slices.items():
@@ -126,18 +134,40 @@ class Randomizer:
             sensors.memory.clear(env_ids)
         if self.servos is not None:
             self.servos.clear(env_ids)
-        start = self._starts.of(env_ids, place)
+        draws, columns = (
+            self._draws.uniform(self._start_draws, env_ids, np.zeros_like(env_ids)),
+            self._start_draws.slices,
+        )
+        event = self._start(env_ids, place)
+        for entry in self._starting:
+            entry.apply(event, entry.values(draws[:, columns[entry.name]]))
+        event.qpos[:, 2] += highest_ground(simulation, event.qpos[:, :2])
+        event.qpos[:, 3:7] = rotations.from_roll_pitch_yaw(event.tilt)
         if sensors is not None:
             sensors.before_start(env_ids)
-        simulation.reset(env_ids, start.qpos, start.qvel)
+        simulation.reset(env_ids, event.qpos, event.qvel)
         if sensors is not None:
             sensors.after_start(env_ids)
         self.start_servos(env_ids)
         self.memory.clear(env_ids)
-        for i, entry in enumerate(self._recurring):
-            entry.due[env_ids] = start.waits[:, i]
-        self.command_due[env_ids] = start.waits[:, -1]
-        self._control.reset(env_ids, start.phase, start.command if command is None else command)
+        for recurring in self._recurring:
+            wait = between(recurring.interval, draws[:, columns[f"{recurring.name}/interval"].start])
+            recurring.due[env_ids] = in_steps(wait, self._timestep)
+        of_command = slice(columns["command/kind"].start, columns["command/interval"].stop)
+        drawn, until_next = self.commands.sample(draws[:, of_command])
+        self.command_due[env_ids] = in_steps(until_next, self._timestep)
+        phase = math.tau * draws[:, columns["phase"].start]
+        self._control.reset(env_ids, phase, drawn if command is None else command)
+
+    def _start(self, env_ids: EnvIds, place: Floats | None) -> Event:
+        """Episodes of some envs (R,) that begin in the stance, at rest."""
+        robot, rows = self._simulation.robot, len(env_ids)
+        qpos, qvel = np.zeros((rows, robot.num_positions)), np.zeros((rows, robot.num_velocities))
+        qpos[:, 2], qpos[:, 7:] = self._start_height, robot.stance
+        if place is not None:
+            qpos[:, :2] = place
+        tilt = np.zeros((rows, 3))
+        return Event(self._simulation, robot, env_ids, qpos, qvel, tilt, self.sensors, self.servos)
 
     def start_servos(self, env_ids: EnvIds) -> None:
         """Let the gears of some envs' servos (R,) begin where their joints are."""
