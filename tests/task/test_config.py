@@ -5,6 +5,7 @@ import dataclasses
 import json
 import math
 import pickle
+from typing import Annotated
 
 import numpy as np
 import pytest
@@ -12,17 +13,21 @@ import second_robot
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.control_config import ControlConfig
-from quadruped_env.robot import JointMotor, MotorConfig
+from quadruped_env.robot import JointMotor, MotorConfig, QuadrupedDesign
 from quadruped_env.simulation import BatchSimulation, build_model
 from quadruped_env.task import (
+    BUILT_IN,
     ActionConfig,
     CommandConfig,
+    Parameter,
     RandomizationConfig,
     RewardConfig,
     Task,
     TaskConfig,
     TerminationConfig,
+    load_task_file,
 )
+from quadruped_env.utils.fields import Amplitude, converted
 
 SMALLEST = 1e-9
 CONFIG = TaskConfig(
@@ -246,3 +251,38 @@ def test_a_number_of_any_size_is_refused_and_the_message_gives_the_field_and_the
                 values = {name: values}
             with pytest.raises(QuadrupedError, match=rf"{path[-1]}\b.*({BOUNDS}|whole).*; found "):
                 TaskConfig.from_dict(values)
+
+
+@pytest.mark.parametrize(
+    ("value", "limits", "valid"),
+    [
+        (0.2, Parameter(low=-0.2, high=0.2), True),
+        (0.3, Parameter(low=-0.2, high=0.2), False),
+        (-0.1, Parameter(), False),
+        (0.1, Parameter(low=0.0), False),  # whose other end is -0.1
+        ((0.1, 0.2), Parameter(low=0.0), True),
+        ((-0.1, 0.2), Parameter(low=0.0), False),
+        (None, Parameter(low=0.0), True),
+    ],
+)
+def test_an_amplitude_stands_for_both_ends_of_its_range(value, limits, valid):
+    if valid:
+        assert converted(value, Annotated[Amplitude, limits], "config.x") == value
+    else:
+        with pytest.raises(QuadrupedError, match=r"config\.x must be"):
+            converted(value, Annotated[Amplitude, limits], "config.x")
+
+
+def test_limits_of_a_larger_robot_are_larger():
+    large = BUILT_IN.with_robot(QuadrupedDesign(name="large", leg_length=0.5).robot())
+    values = {"randomization": {"base_com": 0.25}}
+    assert TaskConfig.from_dict(values, large).randomization.base_com == 0.25
+    with pytest.raises(QuadrupedError, match=r"base_com must be"):
+        TaskConfig.from_dict(values)
+
+
+def test_name_that_a_section_needs_itself_is_refused_for_a_term(tmp_path):
+    file = tmp_path / "own.py"
+    file.write_text("from quadruped_env.task import Command\nc = Command('items', 'm', (0.0, 0.1))\n")
+    with pytest.raises(QuadrupedError, match=r"config.command: 'items' cannot be the name of a field; choose another"):
+        TaskConfig(definition=load_task_file(file))

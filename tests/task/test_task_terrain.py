@@ -255,3 +255,10 @@ def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
     assert done.stdout.strip() == expected
     with pytest.raises(QuadrupedError, match="'ridges' is unknown; there are flat, rough, hills"):
         gymnasium.make(ENV_ID, terrain="ridges")
+
+
+def test_level_replaces_the_parameters_that_the_config_had():
+    stairs = find_terrain("stairs")
+    config = TaskConfig.from_dict({"terrain": {"name": "stairs", "height": 0.011}})
+    assert config.on_terrain(stairs.variant(level=3)).ground == stairs.variant(level=3)
+    assert config.on_terrain(stairs.variant(level=3)).terrain.replace(level=5).ground == stairs.variant(level=5)
