@@ -2,85 +2,34 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Final, Literal, Self
+from typing import Annotated, Final, Literal, Self
 
 from quadruped_env.control.clock import Frequency, frequency_of, middle_frequency
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.gait import CLOCK_FREQUENCY, COMMANDED, SINUSOID, CommandedGait
+from quadruped_env.gait import CLOCK_FREQUENCY, SINUSOID, CommandedGait
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
-from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
-from quadruped_env.utils.plain import Plain, PlainFields
+from quadruped_env.utils.fields import Fields, Range, converted, hints_of, with_values
+from quadruped_env.utils.parameters import Parameter
+from quadruped_env.utils.plain import Plain
 
 ACTION_MODES: Final = ("position", "residual")
-MAX_DECIMATION: Final = 1000
-"""Maximum number of physics steps per control step."""
-PHYSICS_TIMESTEPS: Final = (1e-5, 1.0)
-"""Shortest and longest physics time step, s."""
-MAX_HISTORY: Final = 1000
-"""Maximum number of control steps that a policy observes at once."""
-
-Range = tuple[float, float]
-
-
-def check(condition: bool, name: str, value: object, rule: str) -> None:
-    """Raise a QuadrupedError that names the field, the value and the rule, unless the condition holds."""
-    if not condition:
-        raise QuadrupedError(f"config: {name} must be {rule}; found {short(value)}")
-
-
-def check_history(history: Plain) -> None:
-    """Raise a QuadrupedError unless a value is a number of control steps."""
-    rule = f"a whole number of control steps, 1 or more (1: only the present observation), at most {MAX_HISTORY}"
-    check(type(history) is int and 1 <= history <= MAX_HISTORY, "observation_history", history, rule)
-
-
-def check_rates(decimation: Plain, physics_timestep: Plain) -> None:
-    """Raise a QuadrupedError unless two values are a number of physics steps per control step and a time step in s."""
-    valid = type(decimation) is int and 1 <= decimation <= MAX_DECIMATION
-    check(valid, "decimation", decimation, f"1 or more, at most {MAX_DECIMATION}")
-    low, high = PHYSICS_TIMESTEPS
-    check(
-        is_quantity(physics_timestep, low, high),
-        "physics_timestep",
-        physics_timestep,
-        f"positive, {low:g} to {high:g} (s)",
-    )
-
-
-def check_range(name: str, value: Plain) -> None:
-    """Raise a QuadrupedError unless a value is a pair (low, high) with low <= high, each at most `LARGEST` in size."""
-    rule = "a pair (low, high) with low <= high"
-    check(isinstance(value, (tuple, list)) and len(value) == 2, name, value, rule)
-    check(all(map(is_quantity, value)), name, value, f"{rule}, each from {-LARGEST:g} to {LARGEST:g}")
-    check(value[0] <= value[1], name, value, rule)
 
 
 @dataclass(frozen=True)
-class ActionConfig(PlainFields):
+class ActionConfig(Fields, path="config.action"):
     """Conversion of an action to joint targets."""
 
     mode: Literal["position", "residual"] = "position"
     """`position`: relative to the stance. `residual`: relative to the scripted gait: a zero action is the gait."""
-    position_scale: float = 0.6
+    position_scale: Annotated[float, Parameter.positive("rad")] = 0.6
     """Change of the joint target per unit of action in `position` mode, rad."""
-    residual_scale: float = 0.4
+    residual_scale: Annotated[float, Parameter.positive("rad")] = 0.4
     """Change of the joint target per unit of action in `residual` mode, rad."""
     gait: Literal["sinusoid", "tuned", "crouched", "low", "fast"] = "sinusoid"
     """Scripted gait of the `residual` mode: the trot in closed form, or one that a search found. `crouched` bends its
     legs further, the steps of `low` are low and quick, `fast` takes longer strides; they need gait clocks of their own
     frequencies, 3.6, 5 and 3.2 Hz."""
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if self.mode not in ACTION_MODES:
-            raise QuadrupedError(
-                f"action_mode: {short(self.mode)} is unknown; valid modes are {', '.join(ACTION_MODES)}"
-            )
-        for name in ("position_scale", "residual_scale"):
-            value = getattr(self, name)
-            check(is_quantity(value, SMALLEST), f"action.{name}", value, f"positive (rad), at most {LARGEST:g}")
-        check(self.gait in tuple(COMMANDED), "action.gait", self.gait, f"one of {', '.join(COMMANDED)}")
 
     @property
     def scale(self) -> float:
@@ -97,7 +46,7 @@ class ActionConfig(PlainFields):
 
 
 @dataclass(frozen=True)
-class Command(PlainFields):
+class Command:
     """One component of the command."""
 
     name: str
@@ -109,8 +58,9 @@ class Command(PlainFields):
     """Value for a fixed command that leaves this component out."""
 
     def __post_init__(self) -> None:
-        super().__post_init__()
-        check_range(f"command.{self.name}", self.range)
+        path = f"config.command.{self.name}"
+        object.__setattr__(self, "range", converted(self.range, Range, path))
+        object.__setattr__(self, "default", converted(self.default, float, path))
 
 
 COMMANDS: Final = (
@@ -135,21 +85,52 @@ def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> tuple[
     )
 
 
-COMMAND_RATE: Final[Mapping[str, float]] = {"forward_acceleration": 1.0, "yaw_acceleration": 4.0}
-"""Fields of `config["command"]` with the largest rate of change of the velocity command, for the built-in robot."""
+COMMAND_RATE: Final = (1.0, 4.0)
+"""Largest rate of change of the commanded forward velocity and yaw rate, m/s^2 and rad/s^2, for the built-in robot."""
 COMMAND_RATE_UNITS: Final = ("m/s^2", "rad/s^2")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class CommandRate(Fields, path="config.command"):
+    """Fields of `config["command"]` with the largest rate of change of the velocity command."""
+
+    forward_acceleration: Annotated[float, Parameter.positive("m/s^2")] = COMMAND_RATE[0]
+    yaw_acceleration: Annotated[float, Parameter.positive("rad/s^2")] = COMMAND_RATE[1]
 
 
 def command_rate(robot: Robot) -> tuple[float, float]:
     """Default of the largest rate of change of a robot's forward velocity and yaw rate commands, m/s^2 and rad/s^2."""
-    rates = zip(COMMAND_RATE.values(), COMMAND_RATE_UNITS, strict=True)
+    rates = zip(COMMAND_RATE, COMMAND_RATE_UNITS, strict=True)
     forward, turn = (float(scaled(rate, scale_of(unit, robot))) for rate, unit in rates)
     return forward, turn
 
 
+ClockFrequency = Annotated[Frequency, lambda value, _: frequency_of(value)]
+
+
+@dataclass(frozen=True)
+class LoopConfig(Fields):
+    """Fields of a task's config that a real robot needs, too, but for the command."""
+
+    decimation: Annotated[int, Parameter(low=1, high=1000)] = 4
+    """Physics steps per control step."""
+    physics_timestep: Annotated[float, Parameter("s", 1e-5, 1.0)] = 0.005
+    """Physics time step, s."""
+    clock_frequency: ClockFrequency = CLOCK_FREQUENCY
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
+    observation_history: Annotated[int, Parameter(low=1, high=1000)] = 3
+    """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
+    action: ActionConfig = field(default_factory=ActionConfig)
+
+    @property
+    def control_timestep(self) -> float:
+        """Time between actions, s."""
+        return self.physics_timestep * self.decimation
+
+
 @dataclass(frozen=True)
 class ControlConfig:
-    """Fields of a task's config that a `ControlInterface` needs."""
+    """Configuration of a `ControlInterface`."""
 
     timestep: float = 0.02
     """Time between actions, s."""
@@ -158,10 +139,16 @@ class ControlConfig:
     observation_history: int = 3
     """Control steps whose observations a policy gets at once."""
     action: ActionConfig = field(default_factory=ActionConfig)
-    command_rate: tuple[float, float] = (COMMAND_RATE["forward_acceleration"], COMMAND_RATE["yaw_acceleration"])
+    command_rate: tuple[float, float] = COMMAND_RATE
     """Largest rate at which the commanded forward velocity (m/s^2) and yaw rate (rad/s^2) change."""
     commands: tuple[Command, ...] = COMMANDS
     """Components of the command, the velocity command first."""
+
+    @classmethod
+    def of(cls, loop: LoopConfig, rate: tuple[float, float], commands: Sequence[Command]) -> Self:
+        """The part of a task's config that control needs."""
+        history, timestep = loop.observation_history, loop.control_timestep
+        return cls(timestep, loop.clock_frequency, history, loop.action, rate, tuple(commands))
 
     @classmethod
     def of_robot(cls, robot: Robot) -> Self:
@@ -179,28 +166,17 @@ class ControlConfig:
             commands: components of the command; their ranges are replaced by those in `values`.
 
         Raises:
-            QuadrupedError: if a field is missing or not valid; the message names the field.
+            QuadrupedError: if a field is not valid; the message names the field.
         """
-        if not isinstance(values, dict):
-            raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
-        default = cls()
-        decimation, physics_timestep = values.get("decimation", 4), values.get("physics_timestep", 0.005)
-        check_rates(decimation, physics_timestep)
-        history = values.get("observation_history", default.observation_history)
-        check_history(history)
-        try:
-            section = values.get("command", {})
-            ranges = {command.name: command.range for command in commands} | section
-            rates = {**COMMAND_RATE} | {name: section[name] for name in COMMAND_RATE if name in section}
-            for name, rate in rates.items():
-                check(is_quantity(rate, SMALLEST), f"command.{name}", rate, f"positive, at most {LARGEST:g}")
-            return cls(
-                timestep=float(physics_timestep * decimation),
-                clock_frequency=frequency_of(values.get("clock_frequency", default.clock_frequency)),
-                observation_history=history,
-                action=ActionConfig(**values.get("action", {})),
-                command_rate=(rates["forward_acceleration"], rates["yaw_acceleration"]),
-                commands=tuple(replace(command, range=ranges[command.name]) for command in commands),
-            )
-        except TypeError as error:
-            raise QuadrupedError(f"config: a field has a value of the wrong type ({error})") from error
+        section = values.get("command", {}) if isinstance(values, dict) else values
+        if not isinstance(section, dict):
+            raise QuadrupedError(f"config: expected a mapping of fields; found {short(section)}")
+        loop = with_values(LoopConfig(), _own(values, LoopConfig), "config")
+        rate = with_values(CommandRate(), _own(section, CommandRate), "config.command")
+        own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands]
+        return cls.of(loop, (rate.forward_acceleration, rate.yaw_acceleration), own)
+
+
+def _own(values: Mapping[str, Plain], kind: type) -> dict[str, Plain]:
+    """The values of the fields that a dataclass has."""
+    return {name: value for name, value in values.items() if name in hints_of(kind)}

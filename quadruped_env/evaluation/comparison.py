@@ -9,7 +9,6 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.control_config import Range
 from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
@@ -29,6 +28,7 @@ from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation import Terrain
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils.fields import Range
 from quadruped_env.utils.progress import Progress, part_of
 
 Command = tuple[float, float]

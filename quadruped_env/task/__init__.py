@@ -3,7 +3,7 @@
 from quadruped_env.control.control_config import ActionConfig, Command
 from quadruped_env.control.observations import ObservationField, observation
 from quadruped_env.simulation.terrain import Grid, Terrain, terrain
-from quadruped_env.task.config_sections import Section
+from quadruped_env.task.command_sampling import CommandSection
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.privileged import PrivilegedReading, TrueState, privileged
 from quadruped_env.task.randomization.event import Event
@@ -21,6 +21,7 @@ from quadruped_env.task.task_config import (
 )
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition, load_task_file
 from quadruped_env.task.terms import RewardTerm, Termination, reward, reward_group, termination
+from quadruped_env.utils.fields import Section
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.provenance import TaskFile
 
@@ -30,6 +31,7 @@ __all__ = [
     "ActionConfig",
     "Command",
     "CommandConfig",
+    "CommandSection",
     "Event",
     "Grid",
     "ModelField",

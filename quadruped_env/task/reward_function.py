@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
-from quadruped_env.task.terms import RewardTerm, Termination
+from quadruped_env.task.terms import RewardSection, RewardTerm, Termination, TerminationSection
+from quadruped_env.utils.fields import Section
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -26,7 +26,7 @@ class RewardFunction:
         context: input of the terms.
     """
 
-    def __init__(self, terms: Sequence[RewardTerm], config: Section, context: TaskContext) -> None:
+    def __init__(self, terms: Sequence[RewardTerm], config: RewardSection, context: TaskContext) -> None:
         self.names = tuple(name for term in terms for name in term.names)
         self._weights = np.array([config.weights[name] for name in self.names])[:, None] * context.timestep
         self._weights.setflags(write=False)
@@ -86,7 +86,7 @@ class Terminations:
         context: input of the terms.
     """
 
-    def __init__(self, terms: Sequence[Termination], config: Section, context: TaskContext) -> None:
+    def __init__(self, terms: Sequence[Termination], config: TerminationSection, context: TaskContext) -> None:
         self._names = [term.name for term in terms]
         self._functions: list[Callable[[TaskContext], Bools]] = [
             _with_parameters(term, config, context) for term in terms

@@ -16,7 +16,8 @@ from quadruped_env.control.control_interface import ControlInterface, Controller
 from quadruped_env.control.episode_memory import EpisodeMemory, State
 from quadruped_env.control.velocity_command import check_command
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.simulation import Simulation, Tiles
+from quadruped_env.simulation import Simulation
+from quadruped_env.task.command_sampling import CommandSampler
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.privileged import PrivilegedReadings, TrueState
 from quadruped_env.task.randomization.draws import Draws, Purposes
@@ -24,6 +25,7 @@ from quadruped_env.task.randomization.randomizer import Randomizer
 from quadruped_env.task.randomization.tile_assignment import TileAssignment
 from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
 from quadruped_env.task.task_config import TaskConfig
+from quadruped_env.task.terrain_section import TilesSection
 from quadruped_env.utils.plain import whole_number
 
 Floats = NDArray[np.float64]
@@ -85,9 +87,17 @@ class Task:
         self.draws = Draws(n)
         self._rewards = RewardFunction(definition.rewards, config.reward, self.context)
         self._terminations = Terminations(definition.terminations, config.termination, self.context)
-        self._randomizer = Randomizer(simulation, self.control, self.draws, config)
-        ground = config.ground
-        self.tiles = TileAssignment(ground, config.terrain, n) if isinstance(ground, Tiles) else None
+        self._randomizer = Randomizer(
+            simulation,
+            self.control,
+            self.draws,
+            definition.randomizations,
+            config.randomization,
+            CommandSampler(definition.commands, config.command),
+            config.motor,
+        )
+        terrain = config.terrain
+        self.tiles = TileAssignment(terrain, n) if isinstance(terrain, TilesSection) else None
         """Tile of each env, on the terrain `tiles`; else None."""
         self._noise = config.randomization.observation_noise > 0.0
         self._own_terms = definition.file is not None
@@ -167,7 +177,7 @@ class Task:
             command = check_command(command, self.config.commands)
         if tiles is not None:
             if self.tiles is None:
-                raise QuadrupedError(f"reset: tiles need the terrain 'tiles'; found {self.config.terrain['name']!r}")
+                raise QuadrupedError(f"reset: tiles need the terrain 'tiles'; found {self.config.terrain.name!r}")
             self.tiles.check(tiles, len(env_ids))
         first = np.zeros(len(env_ids), dtype=np.bool_)
         for i, env_id in enumerate(env_ids.tolist()):

@@ -1,13 +1,15 @@
-"""Reward terms and terminations, and the decorators that create them."""
+"""Reward terms and terminations: the decorators that create them, and their parts of the config."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.task.context import TaskContext
+from quadruped_env.utils.fields import Section
 from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
 from quadruped_env.utils.plain import plain
 
@@ -103,3 +105,24 @@ def termination(function: Condition) -> Termination:
     """Decorator: a function (context) -> bool (N,) becomes a termination of the same name."""
     stay_importable(function)
     return Termination(function.__name__, function, parameters_of(function), described(function))
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Weights(Section, path="config.reward.weights"):
+    """Weight of every reward term by name, per second, in the order in which they are added."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class RewardSection(Section, path="config.reward"):
+    """Weights and parameters of the reward terms; each parameter of a term is a field of its name, too."""
+
+    weights: Mapping[str, float]
+    velocity_time_constant: Annotated[float, Parameter.positive("s")] = 0.4
+    """Time constant of the average velocity, s."""
+    contact_threshold: Annotated[float, Parameter("N", 0.0)] = 1.0
+    """Normal force above which a foot is in contact, N."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class TerminationSection(Section, path="config.termination"):
+    """Parameters of the terminations, by name."""

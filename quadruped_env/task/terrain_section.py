@@ -1,70 +1,116 @@
-"""Fields of the config's section `terrain`, which depend on the terrain that it names, its level and the robot."""
+"""Section `terrain` of the config, whose fields depend on the terrain that it names, its level and the robot."""
 
 import functools
 from collections.abc import Mapping, Sequence
-from typing import Final, NamedTuple, Self
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar, Final, Self
 
-from quadruped_env.control.control_config import check
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
 from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain, Tiles
-from quadruped_env.task.config_sections import Entry, Schema, Section, number, parameter_entry, seed_entry
 from quadruped_env.task.task_definition import TaskDefinition
+from quadruped_env.utils.fields import Section, check, converted, extended, with_values
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.plain import Plain
 
 DEFAULT_TERRAIN: Final = "flat"
-_SHARE: Final = Parameter(low=0.0, exclusive=True)
+Seed = Annotated[int, Parameter(low=0, high=2**32 - 1)]
+Level = Annotated[int, Parameter(low=1, high=LEVELS)]
+Share = Annotated[float, Parameter(low=0.0, exclusive=True)]
 
 
-class Choice(NamedTuple):
-    """The fields that determine which other fields the section has, and their defaults."""
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class TerrainSection(Section, path="config.terrain"):
+    """Name, seed and parameters of the ground; each parameter of the terrain is a field of its name, too."""
 
-    name: Plain = DEFAULT_TERRAIN
-    level: Plain = None
+    name: str = DEFAULT_TERRAIN
+    seed: Seed = 0
 
-    @classmethod
-    def of(cls, values: Plain) -> Self:
-        """The choice in values of the section, which may be invalid."""
-        if not isinstance(values, Mapping):
-            return cls()
-        return cls(values.get("name", DEFAULT_TERRAIN), values.get("level"))
+    definition: ClassVar[TaskDefinition]
+    """Definition that has the terrain."""
+
+    def changes(self) -> dict[str, Plain]:
+        """See `Section`; a terrain other than the default one is a change."""
+        own = super().changes()
+        return own if self.name == DEFAULT_TERRAIN else {"name": self.name, **own}
+
+    def replace(self, **changes: Plain) -> Self:
+        """See `Section`; with another level, the parameters that were not changed are those of the level."""
+        section: Any = terrain_section_of(self.definition, {**self.changes(), **changes})
+        return section
+
+    @property
+    def ground(self) -> Terrain:
+        """The terrain with its seed, level and parameters."""
+        terrain, robot = find_terrain(self.name, self.definition.terrains), self.definition.robot
+        parameters = {name: value for name, value in self.items() if name not in FIELDS}
+        return terrain.variant(self.seed, self.get("level"), terrain_scale(terrain, robot), **parameters)
 
 
-def terrain_schema(choice: Choice, definition: TaskDefinition) -> Schema:
-    """Fields of the section for a choice.
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class TilesSection(TerrainSection):
+    """Tiles of several kinds of terrain and levels, with or without a curriculum."""
+
+    kinds: tuple[str, ...]
+    """Name of the terrain of each line of tiles."""
+    levels: Level
+    """Number of levels."""
+    curriculum: bool = False
+    """True if the level of an env follows from what its robot has reached."""
+    start_levels: Level = 5
+    """Highest level at which an env begins with the curriculum."""
+    promote_share: Share = 0.8
+    """Share of the commanded distance with which an env is promoted to the next level."""
+    demote_share: Share = 0.5
+    """Share of the commanded distance below which an env is demoted."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        # Else a robot could be promoted and demoted at once.
+        rule = f"at most promote_share ({self.promote_share:g})"
+        check(self.demote_share <= self.promote_share, f"{self.path}.demote_share", self.demote_share, rule)
+
+    @property
+    def ground(self) -> Tiles:
+        """See `TerrainSection`."""
+        terrains, robot = self.definition.terrains, self.definition.robot
+        tiles = find_terrain(self.name, terrains)
+        assert isinstance(tiles, Tiles)
+        found = [find_terrain(kind, terrains) for kind in self.kinds]
+        kinds = [kind.variant(scale=terrain_scale(kind, robot)) for kind in found]
+        return tiles.of(kinds, self.levels, self.seed, terrain_scale(tiles, robot))
+
+
+def terrain_section_of(definition: TaskDefinition, values: Plain) -> TerrainSection:
+    """The section with plain values; missing fields have their defaults.
+
+    Raises:
+        QuadrupedError: if a field is unknown or a value is not valid; the message names the field.
+    """
+    return with_values(terrain_type(definition, values)(), values, "config.terrain")
+
+
+def terrain_type(definition: TaskDefinition, values: Plain) -> type[TerrainSection]:
+    """The dataclass of the section for the terrain and the level that its values name.
 
     Raises:
         QuadrupedError: if there is no such terrain or level; the message names those that there are.
     """
-    terrain = find_terrain(choice.name, definition.terrains)
-    if isinstance(terrain, Tiles):
-        return _tiles_schema(terrain, definition)
-    if choice.level is not None:
+    values = values if isinstance(values, Mapping) else {}
+    terrain, level = find_terrain(values.get("name", DEFAULT_TERRAIN), definition.terrains), values.get("level")
+    if level is not None and not isinstance(terrain, Tiles):
         if terrain.hardest is None:
             raise QuadrupedError(
                 f"config.terrain.level: {terrain.name!r} has no levels; leave it out, or name one of "
                 f"{', '.join(with_levels(definition.terrains))}"
             )
-        _level(choice.level, "config.terrain.level")
-    return _shape_schema(terrain, choice.level, terrain_scale(terrain, definition.robot))
+        level = converted(level, Level, "config.terrain.level")
+    return _type(terrain, level, definition)
 
 
 def with_levels(terrains: Sequence[Terrain]) -> list[str]:
     """Names of the terrains that have levels."""
     return [terrain.name for terrain in terrains if terrain.hardest is not None]
-
-
-def ground_of(section: Section, definition: TaskDefinition) -> Terrain:
-    """The terrain that a section describes, with its seed, level and parameters."""
-    terrain, robot = find_terrain(section["name"], definition.terrains), definition.robot
-    scale = terrain_scale(terrain, robot)
-    if isinstance(terrain, Tiles):
-        found = [find_terrain(kind, definition.terrains) for kind in section["kinds"]]
-        kinds = [kind.variant(scale=terrain_scale(kind, robot)) for kind in found]
-        return terrain.of(kinds, section["levels"], section["seed"], scale)
-    parameters = {name: value for name, value in section.items() if name not in FIELDS}
-    return terrain.variant(section["seed"], section.get("level"), scale, **parameters)
 
 
 def values_of(terrain: Terrain) -> dict[str, Plain]:
@@ -75,64 +121,31 @@ def values_of(terrain: Terrain) -> dict[str, Plain]:
 
 
 @functools.cache
-def _shape_schema(terrain: Terrain, level: int | None, scale: float) -> Schema:
-    own: dict[str, Entry] = {"name": _name_entry(terrain), "seed": seed_entry(terrain.seed)}
-    if terrain.hardest is not None:
-        own["level"] = Entry(None, _level)
-    defaults = terrain.defaults(level, scale)
-    return own | {name: parameter_entry(terrain.parameter(name, scale), value) for name, value in defaults.items()}
+def _type(terrain: Terrain, level: int | None, definition: TaskDefinition) -> type[TerrainSection]:
+    base: type[TerrainSection] = TerrainSection
+    own: dict[str, tuple[Any, Plain]] = {"name": (str, terrain.name), "seed": (Seed, terrain.seed)}
+    if isinstance(terrain, Tiles):
+        base, valid = TilesSection, with_levels(definition.terrains)
+        kinds = Annotated[tuple[str, ...], functools.partial(_kinds, valid)]
+        own |= {"kinds": (kinds, tuple(kind.name for kind in terrain.kinds)), "levels": (Level, terrain.levels)}
+    else:
+        if terrain.hardest is not None:
+            own["level"] = (Annotated[int | None, Parameter(low=1, high=LEVELS)], None)
+        scale = terrain_scale(terrain, definition.robot)
+        for name, value in terrain.defaults(level, scale).items():
+            own[name] = (Annotated[float, terrain.parameter(name, scale)], value)
+    section = extended(base, own, functools.partial(terrain_section_of, definition))
+    section.definition = definition
+    return section
 
 
-@functools.cache
-def _tiles_schema(tiles: Tiles, definition: TaskDefinition) -> Schema:
-    valid = with_levels(definition.terrains)
-
-    def kinds(value: Plain, path: str) -> tuple[str, ...]:
-        if not isinstance(value, (list, tuple)) or not value:
-            raise QuadrupedError(
-                f"{path}: expected a list of one or more terrains with levels; found {short(value)}; valid are "
-                f"{', '.join(valid)}"
-            )
-        for kind in value:
-            if kind not in valid:
-                raise QuadrupedError(
-                    f"{path}: {short(kind)} is not a terrain with levels; valid are {', '.join(valid)}"
-                )
-        return tuple(value)
-
-    def switch(value: Plain, path: str) -> bool:
-        if not isinstance(value, bool):
-            raise QuadrupedError(f"{path}: expected true or false; found {short(value)}")
-        return value
-
-    return {
-        "name": _name_entry(tiles),
-        "seed": seed_entry(tiles.seed),
-        "kinds": Entry(tuple(kind.name for kind in tiles.kinds), kinds),
-        "levels": Entry(tiles.levels, _level),
-        "curriculum": Entry(False, switch),
-        "start_levels": Entry(5, _level),
-        "promote_share": parameter_entry(_SHARE, 0.8),
-        "demote_share": parameter_entry(_SHARE, 0.5),
-    }
-
-
-def _name_entry(terrain: Terrain) -> Entry:
-    def name(value: Plain, path: str) -> str:
-        if value != terrain.name:
-            raise QuadrupedError(
-                f"{path}: this section is for {terrain.name!r}; found {short(value)}; make a new section, or use "
-                f"TaskConfig.on_terrain"
-            )
-        return terrain.name
-
-    return Entry(DEFAULT_TERRAIN, name)
-
-
-def _level(value: Plain, path: str) -> int | None:
-    """Convert a level; None is valid only where it is the default."""
-    if value is None and path.endswith(".level"):
-        return None
-    level = int(number(value, path, whole=True))
-    check(1 <= level <= LEVELS, path.removeprefix("config."), level, f"a whole number from 1 to {LEVELS}")
-    return level
+def _kinds(valid: Sequence[str], value: Plain, path: str) -> tuple[str, ...]:
+    if not isinstance(value, (list, tuple)) or not value:
+        raise QuadrupedError(
+            f"{path}: expected a list of one or more terrains with levels; found {short(value)}; valid are "
+            f"{', '.join(valid)}"
+        )
+    for kind in value:
+        if kind not in valid:
+            raise QuadrupedError(f"{path}: {short(kind)} is not a terrain with levels; valid are {', '.join(valid)}")
+    return tuple(value)

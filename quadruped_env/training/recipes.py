@@ -9,7 +9,7 @@ from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
 from quadruped_env.task.randomization.randomization_presets import PRESET
-from quadruped_env.task.task_config import values_for
+from quadruped_env.task.sections import values_for
 from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS
 from quadruped_env.training.train_config import TrainConfig, check_fields
 

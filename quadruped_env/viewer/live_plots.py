@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.reporting import palette
 from quadruped_env.robot import Robot
-from quadruped_env.task import Section
+from quadruped_env.task import CommandSection
 from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, ViewedTrace
 
@@ -31,7 +31,9 @@ _POINTS: Final = 125
 class Plots:
     """A panel of charts at the left edge, for ranges of the velocity command; `reward` is False without terms."""
 
-    def __init__(self, server: "viser.ViserServer", commands: Section, robot: Robot, reward: bool = True) -> None:
+    def __init__(
+        self, server: "viser.ViserServer", commands: CommandSection, robot: Robot, reward: bool = True
+    ) -> None:
         panel = server.gui.add_panel()
         panel.dock_left()
         panel.set_width(_WIDTH)

@@ -13,7 +13,7 @@ from quadruped_env.reporting.films.film import size_of
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
-from quadruped_env.task import PRESETS, CommandConfig, Section, TaskConfig
+from quadruped_env.task import PRESETS, CommandConfig, CommandSection, TaskConfig
 from quadruped_env.viewer.viewed_robot import TaskRobot, ViewedRobot
 
 MAX_ROBOTS: Final = 3
@@ -85,7 +85,7 @@ class ViewerRobots:
         return self.slots[0].robot.terrain
 
     @property
-    def command_ranges(self) -> Section:
+    def command_ranges(self) -> CommandSection:
         """The widest ranges of the velocity command, of the default task and those of the robots."""
         own = [slot.robot.task.config.command for slot in self.slots if isinstance(slot.robot, TaskRobot)]
         tasks = [CommandConfig(), *own]

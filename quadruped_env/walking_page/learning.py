@@ -62,10 +62,10 @@ def learning_document(config: TaskConfig) -> dict[str, Any] | None:
         "unit": [scale_of(unit, robot) for unit in ("m/s", "rad/s")],
         "command": [round(_SPEED * config.commands[0].range[1], 1), 0.0],
         "smoothing": 1.0 - math.exp(-step / reward.velocity_time_constant),
-        "std": [reward.forward_velocity_std, reward.yaw_rate_std],
+        "std": [reward["forward_velocity_std"], reward["yaw_rate_std"]],
         "foot_radius": robot.foot_radius,
-        "foot_lift": reward.foot_lift,
+        "foot_lift": reward["foot_lift"],
         "contact_threshold": reward.contact_threshold,
-        "base_arm": reward.base_arm,
+        "base_arm": reward["base_arm"],
         "weights": {name: reward.weights[name] for name in TERMS},
     }

@@ -46,12 +46,12 @@ def test_time_between_actions_is_decimation_times_the_physics_timestep(values, t
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"decimation": 0}, "decimation must be 1 or more, at most 1000; found 0"),
-        ({"decimation": 2.0}, "decimation must be 1 or more, at most 1000; found 2.0"),
-        ({"physics_timestep": 0.0}, "physics_timestep must be positive, .*; found 0.0"),
+        ({"decimation": 0}, "config.decimation must be a whole number from 1 to 1000; found 0"),
+        ({"decimation": 2.0}, "config.decimation must be a whole number from 1 to 1000; found 2.0"),
+        ({"physics_timestep": 0.0}, r"physics_timestep must be in \[1e-05, 1\] \(s\); found 0.0"),
         ({"clock_frequency": 0.0}, r"clock_frequency must be positive \(Hz\), .*, or a mapping .*; found 0.0"),
         ({"clock_frequency": math.inf}, r"clock_frequency must be positive \(Hz\), .*, or a mapping .*; found inf"),
-        ({"action": {"speed": 1}}, "a field has a value of the wrong type"),
+        ({"action": {"speed": 1}}, "config.action: unknown field 'speed'; valid fields are mode"),
         (None, "expected a mapping of fields; found None"),
     ],
 )

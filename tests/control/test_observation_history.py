@@ -217,5 +217,5 @@ def test_live_controller_stacks_as_the_interface_does():
 def test_bad_history_is_refused(value):
     with pytest.raises(QuadrupedError, match=r"observation_history"):
         TaskConfig.from_dict({"observation_history": value})
-    with pytest.raises(QuadrupedError, match=r"observation_history must be a whole number of control steps, 1 or more"):
+    with pytest.raises(QuadrupedError, match=r"observation_history must be a whole number from 1 to 1000; found"):
         ControlConfig.of_task({"observation_history": value})

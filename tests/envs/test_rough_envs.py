@@ -165,7 +165,7 @@ WITH_LEVELS = "flat, rough, slope, steps, stairs, gaps, wave"
     ("values", "message"),
     [
         ({"name": "stairs", "level": 11}, "terrain.level must be a whole number from 1 to 10; found 11"),
-        ({"name": "stairs", "level": "hard"}, "config.terrain.level: expected a whole number; found 'hard'"),
+        ({"name": "stairs", "level": "hard"}, "config.terrain.level must be a whole number from 1 to 10; found 'hard'"),
         ({"name": "hills", "level": 2}, f"'hills' has no levels; leave it out, or name one of {WITH_LEVELS}"),
         (
             {"name": "tiles", "level": 2},

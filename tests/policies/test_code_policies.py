@@ -120,7 +120,7 @@ def test_viewer_shows_files_and_objects_with_a_memory_for_each_robot(path):
         ("policy = Swinging()", "policy = 3", r"swinging.py: int has no method reset; .*your-own-algorithm"),
         ("def predict", "def act", r"Swinging has no method predict"),
         ('"action_mode"', '"mode"', r"env_kwargs: expected a dict with action_mode, config, .*; found"),
-        ('"residual"', '"walking"', r"swinging.py: env_kwargs: action.mode.*'walking'"),
+        ('"residual"', '"walking"', r"swinging.py: env_kwargs: config.action.mode.*'walking'"),
         ("self.resets, self.widths =", "open(3.5) #", r"TypeError"),
         ("policy = Swinging()", "policy = Swinging(1)", r"line \d+: TypeError"),
         ("policy = Swinging()", "policy = (lambda: (yield))()", r"policy cannot be made or copied \(TypeError"),

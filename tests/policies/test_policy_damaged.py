@@ -109,7 +109,7 @@ DAMAGES = {
     ),
     "bad config": (
         lambda d: edit_card(d, config={"decimation": 0}),
-        r"policy.json: .*decimation must be 1 or more, at most 1000; found 0",
+        r"policy.json: .*decimation must be a whole number from 1 to 1000; found 0",
     ),
     "config of another version": (
         lambda d: edit_card(d, config=POSITION | {"tempo": 1}, scripted_gait=None),

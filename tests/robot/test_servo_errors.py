@@ -118,7 +118,7 @@ def test_preset_is_the_data_sheet_and_stands_under_a_small_robot(tmp_path):
     file = tmp_path / "motors.json"
     file.write_text('{"motor": "mg996r"}')
     assert read_motors(file) == motors
-    with pytest.raises(QuadrupedError, match=r"config\.motor: there is no preset 'sg90'; valid names are mg996r"):
+    with pytest.raises(QuadrupedError, match=r"config\.motor\.preset must be one of mg996r; found 'sg90'"):
         TaskConfig.from_dict({"motor": "sg90"})
     env = gymnasium.make(ENV_ID, robot=HALF_WITH_SERVOS).unwrapped
     assert (env.model.actuator_delay == 0.02).all()

@@ -79,7 +79,7 @@ def starts():
     base = singles[0].model.body("base_link").id
     plain_mass = gymnasium.make(ENV_ID).unwrapped.model.body_mass[base]
     episodes = []
-    for episode in range(128):
+    for episode in range(64):
         observation, info = envs.reset(seed=5 if episode == 0 else None)
         episodes.append(
             {
@@ -244,7 +244,7 @@ def test_resampling_intervals_are_uniform_and_independent_of_commands_and_starts
 
 
 def test_pushes_are_uniform_in_size_and_time_and_independent():
-    envs, count, size, turn = 6, 64, 0.5, 0.9
+    envs, count, size, turn = 4, 40, 0.5, 0.9
     config = settings(
         push_velocity=size,
         randomization={"push_rotation": turn},

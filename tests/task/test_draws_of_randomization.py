@@ -40,7 +40,7 @@ RANGES = {
 }
 SERVOS = {"target_step": [0.01, 0.03], "backlash": [0.0, 0.02], "dead_band": [0.0, 0.01]}
 RANGES |= SERVOS
-ENVS, EPISODES = 16, 96
+ENVS, EPISODES = 16, 48
 
 
 def columns(name, values):
@@ -180,7 +180,7 @@ def forces(env, steps):
 
 
 def test_forces_are_uniform_in_size_direction_duration_and_interval_and_independent():
-    step, size, envs, count = 0.005, (2.0, 5.0), 6, 64
+    step, size, envs, count = 0.005, (2.0, 5.0), 4, 40
     config = settings(
         fast_control=True,
         never_ends=True,

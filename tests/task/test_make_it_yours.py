@@ -156,8 +156,8 @@ def test_defaults_of_a_users_file_are_those_of_its_config(tmp_path):
     config = TaskConfig(definition=definition)
     assert config == TaskConfig.from_dict({}, definition) == TaskConfig().with_definition(definition)
     assert (config.reward.weights.upright, config.command.forward_velocity) == (-7.0, (0.0, 0.3))
-    changed = TaskConfig(reward=RewardConfig(foot_lift=0.03)).with_definition(definition)
-    assert (changed.reward.weights.upright, changed.reward.foot_lift) == (-7.0, 0.03)
+    changed = TaskConfig(reward=RewardConfig(foot_lift=0.03, weights={"fall": -1.0})).with_definition(definition)
+    assert (changed.reward.weights.upright, changed.reward.weights.fall, changed.reward.foot_lift) == (-7.0, -1.0, 0.03)
     # A section that is given counts as it is.
     assert TaskConfig(reward=RewardConfig(), definition=definition).reward.weights.upright == -10.0
 

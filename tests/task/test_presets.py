@@ -261,5 +261,5 @@ def test_two_randomizations_may_share_an_interval_and_not_with_two_defaults(tmp_
         "def nothing(event, values): ...\n"
         "x = Randomization('x', nothing, 1.0, interval=('push_interval', (1.0, 2.0)))\n"
     )
-    with pytest.raises(QuadrupedError, match=r"two randomizations have a field 'push_interval' with different"):
+    with pytest.raises(QuadrupedError, match=r"two terms have a field 'push_interval' with different"):
         TaskConfig.from_dict({}, load_task_file(file))

@@ -209,7 +209,7 @@ EPISODES = {
         f"joints pushed until they lie, seed {seed}": Episode(
             "position", still, (0.0, 0.3), {**HARD_PUSHES, "max_tilt": math.pi}, 100, seed
         )
-        for seed in range(1, 4)
+        for seed in (1, 2)
     },
 }
 

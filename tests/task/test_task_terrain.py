@@ -213,7 +213,7 @@ def test_terrain_of_a_config_is_saved_and_validated():
         ({"name": "moon"}, "terrain: 'moon' is unknown; there are flat, rough, hills"),
         ({"height": 0.1}, "config.terrain: unknown field 'height'; valid fields are name, seed"),
         ({"name": "rough", "height": -1.0}, r"terrain.height must be at least 0 \(m\); found -1.0"),
-        ({"seed": -1}, "terrain.seed must be a whole number, 0 or more, at most 4294967295; found -1"),
+        ({"seed": -1}, "terrain.seed must be a whole number from 0 to 4294967295; found -1"),
     ],
 )
 def test_invalid_terrain_of_a_config_is_refused_with_the_valid_values(values, message):
@@ -255,3 +255,10 @@ def test_terrain_of_a_users_file_is_chosen_by_name_and_pickled(tmp_path):
     assert done.stdout.strip() == expected
     with pytest.raises(QuadrupedError, match="'ridges' is unknown; there are flat, rough, hills"):
         gymnasium.make(ENV_ID, terrain="ridges")
+
+
+def test_level_replaces_the_parameters_that_the_config_had():
+    stairs = find_terrain("stairs")
+    config = TaskConfig.from_dict({"terrain": {"name": "stairs", "height": 0.011}})
+    assert config.on_terrain(stairs.variant(level=3)).ground == stairs.variant(level=3)
+    assert config.on_terrain(stairs.variant(level=3)).terrain.replace(level=5).ground == stairs.variant(level=5)

@@ -18,7 +18,7 @@ CENTRES = TILES.centres()
 def assignment(num_envs=1, seed=0, **changes):
     """Tiles of envs that have begun their first episodes, and the draws of the envs."""
     section = TaskConfig.from_dict({"terrain": {"name": "tiles", "curriculum": True, **changes}}).terrain
-    tiles, draws = TileAssignment(TILES.of(TILES.kinds, section.levels), section, num_envs), Draws(num_envs)
+    tiles, draws = TileAssignment(section, num_envs), Draws(num_envs)
     for env_id in range(num_envs):
         draws.set_key(env_id, np.random.default_rng(seed + env_id))
     begin(tiles, draws, first=True)

@@ -18,10 +18,10 @@ from quadruped_env.policies import GaitController
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.units import scale_of, scaled_values
 from quadruped_env.simulation import BatchSimulation, build_model
-from quadruped_env.task import PRESETS, Task, TaskConfig, load_task_file, preset_values
-from quadruped_env.task.config_sections import Section, units_of
-from quadruped_env.task.task_config import values_for
+from quadruped_env.task import PRESETS, Section, Task, TaskConfig, load_task_file, preset_values
+from quadruped_env.task.sections import values_for
 from quadruped_env.training.recipes import RECIPES
+from quadruped_env.utils.fields import units_of
 
 MASS = SIZE**3
 
@@ -75,7 +75,7 @@ def tree(config):
 
     for name in ("command", "reward", "termination", "randomization", "terrain"):
         section = getattr(config, name)
-        walk(section, units_of(section.schema), f"{name}.")
+        walk(section, units_of(type(section)), f"{name}.")
     return numbers
 
 

@@ -113,7 +113,7 @@ def test_short_training_reports_its_length_and_the_previous_latest_run(final_out
         (("--task", "{"), r"--task: found '\{': not valid JSON: Expecting.*; expected a JSON object such as"),
         (("--task", "9" * 5000), r"--task: found '9{60}': not valid JSON: Exceeds"),
         (("--task", "[" * 100_000), r"--task: found '\[{60}': nested deeper"),
-        (("--task", '{"decimation": 0}'), r"error: config: decimation must be 1 or more, at most 1000; found 0"),
+        (("--task", '{"decimation": 0}'), r"error: config.decimation must be a whole number from 1 to 1000; found 0"),
         (("--resume", "nowhere"), r"error: nowhere is not a directory; name a run such as runs/latest"),
         (("--hidden", "63"), r"error: --hidden: expected even widths"),
         (("--algo", "a2c", "--n-epochs", "2"), r"error: --n-epochs: a2c does not use it"),

@@ -199,7 +199,7 @@ def measure(
             mechanical_power(state.joint_torque, state.joint_velocity),
             electrical_power(state.joint_torque, state.joint_velocity, heat),
             (sliding * contact).sum(axis=1),
-            clock_agreement(foot_lift(height, config.reward.foot_lift), sine),
+            clock_agreement(foot_lift(height, config.reward["foot_lift"]), sine),
             clock_agreement(1.0 - 2.0 * contact, sine),
         ]
     vx, wz, vy, tilt, power, electrical, slip, lift, clock = sums / steps

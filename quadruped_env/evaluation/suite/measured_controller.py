@@ -15,7 +15,7 @@ from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.task import BUILT_IN, TaskConfig
-from quadruped_env.task.task_config import values_for
+from quadruped_env.task.sections import values_for
 from quadruped_env.utils.progress import Progress
 
 _STANDING_WEIGHT: Final = 0.2

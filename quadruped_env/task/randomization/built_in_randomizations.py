@@ -2,6 +2,7 @@
 
 import math
 from functools import partial
+from operator import attrgetter
 from typing import Final
 
 import numpy as np
@@ -33,28 +34,8 @@ _VELOCITY_GAIN: Final = 6
 _VOLTAGE: Final = 7
 
 
-def _joint_position(event: Event, values: Floats) -> None:
-    event.qpos[:, 7:] += values
-
-
-def _joint_velocity(event: Event, values: Floats) -> None:
-    event.qvel[:, 6:] += values
-
-
-def _base_velocity(event: Event, values: Floats) -> None:
-    event.qvel[:, :3] += values
-
-
-def _base_rotation(event: Event, values: Floats) -> None:
-    event.qvel[:, 3:6] += values
-
-
-def _tilt(event: Event, values: Floats) -> None:
-    event.tilt[:, :2] += values
-
-
-def _heading(event: Event, values: Floats) -> None:
-    event.tilt[:, 2:] += values
+def _add(array: str, columns: slice, event: Event, values: Floats) -> None:
+    getattr(event, array)[:, columns] += values
 
 
 def _payload_position(event: Event, values: Floats) -> None:
@@ -94,18 +75,14 @@ def _base(robot: Robot) -> tuple[str, ...]:
     return (robot.base_name,)
 
 
-def _links(robot: Robot) -> tuple[str, ...]:
-    return robot.link_names
-
-
-def _joints(robot: Robot) -> tuple[str, ...]:
-    return robot.joint_names
+_links = attrgetter("link_names")
+_joints = attrgetter("joint_names")
 
 
 RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     Randomization(
         "start_joint_position",
-        _joint_position,
+        partial(_add, "qpos", slice(7, None)),
         0.1,
         "rad",
         "joints",
@@ -114,7 +91,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "start_joint_velocity",
-        _joint_velocity,
+        partial(_add, "qvel", slice(6, None)),
         0.5,
         "rad/s",
         "joints",
@@ -123,7 +100,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "start_base_velocity",
-        _base_velocity,
+        partial(_add, "qvel", slice(0, 3)),
         0.2,
         "m/s",
         3,
@@ -132,7 +109,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "start_base_rotation",
-        _base_rotation,
+        partial(_add, "qvel", slice(3, 6)),
         0.2,
         "rad/s",
         3,
@@ -141,7 +118,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "start_tilt",
-        _tilt,
+        partial(_add, "tilt", slice(0, 2)),
         0.05,
         "rad",
         2,
@@ -150,7 +127,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
     ),
     Randomization(
         "start_heading",
-        _heading,
+        partial(_add, "tilt", slice(2, 3)),
         math.pi,
         "rad",
         description="heading at the start",

@@ -8,11 +8,11 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.control_config import Range
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.event import Apply, Event
+from quadruped_env.utils.fields import Range
 
 Floats = NDArray[np.float64]
 Mode = Literal["set", "scale", "divide", "add"]

@@ -1,19 +1,20 @@
 """Randomizations: quantities that are drawn at the start of an episode, or at intervals within it."""
 
 import math
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Final, Literal, Self, get_args
+from typing import Annotated, Any, Final, Literal, Self, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.control_config import Range
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.event import Apply, Bindable, Event
 from quadruped_env.task.randomization.model_fields import ModelField, check_choice
 from quadruped_env.task.randomization.sensor_errors import Quantity
+from quadruped_env.utils.fields import Amplitude, Range, Section
 from quadruped_env.utils.parameters import Parameter, is_quantity
 
 Floats = NDArray[np.float64]
@@ -66,7 +67,7 @@ class Randomization:
     apply: Apply | Bindable | tuple[ModelField, ...]
     """Function (event, values (R, width)); or a `ModelField`, several that receive the same values, or a
     `SensorError`."""
-    default: Range | float | None
+    default: Amplitude
     """Range to draw from; a number x stands for (-x, x), and None or 0 disables the randomization."""
     unit: str = "1"
     width: Width = 1
@@ -147,7 +148,34 @@ class Randomization:
         return np.clip(0.5 * (low + high) + 0.25 * (high - low) * normal, low, high)
 
 
-def is_active(setting: Range | float | None) -> bool:
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class NoiseAmplitude(Section, path="config.randomization.noise_amplitude"):
+    """Amplitude of the noise on each observation, by its name, in its unit."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class RandomizationSection(Section, path="config.randomization"):
+    """Settings of the randomizations: ranges, intervals and durations are fields of the names that these have."""
+
+    observation_noise: Annotated[float, Parameter(low=0.0)] = 0.0
+    """Factor on the noise of the observations."""
+    noise_amplitude: Mapping[str, float]
+
+    def active(self, randomizations: Iterable[Randomization]) -> list[Randomization]:
+        """Those that their settings enable."""
+        return [entry for entry in randomizations if is_active(self[entry.name])]
+
+    def longest_delay(self, delay: float, randomizations: Iterable[Randomization]) -> float:
+        """Longest delay that these randomizations allow for motors with a delay, s."""
+        delays = [delay]
+        for entry in self.active(randomizations):
+            for part in entry.apply if isinstance(entry.apply, tuple) else (entry.apply,):
+                if isinstance(part, ModelField) and part.field == "actuator_delay":
+                    delays += [float(part.changed(np.array(delays[-1]), end)) for end in ends_of(self[entry.name])]
+        return max(delays)
+
+
+def is_active(setting: Amplitude) -> bool:
     """True if a setting enables its randomization."""
     return setting is not None and setting not in (0.0, (0.0, 0.0))
 

@@ -5,12 +5,12 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.control_config import Range
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.randomization import Active, between, in_steps
+from quadruped_env.utils.fields import Range
 
 EnvIds = NDArray[np.intp]
 Steps = NDArray[np.int64]

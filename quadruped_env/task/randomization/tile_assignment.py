@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.simulation.terrain import Tiles
-from quadruped_env.task.config_sections import Section
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.draws import Draws, Purposes
+from quadruped_env.task.terrain_section import TilesSection
 
 Floats = NDArray[np.float64]
 EnvIds = NDArray[np.intp]
@@ -39,12 +38,12 @@ class TileAssignment:
     direction. The commanded distance of a robot that fell includes the rest of the episode, at the last command.
 
     Args:
-        tiles: the ground.
         section: the config's section `terrain`.
         num_envs: number of envs, N.
     """
 
-    def __init__(self, tiles: Tiles, section: Section, num_envs: int) -> None:
+    def __init__(self, section: TilesSection, num_envs: int) -> None:
+        tiles = section.ground
         self.kinds = tuple(kind.name for kind in tiles.kinds)
         self._centres = tiles.centres()
         self._section = section
