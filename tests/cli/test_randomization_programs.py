@@ -1,4 +1,4 @@
-"""`--randomization` in the programs: training, evaluation, comparison and viewer."""
+"""`--randomization` in the programs: training, evaluation and comparison."""
 
 import argparse
 
@@ -16,7 +16,7 @@ from quadruped_env.training import train as training
 from quadruped_env.training.recipes import with_recipe
 
 
-@pytest.mark.parametrize("program", ["train", "evaluate", "compare", "view"])
+@pytest.mark.parametrize("program", ["train", "evaluate", "compare"])
 def test_program_takes_the_presets_and_refuses_another_one(program, capsys):
     arguments, parser = [program, *(["flat", "other"] if program == "compare" else [])], make_parser(only=program)
     assert parser.parse_args(arguments).randomization is None

@@ -68,7 +68,7 @@ class Watched(train.Recorder):
     def _on_rollout_end(self):
         super()._on_rollout_end()
         seen.append((self.num_timesteps, process.memory_info().rss))
-train.Trainer.recorder = Watched
+train.Recorder = Watched
 train.train(TrainConfig(timesteps=int(sys.argv[1]), name="memory"), Path(sys.argv[2]), "memory benchmark")
 start = next(rss for steps, rss in seen if steps >= 0.1 * seen[-1][0])
 print(json.dumps({"peak": max(rss for _, rss in seen), "growth": seen[-1][1] - start}))
