@@ -37,7 +37,6 @@ class Evaluation:
     """Results of the suite; None: it was not run"""
     document: dict[str, Any]
     """All numbers, as in `numbers`"""
-    command_line: str
 
     @classmethod
     def measure(
@@ -74,7 +73,7 @@ class Evaluation:
         gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"), comparison)
         results = None if suite is None else suite()
         document = write_numbers(evaluated, comparison, command_line, results, gain)
-        return cls(evaluated, comparison, gain, results, document, command_line)
+        return cls(evaluated, comparison, gain, results, document)
 
     @property
     def numbers(self) -> Path:
@@ -89,18 +88,8 @@ class Evaluation:
             print(f"page:    {page}")
             linked = page.name
         with extras.part(REPORT_FILE):
-            report, _, missing = write_report(
-                self.evaluated,
-                self.comparison,
-                self.command_line,
-                with_video,
-                progress,
-                self.suite,
-                self.gain,
-                linked,
-                self.document,
-            )
-            print_report(report, missing)
+            found = self.evaluated, self.comparison, self.document
+            print_report(*write_report(*found, with_video, progress, self.suite, self.gain, linked))
 
     def __str__(self) -> str:
         judged = verdict(self.comparison, self.gain)

@@ -1,6 +1,5 @@
 """Baseline: a scripted gait, measured over random starts. A trained policy has to beat it."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,6 +22,7 @@ from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory, saving
 from quadruped_env.utils.files import check_free, write_json
 from quadruped_env.utils.progress import Progress, part_of
+from quadruped_env.utils.text_table import text_table
 
 SHOWN: Final = (
     "fall_rate",
@@ -64,43 +64,33 @@ class Baseline:
 
     def table(self) -> str:
         """The metrics as a plain-text table."""
-        width = max(len(METRICS[name].label) for name in SHOWN)
-        lines = [
-            f"{self.preset}: {self.rate:g} commands per second for {self.commands.duration:g} s, "
-            f"{len(self.seeds)} random starts",
-            f"{'':<{width}}{'mean':>10}  {'95 % interval':<20}{'limit'}",
-        ]
-        exceeded = []
+        robot, exceeded = self.recording.robot, []
+        rows = [("", "mean", "95 % interval", "limit")]
         for name in SHOWN:
             metric, estimate = METRICS[name], self.estimate(name)
-            interval = (
-                f"{metric.show(estimate.low)} to {metric.show(estimate.high)}" if math.isfinite(estimate.low) else ""
-            )
-            most = metric.limit_of(self.recording.robot)
+            mean, low, high = (metric.show(value) for value in (estimate.mean, estimate.low, estimate.high))
+            most = metric.limit_of(robot)
             limit = "" if most is None else f"{most:g} {metric.unit}"
             if most is not None and estimate.mean > most:
-                exceeded.append(f"{metric.label.lower()} {metric.show(estimate.mean)} of {limit}")
+                exceeded.append(f"{metric.label.lower()} {mean} of {limit}")
                 limit += ", exceeded"
-            spread = f"{interval} {metric.unit}"
-            lines.append(f"{metric.label:<{width}}{metric.show(estimate.mean):>10}  {spread:<20}{limit}".rstrip())
+            interval = "" if low == "-" else f"{low} to {high} "
+            rows.append((metric.label, mean, f"{interval}{metric.unit}", limit))
         violations = self.gait.violations()
         beyond = f"; measured joints exceed them: {' and '.join(exceeded)}" if exceeded else ""
-        targets = "exceed limits:" if violations else f"are within the limits{beyond}."
-        lines.append(f"The joint targets {targets}")
-        lines += [f"  {violation}" for violation in violations]
-        return "\n".join([*lines, f"Recorded: {self.recording.outcome()}"])
+        return "\n".join(
+            [
+                f"{self.preset}: {self.rate:g} commands per second for {self.commands.duration:g} s, "
+                f"{len(self.seeds)} random starts on {self.recording.terrain.name}",
+                text_table(rows),
+                f"The joint targets {'exceed limits:' if violations else f'are within the limits{beyond}.'}",
+                *(f"  {violation}" for violation in violations),
+                f"Recorded: {self.recording.outcome()}",
+            ]
+        )
 
     def report(self) -> dict[str, Any]:
         """The baseline as JSON-serializable values; NaN becomes None."""
-        metrics = {}
-        for name in SHOWN:
-            estimate = self.estimate(name)
-            metrics[name] = {
-                "unit": METRICS[name].unit,
-                "mean": number(estimate.mean),
-                "interval": [number(estimate.low), number(estimate.high)],
-                "episodes": [number(value) for value in self.metrics[name].tolist()],
-            }
         return {
             "preset": self.preset,
             "gait": self.gait.parameters(),
@@ -109,7 +99,14 @@ class Baseline:
             **self.recording.terrain.provenance(),
             "seconds": self.commands.duration,
             "seeds": list(self.seeds),
-            "metrics": metrics,
+            "metrics": {
+                name: {
+                    "unit": METRICS[name].unit,
+                    **self.estimate(name).to_dict(),
+                    "episodes": [number(value) for value in self.metrics[name].tolist()],
+                }
+                for name in SHOWN
+            },
             "recorded": {
                 "fell_at": self.recording.fell_at,
                 "base_pose_start": self.recording.base_pose[0].tolist(),

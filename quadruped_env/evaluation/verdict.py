@@ -92,8 +92,9 @@ def _flaws(comparison: Comparison) -> list[str]:
         if rows and any(math.isnan(comparison.estimate("policy", metric, motion).mean) for metric in ERRORS):
             unknown.append(motion)
             continue
-        if motion == "backwards" and rows and not reached_share(comparison, "policy", motion) >= WALKING_SHARE:
-            flaws.append("does not walk backwards")
+        if motion == "backwards":
+            walks = not rows or reached_share(comparison, "policy", motion) >= WALKING_SHARE
+            flaws += [] if walks else ["does not walk backwards"]
             continue
         for row in rows:
             errors = {metric: comparison.estimate("policy", metric, [row]).mean for metric in ERRORS}

@@ -61,7 +61,7 @@ def summed_rewards(agent):
 
 
 def test_difference_and_its_interval_are_those_of_independent_rollouts_with_falls():
-    gain = learning_gain(with_action(0.6), ROBOTS, SECONDS)
+    gain = learning_gain(with_action(0.6), ROBOTS, SECONDS, motion_seeds=0)
     (ours, fell), (zeros, fell_without) = (summed_rewards(with_action(action)) for action in (0.6, 0.0))
     assert fell.any()
     differences = (ours - zeros) / SECONDS
@@ -75,20 +75,20 @@ def test_difference_and_its_interval_are_those_of_independent_rollouts_with_fall
 def test_policy_without_an_action_of_its_own_is_exactly_as_good_as_doing_nothing():
     policy = random_policy("residual")
     still = dataclasses.replace(policy, weights=tuple(0.0 * weight for weight in policy.weights))
-    gain = learning_gain(still, ROBOTS, SECONDS)
+    gain = learning_gain(still, ROBOTS, SECONDS, motion_seeds=1)
     assert gain.policy == gain.zero
     assert gain.difference == Estimate(0.0, 0.0, 0.0, ROBOTS)
     assert not gain.is_better
     assert gain.verdict() == f"has {NO_GAIN}: +0.00 return/s (95 % interval +0.00 to +0.00)"
     # The zero action of mode `residual` walks with the scripted gait, that of mode `position` stands.
-    standing = learning_gain(random_policy("position"), ROBOTS, SECONDS).zero
+    standing = learning_gain(random_policy("position"), ROBOTS, SECONDS, motion_seeds=0).zero
     assert gain.zero.electrical_power.mean > 2.0 * standing.electrical_power.mean
     document = json.loads(json.dumps(gain.to_dict(), allow_nan=False))
     rows = gain_rows(document)
     assert [row[0] for row in rows] == [*MOTIONS, "own task"]
     for _, *cells, result in rows:
         assert cells[:3] == cells[3:]
-        assert result in ("equally accurate", "")
+        assert result in ("not comparable", ""), "one start gives no interval"
 
 
 def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
@@ -112,7 +112,7 @@ def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
 
 
 def test_verdict_needs_the_whole_interval_above_zero():
-    gain = learning_gain(with_action(0.0), ROBOTS, SECONDS)
+    gain = learning_gain(with_action(0.0), ROBOTS, SECONDS, motion_seeds=0)
     better = dataclasses.replace(gain, difference=Estimate(1.5, 0.1, 2.9, ROBOTS))
     assert better.verdict() == "is better than the zero action by 1.50 return/s (95 % interval +0.10 to +2.90)"
     assert "difference +1.50 [+0.10, +2.90]" in better.table()
@@ -222,7 +222,7 @@ def test_a_robot_that_stands_meets_the_commands_to_stand_and_no_others():
             resample_interval=(2.5, 2.5),
         )
         policy = random_policy("position", command=command)
-        met[share] = learning_gain(policy, ROBOTS, 7.5).zero.commands_met
+        met[share] = learning_gain(policy, ROBOTS, 7.5, motion_seeds=0).zero.commands_met
     assert [(share, found.mean, found.count) for share, found in met.items()] == [(0.0, 0.0, 12), (1.0, 1.0, 4)]
 
 
@@ -233,6 +233,6 @@ def test_the_tolerance_follows_the_robots_size():
     # A robot that stands, for it has no action, is within 0.05 m/s of this command, and not within 0.035 m/s.
     for robot, tolerance, met in ((MINI_QUADRUPED, (0.05, 0.1), 1.0), (ROBOT, (0.0354, 0.141), 0.0)):
         policy = random_policy("position", definition=BUILT_IN.with_robot(robot), command=command)
-        gain = learning_gain(policy, ROBOTS, SECONDS)
+        gain = learning_gain(policy, ROBOTS, SECONDS, motion_seeds=0)
         assert gain.tolerance == tolerance
         assert gain.zero.commands_met.mean == met

@@ -11,7 +11,7 @@ import gymnasium
 import numpy as np
 import pytest
 import second_robot
-from comparisons import TINY, random_policy
+from comparisons import TINY, random_policy, write_evaluation
 from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
@@ -30,7 +30,6 @@ from quadruped_env.export.manifest import metadata
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies import Policy, find_controllers, load_policy
 from quadruped_env.reporting.pages import evaluation_report
-from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.task import ActionConfig, TaskConfig
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
@@ -260,7 +259,7 @@ def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_
     # Figures take most of a report's time.
     monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
     comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
-    write_report(run, comparison, "python evaluate/policy.py", with_video=False)
+    write_evaluation(run, comparison, "python evaluate/policy.py")
     export = export_policy(run, tmp_path / "export")
     results = export.manifest["evaluation"]
     error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
@@ -275,7 +274,7 @@ def test_an_export_names_no_directories(run, tmp_path, monkeypatch):
     told = dataclasses.replace(run, policy=run.policy.with_card({"command": command}))
     told.policy.save(run.directory)
     comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
-    write_report(told, comparison, "mini-quadruped evaluate secret/a --task /secret/b.py", with_video=False)
+    write_evaluation(told, comparison, "mini-quadruped evaluate secret/a --task /secret/b.py")
     export = export_policy(told, tmp_path / "export")
     shown = "mini-quadruped train --task=my_task.py -o runs --resume latest"
     assert export.manifest["training"]["command"] == shown
@@ -302,7 +301,7 @@ def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, mo
     # Figures take most of a report's time.
     monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
     comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
-    write_report(run, comparison, "python evaluate/policy.py", with_video=False)
+    write_evaluation(run, comparison, "python evaluate/policy.py")
     other = run.policy.with_card({**run.policy.card, "seed": 7})
     evaluated = EvaluatedPolicy(run.name, other, run.directory, run.output)
     with pytest.warns(QuadrupedWarning, match=r"metrics\.json: is the evaluation of another policy"):

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import matplotlib.figure
 import pytest
-from comparisons import random_policy
+from comparisons import random_policy, write_evaluation
 
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import learning_gain
@@ -38,7 +38,7 @@ def written(tmp_path_factory, comparison):
     line = "python evaluate/policy.py runs/<name>"
     evaluated = find_policy(str(directory))
     gain = learning_gain(evaluated.policy, 3, 2.0)
-    page, numbers, missing = evaluation_report.write_report(evaluated, comparison, line, with_video=False, gain=gain)
+    page, numbers, missing = write_evaluation(evaluated, comparison, line, gain=gain)
     patch.undo()
     assert not missing
     return SimpleNamespace(

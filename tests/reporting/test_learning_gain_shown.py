@@ -49,7 +49,7 @@ def test_report_holds_the_table_above_the_numbers(written):
 
 
 def test_comparison_holds_the_gain_of_each_policy(run_directory, comparison, gain, tmp_path, monkeypatch):
-    monkeypatch.setattr(run_comparison, "_figures", lambda *_: [])
+    monkeypatch.setattr(run_comparison.page, "shared_figures", lambda *_: [])
     policies = {"policy": find_policy(str(run_directory), tmp_path)}
     page, numbers = write_comparison(policies, comparison, tmp_path, gains={"policy": gain})
     assert json.loads(numbers.read_text())["policies"]["policy"]["learning"]["verdict"] == gain.verdict()

@@ -3,14 +3,10 @@
 from dataclasses import replace
 
 import numpy as np
-import pytest
 from synthetic import falls
 
-from quadruped_env.evaluation.failures import Failure
-from quadruped_env.evaluation.trace import Trace
 from quadruped_env.reporting.pages import pictures
-from quadruped_env.reporting.pages.pictures import filmed, still_samples
-from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.reporting.pages.pictures import filmed
 
 
 def test_film_shows_slow_and_fast_walking_the_feet_turning_and_backwards(comparison):
@@ -38,21 +34,3 @@ def test_recorded_joints_are_those_of_the_plotted_episode_until_its_fall(compari
         row = shown.episode(command)
         np.testing.assert_array_equal(joints.positions, rollout.joint_position[: valid[:, row].sum(), row])
         np.testing.assert_array_equal(joints.efforts, rollout.joint_torque[: valid[:, row].sum(), row])
-
-
-@pytest.mark.parametrize("fell", [True, False])
-@pytest.mark.parametrize("moment", [0.1, 0.5, 1.0, 2.0, 3.9, 4.0])
-def test_stills_of_a_failure_are_within_the_episode_and_apart(moment, fell):
-    samples = 200
-    pose = np.tile([0.0, 0.0, 0.18, 1.0, 0.0, 0.0, 0.0], (samples, 1))
-    trace = Trace(robot=MINI_QUADRUPED, timestep=0.02, base_pose=pose, joint_position=np.zeros((samples, 8)))
-    failure = Failure(0, (0.4, 0.0), 1, moment if fell else None, moment, 1.0, "")
-    found = still_samples(trace, failure)
-    np.testing.assert_array_equal(np.diff(found), [15, 15])  # 0.3 s
-    assert found[0] >= 0
-    assert found[-1] < samples
-    middle = round(moment / 0.02) - 1
-    if fell and moment >= 0.62:
-        assert found[-1] == middle
-    elif not fell and 0.32 <= moment <= 3.7:
-        assert found[1] == middle

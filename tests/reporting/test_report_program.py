@@ -74,6 +74,7 @@ def test_program_evaluates_a_run(run_directory, tmp_path):
     )
 
 
+@pytest.mark.slow
 def test_report_without_opengl_is_written_and_says_so_once_with_the_fix(without_opengl, tmp_path):
     options = ["--seeds", "1", "--seconds", "2", "--output", tmp_path / "out"]
     result = subprocess.run(

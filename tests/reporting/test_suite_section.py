@@ -6,8 +6,9 @@ import re
 from xml.etree import ElementTree
 
 import pytest
-from comparisons import random_policy, write_comparison
+from comparisons import random_policy, write_comparison, write_evaluation
 from report_page import Page
+from suites import tiny_suite
 
 from benchmarks.shipping import reference_row
 from quadruped_env import QuadrupedError
@@ -15,18 +16,17 @@ from quadruped_env.cli.main import main
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
-from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
+from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.reporting.pages import suite_section
-from quadruped_env.reporting.pages.evaluation_report import write_report
 from quadruped_env.reporting.plots import suite_plots as plots
 
 
 @pytest.fixture(scope="module")
 def suite_result(run_directory):
-    """Quick results of the policy of `run_directory`."""
+    """Short results of the policy of `run_directory`."""
     evaluated = find_policy(str(run_directory))
     measured = MeasuredController.of_policy(evaluated.policy, evaluated.name)
-    return run_suite(measured, quick_suite(), zero_action=True)
+    return run_suite(measured, tiny_suite(), zero_action=True)
 
 
 def text_of(path):
@@ -40,7 +40,7 @@ def test_report_holds_the_suite_and_its_numbers(
     row["name"], row["score"]["total"] = "reference", 0.987
     monkeypatch.setattr(suite_section, "read_references", lambda: [row])
     evaluated = find_policy(str(run_directory), tmp_path)
-    page, numbers, _ = write_report(evaluated, comparison, "the command", with_video=False, suite=suite_result)
+    page, numbers, _ = write_evaluation(evaluated, comparison, "the command", suite_result)
     text = text_of(page)
     for words in (
         "mq-eval 2 (quick)",
@@ -81,7 +81,7 @@ def test_figures_are_svg_and_survive_unknown_values(suite_result):
         entry["landing_speed"] = [None] * 4
         entry["clearance"] = [None] * 4
     unknown["regulation"]["nominal"]["commands"][0]["share"] = [None, None]
-    for draw in (plots.command_map, plots.gait_measures, plots.pushes, plots.regulation, plots.crossings):
+    for draw in (plots.command_map, plots.pushes, plots.crossings):
         for result in (suite_result, unknown):
             assert ElementTree.fromstring(draw(result)).tag.endswith("svg")  # noqa: S314
     assert suite_section.section(unknown)["gait"]["rows"][0]["cells"] == ["-", "-"]

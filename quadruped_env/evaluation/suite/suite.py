@@ -4,12 +4,11 @@ import os
 import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any, Final, NotRequired, TypedDict
+from typing import Any, Final
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.evaluation.stored_results import StoredSuiteName
 from quadruped_env.evaluation.suite import (
     command_map,
     gait,
@@ -26,7 +25,7 @@ from quadruped_env.evaluation.suite.measured_controller import (
     share_with_standing,
 )
 from quadruped_env.evaluation.suite.suite_definition import Suite, for_robot, full_suite
-from quadruped_env.utils.documents import fitted, read_json
+from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
 
@@ -164,71 +163,23 @@ def _mean(values: Iterable[float]) -> float:
     return float(np.mean(list(values)))
 
 
-class StoredComponents(TypedDict):
-    """Components of the score, those of `COMPONENTS`."""
-
-    commands: float
-    joystick: float
-    gait: float
-    transients: float
-    pushes: float
-    regulation: float
-    terrain: float
-
-
-class StoredScore(TypedDict):
-    """The score and its components."""
-
-    total: float
-    components: StoredComponents
-
-
-class StoredConditions(TypedDict):
-    """Robot and physics."""
-
-    robot: dict[str, Any]
-
-
-class StoredRow(TypedDict):
-    """Results of the suite as far as a table of scores needs them."""
-
-    suite: StoredSuiteName
-    conditions: StoredConditions
-    name: str
-    score: StoredScore
-
-
-class StoredLevel(TypedDict):
-    """Results on a kind of terrain."""
-
-    highest_level: int
-
-
-class StoredResults(StoredRow):
-    """`suite.json`."""
-
-    commands: dict[str, Any]
-    joystick: dict[str, Any]
-    gait: dict[str, Any]
-    transients: dict[str, Any]
-    pushes: dict[str, Any]
-    regulation: dict[str, Any]
-    terrain: dict[str, StoredLevel]
-    recovery: dict[str, Any]
-    zero_action: NotRequired[StoredRow]
-    policy: NotRequired[dict[str, Any]]
-
-
 def read_results(path: Path) -> dict[str, Any]:
-    """Results of the suite from a file, with all fields; a QuadrupedError if it cannot be read or lacks one."""
+    """Results of the suite from a file, with all parts; a QuadrupedError if it cannot be read or lacks one."""
     document: dict[str, Any] = read_json(path, _AGAIN)
-    fitted(document, StoredResults, str(path), _AGAIN)
+    check_results(document, str(path), (*PARTS, RECOVERY))
     return document
 
 
-def check_results(document: Any, where: str) -> None:
-    """Raise a QuadrupedError, which names `where`, if a document does not hold the score of the suite."""
-    fitted(document, StoredRow, where, _AGAIN)
+def check_results(document: Any, where: str, parts: Iterable[str] = ()) -> None:
+    """Raise a QuadrupedError, which names `where`, if a document does not hold the score of the suite, or a part."""
+    if not isinstance(document, dict):
+        raise QuadrupedError(f"{where}: expected a table; found {short(document)}; {_AGAIN}")
+    for name in ("suite", "conditions", "name", "score", *parts):
+        if name not in document:
+            raise QuadrupedError(f"{where}: {name} is missing; {_AGAIN}")
+    components = document["score"].get("components") if isinstance(document["score"], dict) else None
+    if not isinstance(components, dict) or not components.keys() >= COMPONENTS.keys():
+        raise QuadrupedError(f"{where}: score lacks a component of {', '.join(COMPONENTS)}; {_AGAIN}")
 
 
 def check_comparable(documents: Mapping[str, Mapping[str, Any]]) -> None:

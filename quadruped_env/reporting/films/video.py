@@ -91,13 +91,6 @@ def encode_mp4(pictures: Iterable[Picture]) -> bytes:
     return file.getvalue()
 
 
-def encode_picture(picture: Picture, kind: str, **options: Any) -> bytes:
-    """Encode a picture (H, W, 3) as a kind of file that Pillow writes, with its options."""
-    file = io.BytesIO()
-    _pillow().fromarray(picture).save(file, kind, **options)
-    return file.getvalue()
-
-
 def _encode_gif(pictures: Iterable[Picture]) -> bytes:
     # One palette for all pictures: with a palette per picture the ground would flicker.
     images = _page_images(pictures)
@@ -133,7 +126,10 @@ def _page_images(pictures: Iterable[Picture]) -> list[Any]:
 def _encode_stills(pictures: Iterable[Picture]) -> bytes:
     """All pictures at half size, side by side."""
     _, pictures = _first(pictures)
-    return encode_picture(np.concatenate([halved(picture) for picture in pictures], axis=1), "PNG", optimize=True)
+    file = io.BytesIO()
+    row = np.concatenate([halved(picture) for picture in pictures], axis=1)
+    _pillow().fromarray(row).save(file, "PNG", optimize=True)
+    return file.getvalue()
 
 
 def halved(picture: Picture) -> Picture:

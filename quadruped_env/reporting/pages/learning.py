@@ -13,12 +13,13 @@ from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import Controller, PolicyController, ZeroController, at_checkpoint
 from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.policies.policy_data import CARD_FILE
+from quadruped_env.reporting import plots
 from quadruped_env.reporting.films.film import Clip
+from quadruped_env.reporting.pages.page import figure
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.documents import read_json
 
 CLIP_SECONDS: Final = 3.0
-ZERO_LINE: Final = "The dashed line is the return of the zero action, without learning."
 
 
 def gain_section(gains: Mapping[str, LearningGain]) -> dict[str, Any]:
@@ -43,6 +44,27 @@ def gain_section(gains: Mapping[str, LearningGain]) -> dict[str, Any]:
 def zero_return(gain: LearningGain, config: TaskConfig) -> float:
     """Return of an episode of the zero action, as the learning curve counts it."""
     return gain.zero.return_per_second.mean * MAX_EPISODE_STEPS * config.control_timestep
+
+
+def learning_curves(policies: Mapping[str, EvaluatedPolicy], gains: Mapping[str, LearningGain]) -> list[dict[str, str]]:
+    """Figures of the learning curves of the policies that have one: all together, and by reward term."""
+    curves = {
+        name: columns
+        for name, evaluated in policies.items()
+        if evaluated.progress_file is not None
+        and len((columns := plots.read_progress(evaluated.progress_file))["timesteps"]) > 1
+        and any(quantity in columns for quantity, _ in plots.LEARNING_CURVES)
+    }
+    if not curves:
+        return []
+    zero = {name: zero_return(gains[name], policies[name].policy.config) for name in curves if name in gains}
+    line = " The dashed line is the return of the zero action, without learning." if zero else ""
+    caption = f"Measured during training, with exploration noise.{line}"
+    figures = [figure("Learning curve", plots.learning_curve(curves, zero), caption)]
+    if len(policies) > 1 and (by_term := plots.term_curves(curves)) is not None:
+        note = "Weighted terms of the reward per second, each with the weight of its run, during training."
+        figures.append(figure("Learning curves by reward term", by_term, note))
+    return figures
 
 
 def half_way(directory: Path, timesteps: int) -> tuple[Path, int] | None:

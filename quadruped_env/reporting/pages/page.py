@@ -146,6 +146,40 @@ def shared_figures(comparison: Comparison, command: int) -> list[dict[str, str]]
     ]
 
 
+def reward_terms(
+    policies: Mapping[str, EvaluatedPolicy], comparison: Comparison, controllers: Mapping[str, str] | None = None
+) -> dict[str, dict[str, dict[str, float]]]:
+    """Policy -> reward term of its task -> weight, and weighted mean per second over all commands (NaN: it falls).
+
+    `controllers` are the names of the policies in the comparison, if they have others there.
+    """
+    means, found = plots.mean_terms(comparison), {}
+    for name, evaluated in policies.items():
+        controller = name if controllers is None else controllers[name]
+        weights, names = evaluated.policy.config.reward.weights, comparison.rollouts[controller].term_names
+        values = means[controller].tolist() if controller in means else [math.nan] * len(names)
+        found[name] = {
+            term: {"weight": weights[term], "per_second": value} for term, value in zip(names, values, strict=True)
+        }
+    return found
+
+
+def term_rows(
+    policies: Mapping[str, EvaluatedPolicy], comparison: Comparison, controllers: Mapping[str, str] | None = None
+) -> list[dict[str, Any]]:
+    """Rows of the table of reward terms, the terms of all policies in their order."""
+    terms = reward_terms(policies, comparison, controllers)
+
+    def cell(term: Mapping[str, float] | None) -> dict[str, str]:
+        if term is None or math.isnan(term["per_second"]) or not term["weight"]:
+            return {"value": "-", "parts": "" if term is None else f"weight {term['weight']:g}"}
+        mean = term["per_second"] / term["weight"] + 0.0  # no -0
+        return {"value": f"{term['per_second']:.3g}", "parts": f"{term['weight']:g} \N{MULTIPLICATION SIGN} {mean:.3g}"}
+
+    every = dict.fromkeys(term for own in terms.values() for term in own)
+    return [{"label": term, "cells": [cell(own.get(term)) for own in terms.values()]} for term in every]
+
+
 def data_url(kind: str, content: bytes) -> str:
     """A file as a base64 data URL; `kind` is its media type."""
     return f"data:{kind};base64,{base64.b64encode(content).decode()}"

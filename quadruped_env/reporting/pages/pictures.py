@@ -1,29 +1,22 @@
-"""Films and stills of a report."""
+"""Films of a report."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from typing import Final
-
-import numpy as np
 
 from quadruped_env.errors import portable_message
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
-from quadruped_env.evaluation.failures import Failure
 from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.evaluation.trace import Trace
-from quadruped_env.reporting.films.film import Camera, Clip, Picture
+from quadruped_env.reporting.films.film import Camera, Clip
 from quadruped_env.reporting.films.overlay import AVERAGED
-from quadruped_env.reporting.films.video import encode_mp4, encode_picture, halved
+from quadruped_env.reporting.films.video import encode_mp4
 from quadruped_env.reporting.pages.page import data_url
 from quadruped_env.utils.progress import Progress
 
 FEET: Final = "feet"
 """Title of close-ups of the feet."""
 CLIP_SECONDS: Final = 2.4
-FALL_TIMES: Final = (-0.6, -0.3, 0.0)
-"""Times of the stills relative to a fall, s."""
-ERROR_TIMES: Final = (-0.3, 0.0, 0.3)
-"""Times of the stills relative to the middle of the window with the largest error, s."""
 OVERLAY_LEGEND: Final = (
     f"Green marks are commanded velocities, bars measured ones, averaged over {AVERAGED:g} s; coloured bands are feet "
     f"on the ground."
@@ -33,22 +26,6 @@ _FILMED_VELOCITIES: Final = (0.2, 0.5)
 _FILMED_TOO: Final = ("turning", "backwards")
 _SHOWN_VELOCITY: Final = 0.4
 """Forward velocity of the episode that is plotted over time, m/s; the closest command is taken."""
-_STILL_CROP: Final = np.s_[20:440, 40:600]
-
-
-@dataclass(frozen=True)
-class Pictures:
-    """Rendered film and stills, or the reason why they are missing."""
-
-    video: dict[str, str]
-    """`source` and `caption` of the film, or the reason why it is `missing`"""
-    stills: dict[int, str] = field(default_factory=dict)
-    """Index of an episode -> data URL of its stills"""
-
-    @property
-    def shown(self) -> bool:
-        """True if there is a film."""
-        return "source" in self.video
 
 
 def shown_commands(comparison: Comparison) -> dict[str, int]:
@@ -93,32 +70,12 @@ def _episode(comparison: Comparison, command: int, seconds: float, controller: s
     return Clip.of_rollout(rollout, row, title + words(comparison.commands[command]), start, start + seconds)
 
 
-def take_pictures(
-    clips: Sequence[Clip], shown: str, failures: Sequence[tuple[Trace, Failure]] = (), progress: Progress | None = None
-) -> Pictures:
-    """Render a film of clips, which `shown` describes in the caption, and stills of failures, if OpenGL works."""
+def film(clips: Sequence[Clip], note: str = "", progress: Progress | None = None) -> dict[str, str]:
+    """`source` and `caption` of a film of clips, or the reason why it is `missing`; `note` follows their titles."""
     try:
         with Camera(clips[0].trace.robot) as camera:
             video = encode_mp4(camera.films(clips, progress))
-            stills = {failure.row: _stills(camera, trace, failure) for trace, failure in failures}
     except Exception as error:  # a library for films may fail in any way, and the report stands without them
-        return Pictures({"missing": f"No video: {portable_message(error)}"})
-
-    caption = f"In real time: {shown}. {OVERLAY_LEGEND}"
-    return Pictures({"source": data_url("video/mp4", video), "caption": caption}, stills)
-
-
-def still_samples(trace: Trace, failure: Failure) -> list[int]:
-    """Samples of the stills of a failure; all are shifted by the same time if one would be outside of the episode."""
-    times = ERROR_TIMES if failure.fell_at is None else FALL_TIMES
-    samples = np.array([round((failure.moment + time) / trace.timestep) - 1 for time in times])
-    last = len(trace) - 1
-    samples -= max(0, int(samples.max()) - last)
-    samples += max(0, -int(samples.min()))
-    return [min(int(sample), last) for sample in samples]
-
-
-def _stills(camera: Camera, trace: Trace, failure: Failure) -> str:
-    """Pictures before a fall, or around the largest error, side by side at half size."""
-    strip: list[Picture] = [halved(camera.picture(trace, s)[_STILL_CROP]) for s in still_samples(trace, failure)]
-    return data_url("image/webp", encode_picture(np.concatenate(strip, axis=1), "WEBP", quality=80))
+        return {"missing": f"No video: {portable_message(error)}"}
+    shown = ", then ".join(clip.title for clip in clips)
+    return {"source": data_url("video/mp4", video), "caption": f"In real time: {shown}{note}. {OVERLAY_LEGEND}"}

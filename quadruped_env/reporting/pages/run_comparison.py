@@ -12,9 +12,8 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_poli
 from quadruped_env.evaluation.learning_gain import LearningGain
 from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.verdict import listed, verdict
-from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import page
-from quadruped_env.reporting.pages.learning import ZERO_LINE, gain_section, zero_return
+from quadruped_env.reporting.pages.learning import gain_section, learning_curves
 from quadruped_env.reporting.pages.page import METRICS_FILE
 from quadruped_env.reporting.pages.pictures import shown_commands
 from quadruped_env.reporting.pages.suite_section import interval, ranking_in_words, score_rows
@@ -110,7 +109,7 @@ def write_numbers(
     prepare_output(output)
     names = list(policies)
     judged = {name: verdict(comparison.seen_as(name)) for name in names}
-    terms = reward_terms(policies, comparison)
+    terms = page.reward_terms(policies, comparison)
     document = {
         **page.provenance(command_line),
         "headline": headline(comparison, names),
@@ -147,10 +146,13 @@ def write_page(
         "verdicts": {name: verdict(comparison.seen_as(name)) for name in names},
         "gains": {name: gain.verdict() for name, gain in (gains or {}).items()},
         "learning": gain_section(gains) if gains else None,
-        "reward_terms": _term_rows(reward_terms(policies, comparison)),
+        "reward_terms": page.term_rows(policies, comparison),
         "diffs": _diffs(policies),
         "ranking": None if ranked is None else _ranking(ranked),
-        "figures": _figures(policies, comparison, gains or {}),
+        "figures": [
+            *page.shared_figures(comparison, shown_commands(comparison).get("forwards", 0)),
+            *learning_curves(policies, gains or {}),
+        ],
         **page.tables(comparison),
     }
     return page.write_report_page(output, "comparison.html", document, context)
@@ -175,33 +177,6 @@ def _ranking(found: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def reward_terms(
-    policies: Mapping[str, EvaluatedPolicy], comparison: Comparison
-) -> dict[str, dict[str, dict[str, float]]]:
-    """Policy -> reward term of its task -> weight, and weighted mean per second over all commands (NaN: it falls)."""
-    means, found = plots.mean_terms(comparison, None), {}
-    for name, evaluated in policies.items():
-        weights, names = evaluated.policy.config.reward.weights, comparison.rollouts[name].term_names
-        values = means[name].tolist() if name in means else [math.nan] * len(names)
-        found[name] = {
-            term: {"weight": weights[term], "per_second": value} for term, value in zip(names, values, strict=True)
-        }
-    return found
-
-
-def _term_rows(terms: Mapping[str, Mapping[str, Mapping[str, float]]]) -> list[dict[str, Any]]:
-    """Rows of the table of reward terms, the terms of all policies in their order."""
-
-    def cell(term: Mapping[str, float] | None) -> dict[str, str]:
-        if term is None or math.isnan(term["per_second"]) or not term["weight"]:
-            return {"value": "-", "parts": "" if term is None else f"weight {term['weight']:g}"}
-        mean = term["per_second"] / term["weight"] + 0.0  # no -0
-        return {"value": f"{term['per_second']:.3g}", "parts": f"{term['weight']:g} \N{MULTIPLICATION SIGN} {mean:.3g}"}
-
-    every = dict.fromkeys(term for own in terms.values() for term in own)
-    return [{"label": term, "cells": [cell(own.get(term)) for own in terms.values()]} for term in every]
-
-
 def _diffs(policies: Mapping[str, EvaluatedPolicy]) -> list[dict[str, str]]:
     """Unified differences of the task files that the runs keep, each from that of the first such run."""
     texts = {
@@ -215,28 +190,3 @@ def _diffs(policies: Mapping[str, EvaluatedPolicy]) -> list[dict[str, str]]:
         lines = difflib.unified_diff(texts[first], texts[name], first, name, lineterm="")
         found.append({"title": f"From {first} to {name}", "text": "\n".join(lines) or "No difference."})
     return found
-
-
-def _figures(
-    policies: Mapping[str, EvaluatedPolicy], comparison: Comparison, gains: Mapping[str, LearningGain]
-) -> list[dict[str, str]]:
-    figures = page.shared_figures(comparison, shown_commands(comparison).get("forwards", 0))
-    curves = {
-        name: plots.read_progress(evaluated.progress_file)
-        for name, evaluated in policies.items()
-        if evaluated.progress_file is not None
-    }
-    if curves:
-        zero = {name: zero_return(gains[name], policies[name].policy.config) for name in curves if name in gains}
-        caption = f"Measured during training, with exploration noise.{' ' + ZERO_LINE if zero else ''}"
-        figures.append(page.figure("Learning curves", plots.learning_curve(curves, zero), caption))
-        by_term = plots.term_curves(curves)
-        if by_term is not None:
-            figures.append(
-                page.figure(
-                    "Learning curves by reward term",
-                    by_term,
-                    "Weighted terms of the reward per second, each with the weight of its run, during training.",
-                )
-            )
-    return figures

@@ -238,7 +238,8 @@ def _regulation(result: Mapping[str, Any]) -> dict[str, Any]:
             " / ".join("-" if share is None else f"{100.0 * share:.0f}" for share, wanted in pairs if wanted)
             for pairs in (zip(one["share"], one["command"], strict=True) for one in entry["commands"])
         ]
-        rows.append({"label": name.replace("_", " "), "cells": [percent(entry["falls"]), *shares]})
+        cells = [percent(entry["kept"]), percent(entry["falls"]), *shares]
+        rows.append({"label": name.replace("_", " "), "cells": cells})
     return {"commands": [f"{v:g} m/s, {w:g} rad/s" for v, w in commands], "rows": rows}
 
 
@@ -261,23 +262,12 @@ def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
             f"Achieved minus commanded velocity at commands drawn over the rectangle: red too much, blue too little. "
             f"Crosses mark commands with falls. {met} of the episodes meet their command.",
         ),
-        "gait": figure(
-            "Gait at every speed",
-            plots.gait_measures(result),
-            "Above: clearance, the height that 95 % of a foot's swings reach. Below: how fast a foot lands.",
-        ),
         "pushes": figure(
             "Pushes",
             plots.pushes(result),
             f"Left: share of the robots that do what was asked after a push of all six components, by its size and the "
             f"command. Right: horizontal push that half of the robots survive while they walk, by its direction. The "
             f"weakest direction is {_direction(weakest[0])}: {interval(weakest[1], 2)} m/s.",
-        ),
-        "regulation": figure(
-            "Regulation",
-            plots.regulation(result),
-            "Share of the episodes without a fall that keep speed and yaw rate within 20 % of the command: with one "
-            "disturbance, and with all of them.",
         ),
         "terrain": figure(
             "Terrain",

@@ -1,22 +1,19 @@
 """Figures of a report: functions that turn results into SVG documents in one style (`quadruped.mplstyle`)."""
 
-from quadruped_env.reporting.plots.effort_plots import cost_over_speed, mean_terms, motor_limits, reward_terms
+from quadruped_env.reporting.plots.effort_plots import cost_over_speed, mean_terms, motor_limits
 from quadruped_env.reporting.plots.learning_plots import LEARNING_CURVES, learning_curve, read_progress, term_curves
-from quadruped_env.reporting.plots.motion_plots import gait_diagram, joint_traces
-from quadruped_env.reporting.plots.velocity_plots import episode, tracking, velocity_over_time
+from quadruped_env.reporting.plots.motion_plots import gait_diagram
+from quadruped_env.reporting.plots.velocity_plots import episode, tracking
 
 __all__ = [
     "LEARNING_CURVES",
     "cost_over_speed",
     "episode",
     "gait_diagram",
-    "joint_traces",
     "learning_curve",
     "mean_terms",
     "motor_limits",
     "read_progress",
-    "reward_terms",
     "term_curves",
     "tracking",
-    "velocity_over_time",
 ]

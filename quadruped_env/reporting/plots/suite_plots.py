@@ -11,7 +11,6 @@ from quadruped_env.reporting.plots.canvas import REFERENCE, draw_figure
 
 _RANGES: Final = (0.3, 0.6)
 """Errors at the ends of the colour scales, m/s and rad/s."""
-_MILLI: Final = 1000.0
 
 
 def command_map(result: Mapping[str, Any]) -> str:
@@ -69,58 +68,6 @@ def pushes(result: Mapping[str, Any]) -> str:
         round_ax.set_title("50 % survive (m/s)")
 
     return draw_figure(1, 2, 3.2, draw)
-
-
-def gait_measures(result: Mapping[str, Any]) -> str:
-    """Clearance and landing speed of each foot over the commands."""
-    gait = result["gait"]
-    labels = [f"{v:g}\n{w:g}" for v, w in (entry["command"] for entry in gait["commands"])]
-    place = np.arange(len(labels))
-
-    def draw(axes: Any) -> None:
-        panels = (("clearance", _MILLI, "clearance (mm)"), ("landing_speed", 1.0, "landing speed\n(m/s)"))
-        for ax, (name, factor, title) in zip(axes[:, 0], panels, strict=True):
-            for foot, leg in enumerate(gait["feet"]):
-                values = [entry[name][foot] for entry in gait["commands"]]
-                offset = 0.14 * (foot - 0.5 * (len(gait["feet"]) - 1))
-                ax.plot(
-                    place + offset,
-                    factor * np.array(values, dtype=np.float64),
-                    linestyle="none",
-                    marker="o",
-                    markersize=5,
-                    color=SERIES[foot % len(SERIES)],
-                    label=leg,
-                )
-            ax.set_ylabel(title)
-            ax.set_ylim(bottom=0.0)
-            ax.set_xticks(place, labels)
-        axes[1, 0].set_xlabel("command: forward velocity (m/s), yaw rate (rad/s)")
-        handles, names = axes[0, 0].get_legend_handles_labels()
-        axes[0, 0].figure.legend(handles, names, loc="outside upper center", ncols=len(gait["feet"]))
-
-    return draw_figure(2, 1, 4.0, draw, sharex=True)
-
-
-def regulation(result: Mapping[str, Any]) -> str:
-    """Share of the episodes that keep their velocities, with each disturbance and with all together."""
-    entries = result["regulation"]
-    names, place = list(entries), np.arange(len(entries))
-    held = [[entry["kept"][end] for entry in entries.values()] for end in ("mean", "low", "high")]
-    mean, low, high = (100.0 * np.array(values) for values in held)
-
-    def draw(axes: Any) -> None:
-        ax = axes[0, 0]
-        # Numerically, an end of a Wilson interval may be 1e-17 beyond the mean.
-        reach = np.maximum([mean - low, high - mean], 0.0)
-        ax.barh(place, mean, xerr=reach, color=BLUE, height=0.62, error_kw={"elinewidth": 1.0, "ecolor": GREY})
-        ax.set_yticks(place, [name.replace("_", " ") for name in names])
-        ax.invert_yaxis()
-        ax.set_xlim(0.0, 100.0)
-        ax.set_xlabel("episodes that keep their speed (%)")
-        ax.grid(visible=False, axis="y")
-
-    return draw_figure(1, 1, 0.8 + 0.2 * len(names), draw)
 
 
 def crossings(result: Mapping[str, Any]) -> str:

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from quadruped_env.evaluation.comparison import Comparison
-from quadruped_env.evaluation.measures import START_UP, window_means
+from quadruped_env.evaluation.measures import window_means
 from quadruped_env.reporting.palette import GREY, LIMIT
 from quadruped_env.reporting.plots.canvas import REFERENCE, controller_styles, draw_figure, label, legend_above
 from quadruped_env.utils.rotations import tilt
@@ -52,35 +52,6 @@ def tracking(comparison: Comparison) -> str:
         legend_above(axes[0, 0].figure, columns=3, handletextpad=0.4)
 
     return draw_figure(1, len(panels), 3.1 + 0.18 * (len(styles) // 3), draw)
-
-
-def velocity_over_time(comparison: Comparison, forward_at: int | None, turning_at: int | None) -> str:
-    """Velocity over time of every controller, in one episode of each given command (its index)."""
-    panels = [(i, c) for i, c in ((forward_at, 0), (turning_at, 1)) if i is not None]
-    styles = controller_styles(comparison.rollouts)
-
-    def draw(axes: Any) -> None:
-        for ax, (command, column) in zip(axes[:, 0], panels, strict=True):
-            for controller, rollout in reversed(comparison.rollouts.items()):
-                one = rollout.select([comparison.episode(command, next(iter(comparison.rollouts)))])
-                velocity = one.velocity[..., column]
-                time = (np.arange(len(velocity)) + 1) * one.timestep
-                colour = styles[controller]["color"]
-                if controller == "policy":
-                    raw = np.where(one.valid & (time > START_UP)[:, None], velocity, np.nan)
-                    ax.plot(time, raw, color=colour, linewidth=0.5, alpha=0.5)
-                means, whole = window_means(velocity, one.valid, one.timestep)
-                if len(means):
-                    middle = time[: len(means)] + 0.5 * (time[-1] - time[len(means) - 1])
-                    ax.plot(middle, np.where(whole, means, np.nan), color=colour, label=label(controller))
-            target = comparison.commands[command]
-            ax.axhline(target[column], **REFERENCE, label="command")
-            ax.set_title(f"command: {target[0]:g} m/s and {target[1]:g} rad/s")
-            ax.set_ylabel("yaw rate (rad/s)" if column else "forward velocity (m/s)")
-        legend_above(axes[0, 0].figure, columns=3, reverse=True)
-        axes[-1, 0].set_xlabel("time (s)")
-
-    return draw_figure(len(panels), 1, 1.0 + 1.9 * len(panels), draw, sharex=True)
 
 
 def episode(comparison: Comparison, controller: str, row: int) -> str:
