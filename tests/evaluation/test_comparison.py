@@ -33,6 +33,12 @@ def test_episodes_too_short_to_measure_are_refused(seconds):
         compare(random_policy("position"), 1, seconds)
 
 
+def test_condition_names_the_randomization_and_the_ground(comparison):
+    assert comparison.condition == "undisturbed, on the task's own ground" == comparison.to_dict()["condition"]
+    other = compare(random_policy("residual"), 1, 2.0, [(0.2, 0.0)], terrain="rough", randomization="hard")
+    assert other.condition == "with the randomization hard, on the terrain rough"
+
+
 def test_shown_episode_is_the_first_without_a_fall():
     valid = np.ones((10, 6), dtype=bool)
     valid[4:, 0] = False

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -178,6 +179,22 @@ def test_measures_of_a_synthetic_gait():
     np.testing.assert_allclose(values["roll"], 0.05)
     np.testing.assert_allclose(values["pitch"], 0.02, rtol=1e-2)
     assert every["joint_limit_share"] == every["speed_limit_share"] == 0.0
+
+
+def test_gait_of_an_episode_with_a_fall_or_at_another_speed_is_not_followed():
+    part, walked = replace(PART, commands=((0.3, 0.0),), num_seeds=1), walking()
+    late_fall = np.zeros_like(walked.fell)
+    late_fall[-1] = True
+    for changes, followed in ({}, 1.0), ({"fell": late_fall}, 0.0), ({"velocity": 1.5 * walked.velocity}, 0.0):
+        measured = SimpleNamespace(robot=MINI_QUADRUPED, run=lambda *_, **__: replace(walked, **changes))  # noqa: B023
+        assert gait.run(part, measured)["commands"][0]["followed"] == followed
+
+
+def test_measure_of_all_feet_is_that_of_the_worst_one_but_for_the_duty_factor():
+    feet = np.array([[1.0, 3.0, 2.0]])
+    found = {name: float(of_feet(feet)[0]) for name, of_feet in measures.OF_FEET.items()}
+    assert (found.pop("clearance"), found.pop("duty_factor")) == (1.0, 2.0)
+    assert set(found.values()) == {3.0}
 
 
 def test_physics_samples_hold_every_physics_step():

@@ -25,7 +25,7 @@ STEPS = round(SECONDS / DT)
 
 
 class Pushing:
-    """An agent with the same action in every joint."""
+    """An agent whose action grows with the observation, in every joint by the same amount."""
 
     def __init__(self, action):
         self.action = np.float32(action)
@@ -34,7 +34,7 @@ class Pushing:
         pass
 
     def predict(self, observation):
-        return np.full((len(observation), 8), self.action)
+        return np.repeat(self.action * (1.0 + 0.5 * np.tanh(observation.sum(axis=1, keepdims=True))), 8, axis=1)
 
 
 def with_action(action, **config):

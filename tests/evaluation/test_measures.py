@@ -220,6 +220,7 @@ def test_fall_is_counted_once_and_ends_the_valid_samples():
     rollout = roll_out(Collapse(), [(0.0, 0.0)], [0, 1], seconds=2.0)
     assert rollout.fallen.all()
     assert (np.diff(rollout.valid.astype(int), axis=0) <= 0).all()
+    np.testing.assert_array_equal(rollout.fell.sum(axis=0), 1)
     values = measure(rollout)
     np.testing.assert_equal(values["fall_rate"], 1.0)
 

@@ -21,7 +21,7 @@ from quadruped_env.evaluation.measures import METRICS
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.reporting import plots
 from quadruped_env.reporting.pages import evaluation_report
-from quadruped_env.reporting.pages.page import summary_table, term_rows
+from quadruped_env.reporting.pages.page import reward_terms, summary_table, term_rows
 from quadruped_env.task import TaskConfig
 
 SECTIONS = (
@@ -112,6 +112,7 @@ def test_metrics_are_strict_json_with_a_value_for_every_metric(written, comparis
 def test_table_has_a_row_for_every_motion(comparison):
     lines = summary_table(comparison).splitlines()
     assert [line.split(":")[0].split()[0] for line in lines[1:6]] == ["Falls", *(m.capitalize() for m in MOTIONS)]
+    assert lines[-1] == "undisturbed, on the task's own ground: 2 starts of each command, 3 s"
 
 
 # --- the learning curve
@@ -123,11 +124,15 @@ def test_learning_curve_reads_what_a_killed_run_left(run_directory):
     np.testing.assert_equal(curve["return"], [math.nan, 5.5, math.nan])
 
 
-def test_reward_terms_of_a_policy_that_always_falls_are_not_zero(comparison, run_directory):
-    policy = comparison.rollouts["policy"]
+def test_reward_terms_are_per_second_and_unknown_for_a_policy_that_always_falls(comparison, run_directory):
+    policy, run = comparison.rollouts["policy"], {"run": find_policy(str(run_directory))}
+    assert not policy.fallen.any()
+    terms = reward_terms(run, comparison, {"run": "policy"})["run"]
+    mean = policy.reward_terms[50:].mean(axis=(0, 1)) * 50.0  # per second
+    np.testing.assert_allclose([term["per_second"] for term in terms.values()], mean, rtol=1e-4, atol=1e-6)
     fallen = dataclasses.replace(policy, fell=np.ones_like(policy.fell))
     fallen = dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
-    rows = term_rows({"run": find_policy(str(run_directory))}, fallen, {"run": "policy"})
+    rows = term_rows(run, fallen, {"run": "policy"})
     assert len(rows) > 5
     assert {row["cells"][0]["value"] for row in rows} == {"-"}
 
