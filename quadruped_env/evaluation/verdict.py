@@ -10,7 +10,7 @@ import numpy as np
 
 from quadruped_env.evaluation.comparison import ERRORS, MOTIONS, Comparison, error_of, rank, words
 from quadruped_env.evaluation.learning_gain import WALKING_FALL_RATE, LearningGain
-from quadruped_env.evaluation.measures import METRICS
+from quadruped_env.evaluation.measures import METRICS, ROUGH
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of
 
@@ -20,7 +20,7 @@ WALKING_SHARE: Final = 0.5
 """Minimum fraction of the commanded velocity at which the robot walks."""
 CREEPING_SHARE: Final = 0.2
 """Minimum fraction of the commanded forward velocity at which the robot moves forward at all."""
-_FOLLOWED: Final = {"forward_velocity_error": 0.1, "yaw_rate_error": 0.2}
+_FOLLOWED: Final = dict(zip(ERRORS, ROUGH, strict=True))
 """Maximum errors of a policy that follows its commands, for the built-in robot, m/s and rad/s."""
 _STILL: Final = 0.03
 """Maximum error of a robot that stands still, for the built-in robot, m/s or rad/s."""
