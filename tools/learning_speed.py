@@ -1,6 +1,7 @@
 """Measure how long it takes to learn to follow commands."""
 
 import argparse
+import json
 import sys
 from dataclasses import asdict, fields
 from pathlib import Path
@@ -8,7 +9,6 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be installed
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
-from quadruped_env.cli.train import json_object
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.training import TrainConfig
 from quadruped_env.utils.files import write_json
@@ -37,7 +37,7 @@ def main() -> int:
     )
     parser.add_argument(
         "--training",
-        type=json_object,
+        type=json.loads,
         default={},
         metavar="JSON",
         help="other settings of the training, such as '{\"n_steps\": 16}'",

@@ -36,13 +36,13 @@ from quadruped_env.utils.program import run_program
 if TYPE_CHECKING:
     from mutation_testing.places import Mutant
 
-CONTROL = ("control_config", "control_interface", "controllers", "episode_memory", "observations", "policy", "symmetry")
+CONTROL = ("control_config", "control_interface", "controllers", "episode_memory", "observations", "symmetry")
 FILES = (
     *(f"quadruped_env/{package}/**/*.py" for package in ("task", "training", "policies", "gait")),
     *(f"quadruped_env/control/{module}.py" for module in CONTROL),
 )
 TESTS = (
-    *("tests/task", "tests/control", "tests/gait", "tests/training"),
+    *("tests/task", "tests/control", "tests/policies", "tests/gait", "tests/training"),
     *(f"tests/envs/test_{name}.py" for name in ("envs", "env_copies", "env_input", "sb3")),
     *("tests/evaluation/test_without_randomization.py", "tests/robot/test_second_robot.py"),
 )
