@@ -4,6 +4,7 @@ import argparse
 import shutil
 import sys
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from typing import Any, Final, Self, TextIO
@@ -22,6 +23,8 @@ STATUS_PERIOD: Final = 1.0
 """Time between status lines, checks of the ROS graph for problems, and log lines about what a node waits for, s."""
 _SAME_SIGNAL: Final = 0.5
 """Time within which repeated signals count as one Ctrl-C, s."""
+_REMEMBERED: Final = 256
+"""Number of lines that `say_once` remembers."""
 _ARRIVING: Final = 0.05
 """Time for which the loop continues after the end, since acknowledged messages may still be in delivery, s."""
 
@@ -87,7 +90,7 @@ class Session:
         self._end = None if seconds is None else self._start + seconds
         self._waiting_for = ""
         self._waiting_since = self._waiting_logged = self._start
-        self._said: set[str] = set()
+        self._said: deque[str] = deque(maxlen=_REMEMBERED)
         self._rates: dict[Any, Rate] = {}
         self._pace = Pace(STATUS_PERIOD)
         self._ends_with = ExitStack()
@@ -134,24 +137,28 @@ class Session:
         """Wait for a message, for at most `seconds` and `POLL_PERIOD`. Returns True if a message is available."""
         return self.node.wait(min(seconds, POLL_PERIOD))
 
-    def turns(self, remaining: Callable[[], float] = lambda: POLL_PERIOD) -> Iterator[None]:
+    def turns(self, remaining: Callable[[], float] = lambda: POLL_PERIOD, drain: bool = False) -> Iterator[None]:
         """The loop of every node: each turn waits for a message and calls `every_turn`; the caller then does its work.
-
-        The turns continue for a moment after the end of the session. Otherwise messages would be lost that were
-        received, and acknowledged to their publisher, between the last turn and the signal.
 
         Args:
             remaining: returns the time after which a turn is due without a message, s; at most `POLL_PERIOD`.
+            drain: True to continue for a moment after the end of the session, for nodes that only listen. Otherwise
+                messages would be lost that were received, and acknowledged to their publisher, between the last turn
+                and the signal. A node that commands ends at once.
         """
-        end = None
-        while self.running or end is None or time.monotonic() < end:
-            if not self.running:
-                end = end or time.monotonic() + _ARRIVING
-            self.wait(remaining() if end is None else end - time.monotonic())
-            for take in self.every_turn:
-                take()
-            yield
-            self.report()
+        while self.running:
+            self.wait(remaining())
+            yield from self._turn()
+        end = time.monotonic() + _ARRIVING * drain
+        while time.monotonic() < end:
+            self.wait(end - time.monotonic())
+            yield from self._turn()
+
+    def _turn(self) -> Iterator[None]:
+        for take in self.every_turn:
+            take()
+        yield
+        self.report()
 
     def say(self, text: str) -> None:
         """Write a line to the log."""
@@ -160,9 +167,9 @@ class Session:
         self._log.flush()
 
     def say_once(self, text: str) -> None:
-        """Write a line to the log unless this method has written it before."""
+        """Write a line to the log unless it is among the last lines written by this method."""
         if text not in self._said:
-            self._said.add(text)
+            self._said.append(text)
             self.say(text)
 
     def wait_for(self, what: str) -> None:

@@ -159,6 +159,16 @@ def test_controller_whose_first_twist_is_read_slowly_moves_the_robot(nodes, run_
 # --- the log on a terminal
 
 
+@pytest.mark.usefixtures("domain_id")
+def test_loop_ends_at_once_and_continues_only_where_a_node_drains_messages():
+    with Session("gait", make_parser().parse_args(["gait"]), io.StringIO()) as session:
+        turns = session.turns()
+        assert next(turns, "ended") is None
+        session.stop()
+        assert next(turns, "ended") == "ended"
+        assert next(session.turns(drain=True), "ended") is None
+
+
 def test_status_line_is_cleared_by_lines_and_not_longer_than_the_terminal_is_wide(domain_id, monkeypatch):
     monkeypatch.setenv("COLUMNS", "40")
     terminal = io.StringIO()

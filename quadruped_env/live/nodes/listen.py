@@ -242,7 +242,7 @@ def _listen(
     names = [session.node.names.full(name) for name in names]
     found: dict[str, Subscription[Any]] = {}
     pace, missing = Pace(_UPDATE_PERIOD), ""
-    for _ in session.turns():
+    for _ in session.turns(drain=True):
         if pace.tick():
             for name, publishers in _published(session).items():
                 if name not in found and (not names or name in names) and (topic := _topic(session, publishers, names)):

@@ -35,7 +35,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     description.send(cdr.message(ROBOT_DESCRIPTION.type_name, data=robot.urdf))
     fixed.send_bytes(next(transform_messages([time.time_ns()], robot.fixed_transforms())))
     waiting_for = JOINT_STATES.name
-    for _ in session.turns():
+    for _ in session.turns(drain=True):
         for _, message in states.messages(session.refuse):
             joints = driver.to_robot(message)
             assert joints.positions is not None
