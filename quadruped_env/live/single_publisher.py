@@ -1,6 +1,7 @@
 """Guard against two robots, or two controllers of one robot: states and commands must have a single publisher."""
 
 import time
+from collections.abc import Callable
 from typing import Final
 
 from quadruped_env.errors import QuadrupedError
@@ -22,14 +23,16 @@ class SinglePublisherGuard:
 
     Args:
         topic: the topic that must have a single publisher.
+        publishing: returns False while this process sends no messages: any other publisher then has precedence.
     """
 
-    def __init__(self, session: Session, topic: Topic = JOINT_STATES) -> None:
+    def __init__(
+        self, session: Session, topic: Topic = JOINT_STATES, publishing: Callable[[], bool] = lambda: True
+    ) -> None:
         self._session = session
         self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True, read=bytes)
         self._topic = self._others.topic
-        self.publishing = True
-        """False while this process sends no messages: any other publisher then has precedence."""
+        self._publishing = publishing
         self._contest_until = self._problem_until = 0.0
         self._problem = ""
 
@@ -50,15 +53,15 @@ class SinglePublisherGuard:
 
     def _watch(self) -> None:
         """Raise a QuadrupedError if another publisher has started too, and has precedence."""
-        graph = self._session.node.graph
-        if not self.publishing:
+        graph, publishing = self._session.node.graph, self._publishing()
+        if not publishing:
             self._contest_until = time.monotonic() + CONTEST
         for received in self._others.take():
             other = self._sender(received)
             if other is None:
                 continue
             contested = time.monotonic() < self._contest_until and other.participant < graph.participant
-            if contested or not self.publishing:
+            if contested or not publishing:
                 raise self._second(graph.owner(other))
             self._problem = f"{graph.owner(other)} publishes {self._topic.name} too; end one of the two"
             self._problem_until = time.monotonic() + LISTEN

@@ -112,7 +112,11 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     if arguments.map is not None:
         session.say(f"--map: drives {', '.join(driver.joint_names)}")
     publisher = CommandPublisher(session.node, driver, arguments.arrays, session.say)
-    guard = SinglePublisherGuard(session, JOINT_POSITIONS if arguments.arrays else JOINT_COMMANDS)
+    guard = SinglePublisherGuard(
+        session,
+        JOINT_POSITIONS if arguments.arrays else JOINT_COMMANDS,
+        publishing=lambda: live_controller.mode not in (Mode.WAITING, Mode.LIMP),
+    )
     guard.check()
     try:
         _control(session, arguments, live_controller, driver, publisher, guard)
@@ -150,7 +154,6 @@ def _control(
     slow = SlowInputs(1.0 / live_controller.period, session.say)
     diagnostics = Diagnostics(session.node, robot.name)
     for _ in session.turns(lambda: min(_POLL_PERIOD, live_controller.remaining(clock.now))):
-        guard.publishing = live_controller.mode not in (Mode.WAITING, Mode.LIMP)
         clock.pause(simulator.paused)
         if simulator.reset:
             live_controller.restart("reset")
