@@ -38,6 +38,7 @@ include_patterns = [
     "CONTRIBUTING.md",
     "CHANGELOG.md",
     "assets/**/README.md",
+    "examples/**/README.md",
 ]
 exclude_patterns = [".*", "build", "dist", "mutants", "quadruped_env", "results", "runs", "sweeps", "tests", "tools"]
 extensions = [

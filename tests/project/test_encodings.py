@@ -19,7 +19,7 @@ from quadruped_env.cli.main import main
 sys.exit(main())
 """
 TINY = ("--timesteps", "1024", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
-SHORT = ("--seeds", "1", "--seconds", "2", "--no-video")
+SHORT = ("--seeds", "1", "--seconds", "2")
 CORE = (
     ("page", "-o", "w.html"),
     ("demo",),
@@ -27,7 +27,7 @@ CORE = (
     ("convert", "a.csv", "b.csv"),
     ("replay", "a.csv", "-o", "replayed"),
 )
-ALL = (*CORE, ("train", *TINY), ("evaluate", *SHORT), ("compare", "flat", "runs/latest", *SHORT))
+ALL = (*CORE, ("train", *TINY), ("evaluate", "--no-video", *SHORT), ("compare", "flat", "runs/latest", *SHORT))
 
 
 def calls_without_encoding(code):

@@ -21,7 +21,7 @@ PIECE = re.compile(
 )
 SMALL = {
     "train": "--timesteps 6144",
-    "compare": "--seeds 1 --seconds 2 --no-video",
+    "compare": "--seeds 1 --seconds 2",
     "baseline": "--episodes 1 --seconds 1",
     "drive.py": "",
     "look.py": "",

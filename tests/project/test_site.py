@@ -26,7 +26,7 @@ pytestmark = pytest.mark.slow
 def site(tmp_path_factory):
     """The site of a copy of the checkout, built by the command of the Makefile."""
     copy = tmp_path_factory.mktemp("docs")
-    for name in ("docs", "assets"):
+    for name in ("docs", "assets", "examples"):
         shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("api"))
     for name in ("CONTRIBUTING.md", "CHANGELOG.md", "README.md", "Makefile"):
         shutil.copy(ROOT / name, copy)

@@ -4,6 +4,7 @@ import browser
 import numpy as np
 import pytest
 from comparisons import write_evaluation
+from waiting import wait_until
 
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import find_policy
@@ -47,7 +48,7 @@ def test_its_video_advances(chromium, tmp_path, monkeypatch):
         # A Chromium of Debian may lack H.264, which common browsers have.
         if video.evaluate("v => v.error !== null || v.networkState === 3"):
             pytest.skip("this Chromium cannot play H.264")
-        page.wait_for_function("document.querySelector('video').currentTime > 0.3")
+        wait_until(lambda: video.evaluate("v => v.currentTime") > 0.3)
         before = browser.pixels(video)
-        page.wait_for_function("document.querySelector('video').currentTime > 0.6")
+        wait_until(lambda: video.evaluate("v => v.currentTime") > 0.6)
         assert np.abs(browser.pixels(video).astype(int) - before).max() > 60

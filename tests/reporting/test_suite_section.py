@@ -171,7 +171,7 @@ def test_evaluate_prints_scores_and_writes_results(
         return suite_result
 
     monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)
-    monkeypatch.setattr("quadruped_env.cli.common_options.compare", lambda *_, **__: comparison)
+    monkeypatch.setattr("quadruped_env.api.compare", lambda *_, **__: comparison)
     arguments = ["evaluate", str(run_directory), "--suite", "--quick", "--no-video", "-o", str(tmp_path / "out")]
     assert main(arguments) == 0
     assert asked == [("20260101-000000-ppo", True, True)]
