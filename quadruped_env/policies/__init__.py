@@ -50,3 +50,7 @@ def __getattr__(name: str) -> Any:
     from quadruped_env.policies import choices, policy
 
     return getattr(choices if name == "find_controllers" else policy, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
