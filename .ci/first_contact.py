@@ -59,7 +59,7 @@ class Contact:
     before: str = ""
     """Requirement that is installed before the package."""
     repair: bool = False
-    """True if the package can be imported only after the repair that its error names."""
+    """True if the package can be imported only after the repair that MuJoCo's error names."""
     must_pass: bool = True
     make: str = ""
     """Target of the Makefile that is made in a clone, with the distribution's Python and nothing else on PATH."""
@@ -118,10 +118,11 @@ def walk(contact: Contact, interpreter: str, wheel: Path, folder: Path) -> str:
         try:
             run([binaries / "python", "-c", "import quadruped_env"], folder)
         except RuntimeError as error:
-            repair = re.search(r"with files missing; (.* uninstall .*)", str(error))
+            # MuJoCo's own error.
+            repair = re.search(r"Repair your environment with:\n +pip install (.*)", str(error))
             if not repair:
                 raise
-            run(["sh", "-c", repair[1]], folder)
+            run([*pip, *repair[1].split()], folder)
     (folder / "walk.py").write_text(WALK, encoding="utf-8")
     printed = run([binaries / "python", "-W", "error", "walk.py"], folder)
     if contact.extras:
