@@ -59,7 +59,7 @@ class Contact:
     before: str = ""
     """Requirement that is installed before the package."""
     repair: bool = False
-    """True if the package can be imported only after the repair that MuJoCo's error names."""
+    """True if the package can be imported only after the repair in docs/install.md."""
     must_pass: bool = True
     make: str = ""
     """Target of the Makefile that is made in a clone, with the distribution's Python and nothing else on PATH."""
@@ -83,6 +83,8 @@ CONTACTS = (
     Contact("docs-with-the-system's-python", python="3.11 or later in /usr/bin, with venv", make="docs"),
     Contact("newest", extras=EVERYTHING, pinned=False, must_pass=False),
 )
+
+INSTALL = ROOT / "docs" / "install.md"
 
 
 def run(command: Sequence[str | Path], folder: Path, **environment: str) -> str:
@@ -118,11 +120,13 @@ def walk(contact: Contact, interpreter: str, wheel: Path, folder: Path) -> str:
         try:
             run([binaries / "python", "-c", "import quadruped_env"], folder)
         except RuntimeError as error:
-            # MuJoCo's own error.
-            repair = re.search(r"Repair your environment with:\n +pip install (.*)", str(error))
-            if not repair:
+            if "core bindings ('mujoco-core') are missing" not in str(error):
                 raise
-            run([*pip, *repair[1].split()], folder)
+            # MuJoCo's error names a repair too, after which the versions of its parts differ.
+            (repair,) = re.findall(
+                "^    (pip uninstall .* && pip install .*)$", INSTALL.read_text("utf-8"), re.MULTILINE
+            )
+            run(["sh", "-c", repair], folder, PATH=f"{binaries}{os.pathsep}{os.environ['PATH']}")
     (folder / "walk.py").write_text(WALK, encoding="utf-8")
     printed = run([binaries / "python", "-W", "error", "walk.py"], folder)
     if contact.extras:
