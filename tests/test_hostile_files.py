@@ -24,7 +24,7 @@ from quadruped_env.export.trace_check import ExportedTrace
 from quadruped_env.policies.files import read_policy, shipped_directory
 from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.replay.motors_file import read_motors
-from quadruped_env.scale.sweep.search_space import read_space
+from quadruped_env.sweep.search_space import read_space
 from quadruped_env.task import TaskConfig, load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent

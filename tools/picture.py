@@ -16,8 +16,8 @@ from quadruped_env.control.clock import frequency_at
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.policies.files import SHOWN
-from quadruped_env.reporting.films.film import Clip
-from quadruped_env.reporting.films.video import prepare_video, save_film
+from quadruped_env.report.films.film import Clip
+from quadruped_env.report.films.video import prepare_video, save_film
 from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 

@@ -48,7 +48,7 @@ from quadruped_env.evaluation.suite import regulation as suite_regulation
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite_definition import Joystick, full_suite
 from quadruped_env.policies import ZeroController
-from quadruped_env.reporting.plots.learning_plots import read_progress
+from quadruped_env.report.plots.learning_plots import read_progress
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import pasteable

@@ -13,8 +13,8 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies.files import DEFAULT, SHIPPED
-from quadruped_env.reporting.films.film import Clip
-from quadruped_env.reporting.films.video import STILLS, SUFFIXES, save_film
+from quadruped_env.report.films.film import Clip
+from quadruped_env.report.films.video import STILLS, SUFFIXES, save_film
 from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain
 from quadruped_env.simulation.terrain import LEVELS, Terrain
 from quadruped_env.task import PRESETS

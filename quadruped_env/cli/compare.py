@@ -35,10 +35,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Compare, write the report, and print its summary."""
     from quadruped_env.evaluation.comparison import compare
     from quadruped_env.evaluation.learning_gain import gain_beside
-    from quadruped_env.reporting.pages.page import METRICS_FILE, summary_table
-    from quadruped_env.reporting.pages.run_comparison import find_policies, headline, write_numbers, write_page
-    from quadruped_env.reporting.pages.suite_section import ranking, ranking_in_words
-    from quadruped_env.reporting.report_directory import REPORT_FILE, prepare_output, print_report
+    from quadruped_env.report.pages.page import METRICS_FILE, summary_table
+    from quadruped_env.report.pages.run_comparison import find_policies, headline, write_numbers, write_page
+    from quadruped_env.report.pages.suite_section import ranking, ranking_in_words
+    from quadruped_env.report.report_directory import REPORT_FILE, prepare_output, print_report
 
     output = arguments.output or free_path(Path("results", "comparison"))
     policies = find_policies(arguments.runs, output, arguments.task, arguments.trust_task)

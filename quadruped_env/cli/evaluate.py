@@ -67,9 +67,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         score_table,
         with_zero_action,
     )
-    from quadruped_env.reporting.films.video import prepare_video
-    from quadruped_env.reporting.pages.pictures import filmed, recorded
-    from quadruped_env.reporting.report_directory import prepare_output
+    from quadruped_env.report.films.video import prepare_video
+    from quadruped_env.report.pages.pictures import filmed, recorded
+    from quadruped_env.report.report_directory import prepare_output
     from quadruped_env.trajectory import saving
 
     if arguments.quick and not arguments.suite:

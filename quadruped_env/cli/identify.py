@@ -114,7 +114,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         write_report,
     )
     from quadruped_env.replay.motors_file import read_motors
-    from quadruped_env.reporting.report_directory import REPORT_FILE
+    from quadruped_env.report.report_directory import REPORT_FILE
 
     output = arguments.output or free_path(Path("results") / f"identify-{arguments.file.stem}")
     check_free(identification_files(output), arguments.overwrite)

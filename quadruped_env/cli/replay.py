@@ -65,8 +65,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.replay.motors_file import read_motors
     from quadruped_env.replay.replay import replay, replay_files
     from quadruped_env.replay.replay_report import write_replay_report
-    from quadruped_env.reporting.films.video import prepare_video
-    from quadruped_env.reporting.report_directory import REPORT_FILE
+    from quadruped_env.report.films.video import prepare_video
+    from quadruped_env.report.report_directory import REPORT_FILE
 
     output = arguments.output or free_path(Path("results") / f"replay-{arguments.file.stem}")
     compare = arguments.compare is not None

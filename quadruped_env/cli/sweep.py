@@ -24,9 +24,9 @@ from quadruped_env.cli.common_options import add_output
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.train import add_settings, typed_settings
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.scale.sweep.search_space import Dimension, parse_dimension, read_space
-from quadruped_env.scale.sweep.sweep_definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
-from quadruped_env.scale.sweep.sweep_records import SweepFolder
+from quadruped_env.sweep.search_space import Dimension, parse_dimension, read_space
+from quadruped_env.sweep.sweep_definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
+from quadruped_env.sweep.sweep_records import SweepFolder
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.recipes import check_used, with_recipe
 from quadruped_env.utils.interpreter import program_command
@@ -118,8 +118,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.scale.ray_connection import check_answers, check_installed
-    from quadruped_env.scale.sweep.sweep_results import collect, table, write
+    from quadruped_env.sweep.ray_connection import check_answers, check_installed
+    from quadruped_env.sweep.sweep_results import collect, table, write
 
     here = _cores() if arguments.cores is None else arguments.cores
     if here < 1:
@@ -140,7 +140,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         folder = SweepFolder.open(arguments.resume)
     print(f"{describe(config)} -> {folder.path}", flush=True)
 
-    from quadruped_env.scale.sweep.sweep_driver import run_sweep
+    from quadruped_env.sweep.sweep_driver import run_sweep
 
     received: list[int] = []
     with on_stop(partial(_stop, received)):
@@ -270,7 +270,7 @@ def _stop(received: list[int], number: int) -> None:
 def _write_report(folder: SweepFolder, results: Mapping[str, Any]) -> Extras:
     extras = Extras()
     with extras.part("report.html"):
-        from quadruped_env.reporting.pages.sweep_report import write_sweep_report
+        from quadruped_env.report.pages.sweep_report import write_sweep_report
 
         print(f"report:  {write_sweep_report(folder.path, results)}")
     return extras

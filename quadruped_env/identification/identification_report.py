@@ -9,10 +9,10 @@ import numpy as np
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.identification.dataset import UNITS
 from quadruped_env.identification.identify import Identification
-from quadruped_env.reporting.pages.page import figure, provenance, write_html
-from quadruped_env.reporting.palette import BLUE, INK, ORANGE
-from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
-from quadruped_env.reporting.report_directory import REPORT_FILE
+from quadruped_env.report.pages.page import figure, provenance, write_html
+from quadruped_env.report.palette import BLUE, INK, ORANGE
+from quadruped_env.report.plots.joint_plots import Line, joint_panels
+from quadruped_env.report.report_directory import REPORT_FILE
 from quadruped_env.utils.files import check_free, write_json
 from quadruped_env.utils.text_table import Table
 

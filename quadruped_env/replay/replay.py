@@ -13,8 +13,8 @@ from quadruped_env.evaluation.recorded_episode import Recording, play
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.replay.saturation import saturation
 from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
-from quadruped_env.reporting.films.film import FRAME_RATE, Clip
-from quadruped_env.reporting.report_directory import REPORT_FILE
+from quadruped_env.report.films.film import FRAME_RATE, Clip
+from quadruped_env.report.report_directory import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.skeleton import Pose
 from quadruped_env.simulation import Terrain, build_model

@@ -8,10 +8,10 @@ import numpy as np
 
 from quadruped_env.replay.replay import Replay
 from quadruped_env.replay.signal_comparison import SIGNALS
-from quadruped_env.reporting.pages.page import figure, provenance, write_html
-from quadruped_env.reporting.palette import BLUE, INK, VERMILION
-from quadruped_env.reporting.plots.joint_plots import Line, joint_panels
-from quadruped_env.reporting.report_directory import REPORT_FILE
+from quadruped_env.report.pages.page import figure, provenance, write_html
+from quadruped_env.report.palette import BLUE, INK, VERMILION
+from quadruped_env.report.plots.joint_plots import Line, joint_panels
+from quadruped_env.report.report_directory import REPORT_FILE
 
 _GOOD: Final = 0.05
 """Maximum RMS tracking error of a good replay, rad; the robot also stays on its feet."""

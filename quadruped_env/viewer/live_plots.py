@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.reporting import palette
+from quadruped_env.report import palette
 from quadruped_env.robot import Robot
 from quadruped_env.task import CommandSection
 from quadruped_env.viewer.snapshot import View

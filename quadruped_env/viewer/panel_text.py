@@ -6,7 +6,7 @@ from html import escape
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.reporting.palette import ACTUAL, COMMANDED, CONTACT, FRONT, GREY, INK, LIMIT, PUSH, leg_colours
+from quadruped_env.report.palette import ACTUAL, COMMANDED, CONTACT, FRONT, GREY, INK, LIMIT, PUSH, leg_colours
 from quadruped_env.robot import Robot
 from quadruped_env.utils.files import shown_path
 from quadruped_env.viewer.snapshot import View

@@ -10,8 +10,8 @@ from typing import Final
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
 from quadruped_env.evaluation.trace import Trace
-from quadruped_env.reporting.films.film import Clip
-from quadruped_env.reporting.films.video import save_film
+from quadruped_env.report.films.film import Clip
+from quadruped_env.report.films.video import save_film
 from quadruped_env.utils.files import free_path
 from quadruped_env.viewer.viewed_robot import ViewedTrace
 

@@ -9,7 +9,7 @@ import mujoco
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies import ControllerSpec
-from quadruped_env.reporting.films.film import size_of
+from quadruped_env.report.films.film import size_of
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.measures import GRAVITY
-from quadruped_env.reporting.films.film import size_of
-from quadruped_env.reporting.ground_mesh import (
+from quadruped_env.report.films.film import size_of
+from quadruped_env.report.ground_mesh import (
     add_floor,
     floor_offset,
     floor_plane,
@@ -18,7 +18,7 @@ from quadruped_env.reporting.ground_mesh import (
     robot_scene,
     scene_rgb,
 )
-from quadruped_env.reporting.palette import ACTUAL, COMMANDED, CONTACT, PUSH, leg_colours
+from quadruped_env.report.palette import ACTUAL, COMMANDED, CONTACT, PUSH, leg_colours
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.simulation.height_field import HeightField

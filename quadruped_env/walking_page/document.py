@@ -18,7 +18,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.export.onnx_graph import Graph
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies.policy import Policy
-from quadruped_env.reporting.palette import leg_colours
+from quadruped_env.report.palette import leg_colours
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.robot.readings import sensor_columns
 from quadruped_env.robot.units import scale_of

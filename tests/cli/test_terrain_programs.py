@@ -22,8 +22,8 @@ from quadruped_env.live.__main__ import make_parser
 from quadruped_env.live.node_options import chosen_terrain, robot_of
 from quadruped_env.live.simulated import SimulatedRobot
 from quadruped_env.policies import GaitController, ZeroController, find_controllers, load_policy
-from quadruped_env.reporting.films.film import Camera, size_of
-from quadruped_env.reporting.ground_mesh import ground_mesh
+from quadruped_env.report.films.film import Camera, size_of
+from quadruped_env.report.ground_mesh import ground_mesh
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField

@@ -14,7 +14,7 @@ from quadruped_env.evaluation.rollout import PhysicsSamples, roll_out
 from quadruped_env.evaluation.suite import gait
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import GaitController
-from quadruped_env.reporting.pages.suite_section import _GAIT_ROWS
+from quadruped_env.report.pages.suite_section import _GAIT_ROWS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 

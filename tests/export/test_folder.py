@@ -29,7 +29,7 @@ from quadruped_env.export.folder import export_policy
 from quadruped_env.export.manifest import metadata
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies import Policy, find_controllers, load_policy
-from quadruped_env.reporting.pages import evaluation_report
+from quadruped_env.report.pages import evaluation_report
 from quadruped_env.task import ActionConfig, TaskConfig
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")

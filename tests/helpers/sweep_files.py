@@ -4,11 +4,11 @@ import json
 
 from quadruped_env.evaluation.suite.suite import COMPONENTS, RECOVERY
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.scale.sweep import Dimension, SweepConfig
-from quadruped_env.scale.sweep.search import Proposals
-from quadruped_env.scale.sweep.sweep_driver import TrialBook
-from quadruped_env.scale.sweep.sweep_records import SweepFolder
-from quadruped_env.scale.sweep.sweep_results import collect, table, write
+from quadruped_env.sweep import Dimension, SweepConfig
+from quadruped_env.sweep.search import Proposals
+from quadruped_env.sweep.sweep_driver import TrialBook
+from quadruped_env.sweep.sweep_records import SweepFolder
+from quadruped_env.sweep.sweep_results import collect, table, write
 from quadruped_env.training.recipes import with_recipe
 
 SCORE = {"total": 0.5, "components": dict.fromkeys(COMPONENTS, 0.5)}

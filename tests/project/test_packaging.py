@@ -93,7 +93,7 @@ def test_the_wheel_holds_the_package_and_its_assets_and_works_outside_the_reposi
         "py.typed",
     ):
         assert f"quadruped_env/{part}" in names
-    assert any(name.startswith("quadruped_env/reporting/pages/templates/") for name in names)
+    assert any(name.startswith("quadruped_env/report/pages/templates/") for name in names)
     assert "quadruped_env/robot/templates/leg.urdf" in names
 
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"} | {"BROWSER": "true"}

@@ -17,7 +17,7 @@ from waiting import DEADLINE, output_of
 
 from quadruped_env import JointTrajectory, QuadrupedError
 from quadruped_env.policies import load_policy
-from quadruped_env.reporting.films.video import save_video
+from quadruped_env.report.films.video import save_video
 from quadruped_env.utils.files import PART, free_path, shown_argument, whole, write_json, write_whole
 
 

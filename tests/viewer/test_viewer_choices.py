@@ -10,7 +10,7 @@ from quadruped_env import QuadrupedError, SinusoidalGait
 from quadruped_env.evaluation.recorded_episode import publish
 from quadruped_env.gait import COMMANDED
 from quadruped_env.policies.files import SHIPPED
-from quadruped_env.reporting import palette
+from quadruped_env.report import palette
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import find_terrain, flat
 from quadruped_env.viewer.panel_text import legend

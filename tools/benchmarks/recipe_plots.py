@@ -6,9 +6,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.reporting.palette import BLUE, GREY
-from quadruped_env.reporting.plots.canvas import draw_figure
-from quadruped_env.reporting.plots.sweep_plots import median_curve
+from quadruped_env.report.palette import BLUE, GREY
+from quadruped_env.report.plots.canvas import draw_figure
+from quadruped_env.report.plots.sweep_plots import median_curve
 
 _SEED: Final = {"color": GREY, "linewidth": 0.7, "alpha": 0.7}
 _MEDIAN: Final = {"color": BLUE, "linewidth": 1.6}

@@ -14,8 +14,8 @@ import numpy as np
 
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import GaitController
-from quadruped_env.reporting.films.film import MULTISAMPLES, SHADOW_SIZE, Camera, Clip
-from quadruped_env.reporting.films.video import encode_mp4
+from quadruped_env.report.films.film import MULTISAMPLES, SHADOW_SIZE, Camera, Clip
+from quadruped_env.report.films.video import encode_mp4
 
 SHADOW_SIZES: Final = (0, 512, 1024, 2048, 4096)
 MULTISAMPLINGS: Final = (0, 4)

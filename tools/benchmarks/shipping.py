@@ -16,7 +16,7 @@ from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.policies import Controller, Policy, PolicyController, load_policy
 from quadruped_env.policies.files import finished_directory, shipped_directory
-from quadruped_env.reporting.pages.page import without_nan
+from quadruped_env.report.pages.page import without_nan
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.progress import Progress, part_of

@@ -1,1 +1,0 @@
-"""Many trainings at once: sweeps on Ray."""

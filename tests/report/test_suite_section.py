@@ -1,0 +1,182 @@
+"""The suite in the reports: sections, files, ranking, and the programs' options."""
+
+import copy
+import json
+import re
+from xml.etree import ElementTree
+
+import pytest
+from comparisons import random_policy, write_comparison, write_evaluation
+from report_page import Page
+from suites import tiny_suite
+
+from benchmarks.shipping import reference_row
+from quadruped_env import QuadrupedError
+from quadruped_env.cli.main import main
+from quadruped_env.evaluation.evaluated_policy import find_policy
+from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.suite import COMPONENTS, run_suite
+from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.report.pages import suite_section
+from quadruped_env.report.plots import suite_plots as plots
+
+
+@pytest.fixture(scope="module")
+def suite_result(run_directory):
+    """Short results of the policy of `run_directory`."""
+    evaluated = find_policy(str(run_directory))
+    measured = MeasuredController.of_policy(evaluated.policy, evaluated.name)
+    return run_suite(measured, tiny_suite(), zero_action=True)
+
+
+def text_of(path):
+    return " ".join(" ".join(Page(path.read_text()).text).replace("\N{NO-BREAK SPACE}", " ").split())
+
+
+def test_report_holds_the_suite_and_its_numbers(
+    run_directory, comparison, suite_result, tmp_path, monkeypatch, without_figures
+):
+    row = copy.deepcopy(reference_row(suite_result))
+    row["name"], row["score"]["total"] = "reference", 0.987
+    monkeypatch.setattr(suite_section, "read_references", lambda: [row])
+    evaluated = find_policy(str(run_directory), tmp_path)
+    page, numbers, _ = write_evaluation(evaluated, comparison, "the command", suite_result)
+    text = text_of(page)
+    for words in (
+        "mq-eval 2 (quick)",
+        "never comparable with those of the full suite",
+        "Every command",
+        "Gait at every speed",
+        "Changes of the command",
+        "emergency stop",
+        "Pushes",
+        "Changing commands",
+        "undisturbed",
+        "Regulation",
+        "up 8 degrees",
+        "zero action",
+        "Terrain",
+        "Recovery",
+        "drop 10cm",
+        "reference 0.987",
+    ):
+        assert words in text
+    # The reference has the better score and comes first.
+    assert text.index("reference 0.987") < text.index(f"{evaluated.name} {suite_result['score']['total']:.3f}")
+    stored = json.loads((tmp_path / "suite.json").read_text())
+    assert {name: stored[name] for name in suite_result} == suite_result
+    assert stored["policy"]["name"] == evaluated.name
+    assert stored["command_line"] == "the command"
+    document = json.loads(numbers.read_text())
+    assert {name: document["suite"][name] for name in suite_result["suite"]} == suite_result["suite"]
+    assert document["suite"]["score"] == suite_result["score"]
+
+
+def test_figures_are_svg_and_survive_unknown_values(suite_result):
+    unknown = copy.deepcopy(suite_result)
+    for name in ("forward_velocity_error", "yaw_rate_error"):
+        unknown["commands"][name]["signed"][0] = None
+    unknown["commands"]["fall_share"][0] = 1.0
+    for entry in unknown["gait"]["commands"]:
+        entry["landing_speed"] = [None] * 4
+        entry["clearance"] = [None] * 4
+    unknown["regulation"]["nominal"]["commands"][0]["share"] = [None, None]
+    for draw in (plots.command_map, plots.pushes, plots.crossings):
+        for result in (suite_result, unknown):
+            assert ElementTree.fromstring(draw(result)).tag.endswith("svg")  # noqa: S314
+    assert suite_section.section(unknown)["gait"]["rows"][0]["cells"] == ["-", "-"]
+
+
+@pytest.fixture
+def two_runs(run_directory, suite_result, tmp_path, monkeypatch):
+    """Two runs that differ in their seed, and their results."""
+    monkeypatch.chdir(tmp_path)
+    for i, name in enumerate(("one", "two")):
+        policy = random_policy("residual")
+        policy.with_card({**policy.card, "seed": i}).save(tmp_path / name)
+        training = {"action_mode": "residual", "seed": i, "name": "ppo", "learning_rate": 0.002}
+        (tmp_path / name / "config.json").write_text(json.dumps({"training": training, "task": {"a": 1}}))
+        result = copy.deepcopy(suite_result)
+        del result["zero_action"]
+        for component in COMPONENTS:
+            result["score"]["components"][component] = 0.25 * (i + 1)
+        result["score"]["total"] = 0.25 * (i + 1)
+        result["name"] = name
+        evaluated = find_policy(name, tmp_path / name / "evaluation")
+        suite_section.write_results(evaluated, result, "")
+    return tmp_path
+
+
+def policies(*names):
+    return {name: find_policy(name, None) for name in names}
+
+
+def test_policies_are_ranked_by_their_score_and_training_seeds_aggregated(two_runs):
+    found = suite_section.ranking(policies("one", "two"))
+    assert [(entry["name"], entry["total"]) for entry in found["policies"]] == [("two", 0.5), ("one", 0.25)]
+    (recipe,) = found["recipes"]
+    assert [run["name"] for run in recipe["runs"]] == ["one", "two"]
+    assert recipe["score"]["mean"] == pytest.approx(0.375)
+    assert suite_section.ranking_in_words(found) == (
+        "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250."
+    )
+
+
+def test_the_zero_action_has_a_row_of_its_own_in_rankings(two_runs):
+    path = two_runs / "one" / "evaluation" / "suite.json"
+    stored = json.loads(path.read_text())
+    total = {"total": 0.3, "components": dict.fromkeys(COMPONENTS, 0.3)}
+    zero = {**{name: stored[name] for name in ("suite", "conditions")}, "name": "one, zero action", "score": total}
+    path.write_text(json.dumps({**stored, "zero_action": zero}))
+    order = [entry["name"] for entry in suite_section.ranking(policies("one", "two"))["policies"]]
+    assert order == ["two", "one, zero action", "one"]
+
+
+def test_ranking_needs_comparable_results_of_these_policies(two_runs):
+    path = two_runs / "two" / "evaluation" / "suite.json"
+    stored = json.loads(path.read_text())
+    path.write_text(json.dumps({**stored, "suite": full_suite().identity}))
+    with pytest.raises(QuadrupedError, match=r"one and two cannot be compared: suite\.quick"):
+        suite_section.ranking(policies("one", "two"))
+    path.write_text(json.dumps({**stored, "policy": {"name": "two", "card": {"seed": 7}}}))
+    with pytest.raises(QuadrupedError, match=r"results of another policy than two; evaluate it first: .*runs/two"):
+        suite_section.ranking(policies("one", "two"))
+    path.unlink()
+    with pytest.raises(QuadrupedError, match=r"no results of the suite for two; evaluate it first"):
+        suite_section.ranking(policies("one", "two"))
+
+
+def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
+    names = ["one", "two"]
+    found = {**policies(*names)}
+    several = comparison.seen_as("policy")
+    for name in names:
+        several.rollouts[name], several.values[name] = several.rollouts["policy"], several.values["policy"]
+    page, numbers = write_comparison(found, several, tmp_path / "out", ranked=suite_section.ranking(found))
+    text = text_of(page)
+    assert "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250." in text
+    assert "2 training seeds of one recipe (one and two): interquartile mean 0.375" in text
+    assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
+
+
+@pytest.mark.slow
+def test_evaluate_prints_scores_and_writes_results(
+    run_directory, suite_result, comparison, tmp_path, monkeypatch, capsys, without_figures
+):
+    """The program with the comparison and the suite that were made before."""
+    asked = []
+
+    def run(measured, suite, progress, zero_action):
+        asked.append((measured.name, suite.quick, zero_action))
+        return suite_result
+
+    monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)
+    monkeypatch.setattr("quadruped_env.api.compare", lambda *_, **__: comparison)
+    arguments = ["evaluate", str(run_directory), "--suite", "--quick", "--no-video", "-o", str(tmp_path / "out")]
+    assert main(arguments) == 0
+    assert asked == [("20260101-000000-ppo", True, True)]
+    out = capsys.readouterr().out
+    assert re.search(r"score +commands +joystick +gait", out)
+    assert f"{suite_result['score']['total']:.3f}" in out
+    stored = json.loads((tmp_path / "out" / "suite.json").read_text())
+    assert "--suite --quick" in stored["command_line"]
