@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.nodes import PRINTING, SUMMARIES, node_module
+from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
 from quadruped_env.utils.interpreter import COMMAND, pasteable
 from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
@@ -94,7 +94,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with Session(args.node, args) as session:
             return int(module.run(session, args))
 
-    return run_program(f"{COMMAND} live {name}".strip(), run, needs_output=name in PRINTING)
+    return run_program(f"{COMMAND} live {name}".strip(), run)
 
 
 if __name__ == "__main__":
