@@ -84,9 +84,7 @@ def test_joint_that_stays_at_one_position_while_others_move_is_named(value):
     positions[100:, 5] = value
     for targets, why in ((trot(300), "its target moves"), (np.broadcast_to(STANCE, (300, 8)), "other joints move")):
         problems, said = problems_of(positions, targets)
-        expected = (
-            f"LH_knee_joint stays at exactly {value:.4g} rad for 1 s while {why}; check its encoder and its motor"
-        )
+        expected = f"LH_knee_joint stays at exactly {value:.4g} rad for 1 s while {why}; check its encoder and motor"
         assert (list(problems), said) == ([expected], [expected]), "not again before 10 s"
 
 
