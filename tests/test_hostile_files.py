@@ -30,7 +30,7 @@ from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_COLUMNS, PROGRESS_FILE, RESUME_FILE
 from quadruped_env.trajectory import ColumnMap, JointMap
-from quadruped_env.utils.documents import MAX_BYTES, MAX_DEPTH, fitted, parse_json, read_json, read_toml
+from quadruped_env.utils.documents import MAX_BYTES, fitted, read_json, read_toml
 
 ECHO = (
     "header:\n  stamp:\n    sec: 1\n    nanosec: 0\n  frame_id: ''\nname:\n- a\nposition:\n- 0.5\nvelocity: []\n"
@@ -161,8 +161,6 @@ CONTENTS = {
         "deep list": "[columns]\nstamp = " + "[" * DEEP,
         "deep, and whole": "[columns]\nstamp = " + "[" * 60 + "]" * 60,
         "deep table": "a = " + "{a = " * DEEP,
-        "long key": ".".join(["a"] * 20_000) + " = 1",
-        "long table": "[" + ".".join(["a"] * 20_000) + "]",
         "5000 digits": "[joints.a]\nscale = " + "9" * 5000,
         "5000 hexadecimal digits": "[columns]\nstamp = 0x" + "f" * 5000,
         "400 digits": "[columns]\nstamp = " + "9" * 400 + "\n[joints.a]\nscale = " + "9" * 400,
@@ -317,19 +315,6 @@ class TestDocuments:
         path.write_text("a.b.'c.d' = [1, 2.5]\n# a.b.c.d.e is no key\n")
         assert read_toml(path) == {"a": {"b": {"c.d": [1, 2.5]}}}
 
-    def test_read_json_up_to_the_greatest_depth(self):
-        for depth, fits in ((MAX_DEPTH, True), (MAX_DEPTH + 1, False)):
-            text = "[" * depth + "1" + "]" * depth
-            if fits:
-                parse_json(text, "text")
-            else:
-                with pytest.raises(QuadrupedError, match=rf"text: .*: nested deeper than {MAX_DEPTH} levels; fix it"):
-                    parse_json(text, "text")
-
-    def test_read_json_names_the_place_of_a_value_that_is_too_large(self):
-        with pytest.raises(QuadrupedError, match=r"config: 'a\.b\.1': a whole number beyond 1\.8e\+308; fix it"):
-            parse_json('{"a": {"b": [1, ' + "9" * 400 + "]}}", "config")
-
     def test_read_json_of_too_many_bytes_is_refused(self, tmp_path):
         path = tmp_path / "a.json"
         with path.open("wb") as file:
@@ -346,12 +331,17 @@ class Inner(TypedDict):
 class Outer(TypedDict):
     version: Literal[1]
     inner: dict[str, Inner]
-    text: str | Inner
+    text: Inner | None
     free: Any
 
 
 class TestForms:
-    SOUND: ClassVar = {"version": 1, "inner": {"x": {"a": 1, "b": [1, 2]}, "y": {"a": None}}, "text": "t", "free": [{}]}
+    SOUND: ClassVar = {
+        "version": 1,
+        "inner": {"x": {"a": 1, "b": [1, 2]}, "y": {"a": None}},
+        "text": {"a": 1},
+        "free": [{}],
+    }
 
     def test_fitted_leaves_out_what_the_form_lacks(self):
         other = {**self.SOUND, "later": 1, "inner": {"x": {"a": 1, "b": [1, 2], "c": {}}, "y": {"a": None}}}
@@ -370,7 +360,7 @@ class TestForms:
             ({"inner": {"x": {"a": True}}}, r"inner\.x\.a: expected a finite number or null; found True; fix it"),
             ({"inner": {"x": {"a": 10**300}}}, r"inner\.x\.a: expected a finite number or null; found 1000.*; fix it"),
             ({"inner": {"x": {"a": 1, "b": [1, 1.5]}}}, r"inner\.x\.b\.1: expected a whole number; found 1\.5; fix it"),
-            ({"text": 3}, "text: expected a text or a table; found 3; fix it"),
+            ({"text": 3}, "text: expected a table or null; found 3; fix it"),
             ({"text": {"a": "x"}}, r"text\.a: expected a finite number or null; found 'x'; fix it"),
         ],
     )
