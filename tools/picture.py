@@ -11,7 +11,6 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 import numpy as np
 
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.clock import frequency_at
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
@@ -19,6 +18,7 @@ from quadruped_env.policies.files import SHOWN
 from quadruped_env.report.films.film import Clip
 from quadruped_env.report.films.video import prepare_video, save_film
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 
 START, STRIDES = 3.0, 6
 """Time after which the gait is steady, s, and number of strides in the loop."""

@@ -1,10 +1,11 @@
 """Reader of small structured files (JSON, TOML) that turns every defect into this package's error, and their forms.
 
-Python's own parsers raise errors of many types: for numbers of thousands of digits, for deep nesting, for bytes that
-are not text. Opening a pipe waits forever. Every such file that a user may hand over is read here.
+Python's own parsers raise errors of many types: for deep nesting, for bytes that are not text. Opening a pipe waits
+forever. Every such file that a user may hand over is read here.
 """
 
 import json
+import re
 import stat
 import tomllib
 from collections.abc import Callable
@@ -22,6 +23,8 @@ MAX_BYTES: Final = {"JSON": 16_000_000, "TOML": 1_000_000}
 _LARGEST: Final = 1e15
 """Largest size of a number in a form: far beyond any result, and far from where squares overflow."""
 _NAMES: Final = {str: "a text", bool: "true or false", int: "a whole number", float: "a finite number"}
+_HUGE_NUMBER: Final = re.compile(r"\d{301}")
+"""Digits of a whole number that no float64 holds: arithmetic would raise an OverflowError."""
 
 
 def check_regular(path: Path, fix: str) -> None:
@@ -93,11 +96,12 @@ def _unreadable(path: Path, error: Exception, fix: str) -> QuadrupedError:
 
 
 def _parsed(parse: Callable[[str], Any], text: str, where: str, language: str, fix: str) -> Any:
+    if _HUGE_NUMBER.search(text):
+        raise QuadrupedError(f"{where}: a number of over 300 digits; {fix}")
     try:
         return parse(text)
     except RecursionError as error:
         raise QuadrupedError(f"{where}: nested too deeply; {fix}") from error
-    # The parsers' own errors are ValueErrors, and so is Python's about whole numbers of over 4300 digits.
     except ValueError as error:
         raise QuadrupedError(f"{where}: not valid {language}: {error}; {fix}") from error
 
