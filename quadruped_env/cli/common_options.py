@@ -8,7 +8,6 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
@@ -22,7 +21,7 @@ from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import REPAIRS, UNITS, ReadOptions
 from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.program import Extras
-from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.progress import Progress, ProgressLine
 
 NEXT_FREE: Final = "or that name with the next free number"
 SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
@@ -182,7 +181,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
 
 
 _READING: Final[Mapping[str, Mapping[str, Any]]] = {
-    "--topic": {"metavar": "A[,B,...]", "help": "topic of the joint states, for a bag or JSON lines that have several"},
+    "--topic": {"metavar": "A[,B,...]", "help": "topic of the joint states, for a bag that has several"},
     "--columns": {"metavar": "MAP.toml", "help": "map of the columns of a CSV: table [columns]"},
     "--map": {
         "dest": "joint_map",
