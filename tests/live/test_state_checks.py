@@ -101,7 +101,7 @@ def test_jumps_by_pi_in_one_of_ten_messages_are_named(monkeypatch):
     positions = trot(300)
     positions[::10, 2] += np.pi
     problems, said = problems_of(positions, monkeypatch)
-    assert any("by 3." in problem and "RF_hip_joint" in problem for problem in problems), problems
+    assert any(" 3." in problem and "RF_hip_joint" in problem for problem in problems), problems
     assert not any("despike" in line or "state 1" in line for line in said), said
 
 
