@@ -18,7 +18,6 @@ from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.policies.files import SHOWN
 from quadruped_env.report.films.film import Clip
 from quadruped_env.report.films.video import prepare_video, save_film
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 
 START, STRIDES = 3.0, 6
@@ -27,9 +26,7 @@ START, STRIDES = 3.0, 6
 
 def main() -> int:
     """Parse the arguments and draw."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.ArgumentDefaultsHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("--policy", default=SHOWN, help="a run, or a shipped policy")
     parser.add_argument("--terrain", default="stairs", help="a built-in terrain")
     parser.add_argument("--velocity", type=float, default=0.4, metavar="M/S", help="commanded")

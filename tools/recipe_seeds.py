@@ -51,7 +51,6 @@ from quadruped_env.policies import ZeroController
 from quadruped_env.report.plots.learning_plots import read_progress
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
 from quadruped_env.utils.files import write_whole
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 from quadruped_env.utils.progress import Progress, part_of
 
@@ -234,9 +233,7 @@ CURVES: Final = "curves"
 
 def main() -> int:
     """Parse the arguments and measure."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", nargs="+", metavar="RUN", help="a run's directory")
     parser.add_argument(
         "--only", action="append", choices=[*MEASURES, CURVES], help="may be given several times; default: all measures"

@@ -44,16 +44,13 @@ from quadruped_env.policies.files import SHIPPED
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.files import write_json
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 from quadruped_env.utils.provenance import git_commit, versions
 
 
 def main() -> int:
     """Parse the arguments, measure, and write the file."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
         "--policy", action="append", default=[], metavar="NAME=RUN", help="a run as a further row, under a name"
     )

@@ -44,7 +44,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.identification import FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import check_free, free_path
-from quadruped_env.utils.program import Extras, shorten_help
+from quadruped_env.utils.program import Extras
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -81,17 +81,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
     add_overwrite(parser)
     add_reading_options(parser)
-    shorten_help(
-        parser,
-        "--commands",
-        "--commands-topic",
-        "--commands-columns",
-        "--fit",
-        "--columns",
-        "--map",
-        "--task",
-        "--output",
-    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:

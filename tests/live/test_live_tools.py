@@ -117,7 +117,7 @@ def test_echo_ends_when_its_output_is_closed(nodes):
         process.stdout.close()
         wait_until(ended)
         assert "Traceback" not in process.stderr.read()
-    assert process.returncode == 0
+    assert process.returncode == 141
 
 
 def test_hz_measures_the_received_messages(nodes):

@@ -40,7 +40,7 @@ def test_help_states_of_every_option_its_meaning_and_default():
     parser = argparse.ArgumentParser()
     add_arguments(parser)
     with pytest.raises(SystemExit):
-        parser.parse_args(["--help-all"])
+        parser.parse_args(["--help"])
     described = {action.dest: action.help for action in parser._actions}
     for field in dataclasses.fields(TrainConfig):
         if field.name in described:

@@ -11,7 +11,6 @@ import numpy as np
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.report.films.film import FRAME_RATE, Camera, Clip, Picture, check_opengl
 from quadruped_env.utils.files import check_free, write_whole
-from quadruped_env.utils.interpreter import pip_command
 from quadruped_env.utils.progress import Progress
 
 SUFFIXES: Final = (".mp4", ".gif", ".webp", ".png")
@@ -81,7 +80,7 @@ def encode_mp4(pictures: Iterable[Picture]) -> bytes:
         except av.codec.codec.UnknownCodecError as error:
             raise QuadrupedError(
                 f"PyAV {av.__version__} has no encoder {_ENCODER!r}; its wheel has: "
-                f"{pip_command()} --force-reinstall --only-binary av av"
+                f"pip install --force-reinstall --only-binary av av"
             ) from error
         stream.height, stream.width = first.shape[:2]
         stream.pix_fmt = "yuv420p"

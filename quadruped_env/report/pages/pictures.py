@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
-from quadruped_env.errors import portable_message
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
 from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.evaluation.trace import Trace
@@ -76,6 +75,6 @@ def film(clips: Sequence[Clip], note: str = "", progress: Progress | None = None
         with Camera(clips[0].trace.robot) as camera:
             video = encode_mp4(camera.films(clips, progress))
     except Exception as error:  # a library for films may fail in any way, and the report stands without them
-        return {"missing": f"No video: {portable_message(error)}"}
+        return {"missing": f"No video: {error}"}
     shown = ", then ".join(clip.title for clip in clips)
     return {"source": data_url("video/mp4", video), "caption": f"In real time: {shown}{note}. {OVERLAY_LEGEND}"}
