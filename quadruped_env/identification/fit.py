@@ -31,8 +31,8 @@ from quadruped_env.simulation.model import scene
 from quadruped_env.utils.progress import Progress
 
 _UNDETERMINED: Final = 1.0
-"""Maximum half-width of a 95 % interval under white noise, relative to the value or its scale. A parameter with a wider
-interval is not determined and keeps its start value."""
+"""Maximum half-width of a 95 % interval under white noise, relative to the start value or its scale. A parameter with a
+wider interval is not determined and keeps its start value."""
 _STEP: Final = 1e-3
 """Step of the finite differences, in coordinates."""
 _TOLERANCE: Final = 1e-4
@@ -251,7 +251,8 @@ class MotorFit:
         scales = np.array([quantity(name).scale for name in values])
         jacobian = jacobian @ coordinate_derivatives(values) * scales
         influence = np.sqrt((jacobian**2).sum(axis=(0, 1)))
-        allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
+        # Relative to the start: a value that runs away would allow itself any interval.
+        allowed = _UNDETERMINED * np.maximum([value_of(self.start, name) for name in values] / scales, 1.0)
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
             white, widths = half_widths(jacobian[..., left], left_over, times, joints, kinds)

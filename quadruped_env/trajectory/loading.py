@@ -12,7 +12,7 @@ from quadruped_env.trajectory.formats import recognition
 from quadruped_env.trajectory.maps import JointMap
 from quadruped_env.trajectory.plausibility import TURN, findings
 from quadruped_env.trajectory.reading import Reading
-from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, Source, joined
+from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, Source
 from quadruped_env.trajectory.steps import Steps
 from quadruped_env.trajectory.validation import invalid, validate
 
@@ -28,7 +28,7 @@ def read(reading: Reading) -> tuple[Rows, Source]:
         MissingExtraError: if the format needs libraries that are not installed.
     """
     with ExitStack() as stack:
-        rows = joined(recognition.read(reading, stack))
+        rows = recognition.read(reading, stack)
     options = reading.options
     if rows is not None:
         rows = replace(rows, values={kind: array for kind, array in rows.values.items() if kind not in options.ignore})

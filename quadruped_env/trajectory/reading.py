@@ -1,7 +1,7 @@
 """The options for reading a recording, and the state of one file while it is read."""
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, TypeVar
@@ -159,24 +159,21 @@ class Reading:
         return (*self.notes, *([unchecked] if self.unchecked else ()), *counted, *left_out)
 
 
-def salvaged(
-    items: Iterator[_Item], reading: Reading, length: Callable[[_Item], int], is_text: bool
-) -> Iterator[_Item]:
-    """The items before the damage, with a remark on it, if the options ask to salvage; otherwise all items.
+def salvaged(items: Iterator[_Item], reading: Reading, is_text: bool) -> Iterator[_Item]:
+    """The rows before the damage, with a remark on it, if the options ask to salvage; otherwise all rows.
 
     Args:
-        items: of a damaged file, whose iterator raises a QuadrupedError at the damage.
+        items: rows of a damaged file, whose iterator raises a QuadrupedError at the damage.
         reading: of the file.
-        length: called with an item; returns the number of its rows.
         is_text: whether the file is text, which has no checksums; readers of bags count their messages themselves.
 
     Raises:
-        QuadrupedError: at the damage, if it is not to be salvaged or no item comes before it.
+        QuadrupedError: at the damage, if it is not to be salvaged or no row comes before it.
     """
     count = 0
     try:
         for item in items:
-            count += length(item)
+            count += 1
             yield item
     except QuadrupedError as error:
         if not reading.repairs("salvage") or not count:

@@ -1,7 +1,6 @@
 """Joint states as plain arrays: what readers and writers of all formats exchange."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -71,27 +70,3 @@ class Rows:
         """The rows that a NumPy index, mask or slice selects."""
         values = {kind: array[index] for kind, array in self.values.items()}
         return Rows(self.numbers[index], self.stamps[index], self.names, values)
-
-
-def joined(parts: Iterator[Rows]) -> Rows | None:
-    """The rows of all parts, which have the same joints and kinds; None without a part."""
-    rows = next(parts, None)
-    if rows is None:
-        return None
-    rows = replace(
-        rows,
-        numbers=rows.numbers.copy(),
-        stamps=rows.stamps.copy(),
-        values={kind: array.copy() for kind, array in rows.values.items()},
-    )
-    for part in parts:
-        # Grown in place, so that the memory never holds a long recording twice.
-        for array, more in zip(_arrays(rows), _arrays(part), strict=True):
-            length = len(array)
-            array.resize((length + len(more), *array.shape[1:]), refcheck=False)
-            array[length:] = more
-    return rows
-
-
-def _arrays(rows: Rows) -> list[NDArray[Any]]:
-    return [rows.numbers, rows.stamps, *rows.values.values()]

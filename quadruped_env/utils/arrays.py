@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 """Real numbers in double precision."""
+Mask = NDArray[np.bool_]
 EnvIds = NDArray[np.intp]
 """Indices of some envs (R,)."""
 

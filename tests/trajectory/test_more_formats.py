@@ -167,6 +167,16 @@ class TestOddBags:
         with pytest.raises(QuadrupedError, match=r"names bag\.mcap, bag_1\.mcap, and .* holds bag\.mcap; add bag_1"):
             JointTrajectory.load(tmp_path / "bag")
 
+    def test_bag_with_fewer_messages_than_its_metadata_count_is_read_with_a_note(self, tmp_path):
+        bag, trajectory = tmp_path / "bag", random_trajectory()
+        trajectory.save(bag, storage="sqlite3")
+        with closing(sqlite3.connect(bag / "bag.db3")) as database, database:
+            database.execute("DELETE FROM messages WHERE timestamp = ?", (int(trajectory.stamps[-1]),))
+        loaded = JointTrajectory.load(bag)
+        assert_same(loaded, trajectory.slice(stop=trajectory.duration))
+        note = "metadata.yaml counts 4 messages of /joint_states, and 3 were found: the bag was cut off, or files of it"
+        assert [one[: len(note)] for one in loaded.source.notes] == [note]
+
     @pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
     @pytest.mark.parametrize(("old", "new"), [("depth: 10", "depth: 5"), ("depth: 10", "dept: 10")])
     def test_edited_qos_in_the_metadata_loses_no_message(self, tmp_path, storage, old, new):

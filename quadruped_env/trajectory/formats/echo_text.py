@@ -50,7 +50,7 @@ Node = str | list[Any] | dict[str, Any] | None
 """A node of YAML, its values still as text."""
 
 
-def read_yaml(reading: Reading) -> Iterator[Rows]:
+def read_yaml(reading: Reading) -> Rows | None:
     """The messages of YAML text, not validated.
 
     Raises:
@@ -60,7 +60,7 @@ def read_yaml(reading: Reading) -> Iterator[Rows]:
     return assembled(_yaml_messages(reading), reading, is_text=True)
 
 
-def read_csv(reading: Reading) -> Iterator[Rows]:
+def read_csv(reading: Reading) -> Rows | None:
     """The messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
     return assembled(_csv_messages(reading), reading, is_text=True)
 
