@@ -10,13 +10,13 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
 # isort: split
 
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.policies.files import SHOWN
 from quadruped_env.report.films.film import Clip
 from quadruped_env.report.films.video import prepare_video, save_film
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 
 START, STRIDES = 3.0, 6
 """Time after which the gait is steady, s, and number of strides in the loop."""

@@ -14,8 +14,7 @@ from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.gait import joint_phases, wave_positions
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 class ControlInterface:

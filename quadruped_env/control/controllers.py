@@ -11,7 +11,7 @@ from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
-from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
 
 if TYPE_CHECKING:
@@ -160,9 +160,7 @@ class PolicyController:
                 this task.
         """
         if control.config is not self._checked:
-            check_same_robot(self.policy.robot.identity, control.robot)
-            self.policy.check_control(control.config)
-            self.policy.check_observations(control.layout)
+            self.policy.check_fits(control.robot, control.config, control.layout)
             self._checked = control.config
         if (begun := control.steps == 1).any():
             self.policy.begin(begun)

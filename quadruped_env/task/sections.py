@@ -138,7 +138,7 @@ def _settings(definition: TaskDefinition) -> Iterator[Own]:
         factor, valid = definition.scale(entry, entry.unit), entry.valid
         if valid.unit != "s":  # a limit of the simulation
             valid = valid.scaled(max(factor, 1.0))  # for a small robot, too, what is possible is checked later
-        kind = Amplitude if isinstance(entry.default, (int, float)) else Range | None
+        kind = Amplitude if isinstance(entry.default, float) else Range | None
         yield entry.name, Annotated[kind, replace(valid, unit=entry.unit)], scaled(entry.default, factor)
         for times in (entry.interval, entry.duration):
             if times is not None:

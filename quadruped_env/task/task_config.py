@@ -19,6 +19,7 @@ from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.simulation import build_model
 from quadruped_env.simulation.terrain import Terrain
 from quadruped_env.task.command_sampling import CommandSection
+from quadruped_env.task.randomization.model_fields import longest_delay
 from quadruped_env.task.randomization.randomization import RandomizationSection
 from quadruped_env.task.randomization.randomization_presets import PRESET, preset_values
 from quadruped_env.task.sections import SECTIONS, section_of, section_type
@@ -145,7 +146,7 @@ class TaskConfig(LoopConfig):
     @property
     def max_delay(self) -> float:
         """Longest delay from joint target to motor that the config allows, s."""
-        return self.randomization.longest_delay(self.motor.delay, self.definition.randomizations)
+        return longest_delay(self.motor.delay, self.randomization.active(self.definition.randomizations))
 
     def compiled_model(self) -> mujoco.MjModel:
         """Compiled model of the task's robot on its terrain; every call returns a new copy."""
