@@ -316,7 +316,7 @@ def test_readings_of_a_real_robot_give_the_same_joint_targets_as_the_environment
     if kind == "policy":
         controller = PolicyController(load_policy("flat"))
     else:
-        controller = GaitController(SinusoidalGait.preset("tuned"))
+        controller = GaitController(SinusoidalGait.preset("trot"), "trot")
     config = task_of(controller).randomized("none")
     simulation = SingleSimulation(build_model(config.physics_timestep, config.motor))
     asked = []

@@ -21,7 +21,7 @@ STANCE = MINI_QUADRUPED.stance
 
 
 class TestReplay:
-    @pytest.mark.parametrize("preset", ["article", "tuned"])
+    @pytest.mark.parametrize("preset", ["article", "trot", "tuned"])
     @pytest.mark.parametrize("rate", [20.0, 50.0])
     def test_commands_give_the_motion_of_the_baseline(self, tmp_path, preset, rate):
         baseline = run_baseline(preset, seconds=1.0, rate=rate, episodes=1)

@@ -185,7 +185,7 @@ def test_file_is_executed_once_per_path_and_content(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert load_task_file(file.name, definition.file).robot is definition.robot is terms.robot is robot
     assert load_task_file(file) is definition
-    find_controllers(["tuned", "article"], task_file=file)
+    find_controllers(["tuned", "trot"], task_file=file)
     for _ in range(2):
         gymnasium.make(ENV_ID, task_file=file)
     assert log.read_text() == "executed\n"
