@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.gait import CommandedGait, SinusoidalGait
@@ -80,11 +79,7 @@ class GaitController:
         gait, clock = self.gait, control.config.clock_frequency
         self._command = float(control.command[0, 0]), float(control.command[0, 1])
         phase = gait.angular_frequency * control.time
-        if (
-            isinstance(gait, CommandedGait)
-            and not isinstance(clock, CommandedFrequency)
-            and math.isclose(math.tau * clock, gait.angular_frequency)
-        ):
+        if isinstance(gait, CommandedGait) and math.isclose(math.tau * clock, gait.angular_frequency):
             phase = control.phase
         if self._settings is None or control.time[0] == 0.0:
             self._phase = float(phase[0])
