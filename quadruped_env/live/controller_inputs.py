@@ -45,7 +45,7 @@ class Measurements:
         robot: the robot.
         driver: conversion of the driver's joints.
         velocities: True if measurements need joint velocities.
-        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: that of the base.
+        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: the base frame itself.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class Measurements:
         """Why the last messages gave no measurement; empty if they gave one."""
 
     def newest(self) -> tuple[Measurement, float] | None:
-        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
+        """Return the newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
 
         Raises:
             QuadrupedError: if the times of joint states and IMU differ, the IMU only repeats itself, or its orientation
@@ -157,7 +157,7 @@ class Measurements:
         return {name: rate for name, rate in found.items() if rate is not None}
 
     def missing(self) -> str:
-        """Why there are no measurements; empty if they come."""
+        """Return why there are no measurements; empty if they come."""
         silent = [one.topic.name for one in (self._states, self._attitudes) if not one.writers]
         if silent:
             return f"a publisher of {' and of '.join(silent)}"

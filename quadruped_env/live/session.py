@@ -197,7 +197,7 @@ class Session:
         return self.node.wait(min(seconds, POLL_PERIOD))
 
     def turns(self, remaining: Callable[[], float] = lambda: POLL_PERIOD, drain: bool = False) -> Iterator[None]:
-        """The loop of every node: each turn waits for a message and calls `every_turn`; the caller then does its work.
+        """Run the loop of every node: each turn waits for a message and calls `every_turn`; then the caller works.
 
         Args:
             remaining: returns the time after which a turn is due without a message, s; at most `POLL_PERIOD`.

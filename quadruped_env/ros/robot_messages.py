@@ -32,21 +32,21 @@ class RawJointState(NamedTuple):
 
 
 def read_joint_state(data: bytes) -> RawJointState:
-    """The joint state that CDR bytes hold. Raises a QuadrupedError if they do not hold one."""
+    """Read a joint state from CDR bytes. Raises a QuadrupedError if they do not hold one."""
     return _raw(cdr.deserialize(data, JOINT_STATE), len(data))
 
 
 def read_recorded(
     data: bytes, type_name: str, time: int, header: bool = True, ros1: bool = False
 ) -> list[RawJointState]:
-    """The joint states that a message holds: one, or the points of a `JointTrajectory`.
+    """Read the joint states of a message: one, or the points of a `JointTrajectory`.
 
     Args:
-        data: CDR bytes, or those of ROS 1.
+        data: CDR bytes, or ROS 1's.
         type_name: one of `RECORDED_TYPES`.
         time: of recording, ns: the timestamp of a message that has none.
-        header: whether the header's timestamp counts, where there is one.
-        ros1: whether the bytes are ROS 1's.
+        header: True if the header's timestamp counts, where there is one.
+        ros1: True if the bytes are ROS 1's.
 
     Raises:
         QuadrupedError: if they do not hold such a message.
@@ -78,7 +78,7 @@ def read_recorded(
 def dynamic_state(
     stamp: int, names: Sequence[str], interfaces: Sequence[tuple[Sequence[str], ArrayLike]]
 ) -> RawJointState:
-    """The joint state in a `DynamicJointState`: of each joint the names of its interfaces, and their values.
+    """Return the joint state of a `DynamicJointState`, which holds names and values of each joint's interfaces.
 
     Raises:
         QuadrupedError: if the lengths differ.
@@ -96,7 +96,7 @@ def dynamic_state(
 def joint_state(
     stamp: int, names: Sequence[str], position: ArrayLike = (), velocity: ArrayLike = (), effort: ArrayLike = ()
 ) -> bytes:
-    """The CDR bytes of a joint state.
+    """Serialize a joint state to CDR.
 
     Args:
         stamp: ns, below 2^31 s.
@@ -114,7 +114,7 @@ def joint_state(
 
 
 def transform_messages(stamps: Sequence[int], transforms: Iterable[Any]) -> Iterator[bytes]:
-    """The CDR bytes of a `tf2_msgs/msg/TFMessage` for each timestamp.
+    """Yield the CDR bytes of a `tf2_msgs/msg/TFMessage` for each timestamp.
 
     Args:
         stamps: ns (T,).
@@ -136,7 +136,7 @@ def transform_messages(stamps: Sequence[int], transforms: Iterable[Any]) -> Iter
 
 
 def ros1_digest(type_name: str) -> str:
-    """The MD5 digest of ROS 1's definition of a message type."""
+    """Return the MD5 digest of ROS 1's definition of a message type."""
     return str(_ros1_typestore().generate_msgdef(type_name)[1])
 
 

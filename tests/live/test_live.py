@@ -1,4 +1,4 @@
-"""Live topics: messages are those of ROS 2, and connections that cannot work are reported in words."""
+"""Live topics: messages equal ROS 2's, and connections that cannot work are reported in words."""
 
 import os
 import re
