@@ -31,7 +31,7 @@ from quadruped_env.training import TrainConfig
 from quadruped_env.training.recipes import check_used, with_recipe
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.plain import plain
-from quadruped_env.utils.program import Extras, on_stop, shorten_help, stopped_status
+from quadruped_env.utils.program import Extras, on_stop, stopped_status
 
 SWEEPS: Final = Path("sweeps")
 """Default directory of the sweeps."""
@@ -112,8 +112,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_output(group, "DIR", f"directory of the sweeps, which all nodes share (default: {SWEEPS})", SWEEPS)  # type: ignore[arg-type]
     add_settings(parser)
-    shown = ("--seeds", "--vary", "--space", "--trials", "--search", "--scheduler", "--score", "--resume", "--output")
-    shorten_help(parser, *shown, "--recipe", "--timesteps")
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:

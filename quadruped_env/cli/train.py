@@ -26,7 +26,6 @@ from quadruped_env.cli.common_options import (
     check_level_has_terrain,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
@@ -42,7 +41,8 @@ from quadruped_env.training.recipes import RECIPES, with_recipe
 from quadruped_env.utils.documents import parse_json, read_json
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import module_command, program_command
-from quadruped_env.utils.program import shorten_help, stopped_status
+from quadruped_env.utils.program import stopped_status
+from quadruped_env.utils.progress import ProgressLine
 
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
@@ -71,8 +71,6 @@ _OPTIONS: Final = (
 )
 """Fields of `TrainConfig` that are options. The others are set in Python, `quadruped_env.train(tau=0.01)`."""
 _METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
-_SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed")
-"""Options of the settings that `--help` shows."""
 _MANY: Final = 10**18
 """Bound of a count that is parsed: 1e999999999 would fill the memory."""
 _TASK_RULE: Final = """expected a JSON object such as '{"command": {"yaw_rate": [-0.4, 0.4]}}'"""
@@ -93,7 +91,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_trust_task(
         parser, "with --resume: execute the copy of the task file that the run keeps, in place of --task FILE"
     )
-    shorten_help(parser, *_SHOWN, "--resume", "--output")
 
 
 def add_settings(parser: argparse.ArgumentParser) -> None:

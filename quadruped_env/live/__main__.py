@@ -5,9 +5,9 @@ import inspect
 import sys
 from collections.abc import Sequence
 
-from quadruped_env.live.nodes import PRINTING, SUMMARIES, node_module
+from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
-from quadruped_env.utils.interpreter import COMMAND, pasteable
+from quadruped_env.utils.interpreter import COMMAND
 from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
 
 _DESCRIPTION = "The robot on live ROS 2 topics, without a ROS installation."
@@ -32,14 +32,14 @@ def make_parser(only: str | None = None) -> argparse.ArgumentParser:
 def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
     """Add the description and the nodes to a parser; `only` as in `make_parser`."""
     parser.description = _DESCRIPTION
-    parser.epilog = pasteable(_EPILOG)
+    parser.epilog = _EPILOG
     parser.formatter_class = HelpFormatter
     nodes = parser.add_subparsers(dest="node", metavar="NODE", required=True, title="nodes")
     for name, summary in SUMMARIES.items():
         node = nodes.add_parser(name, help=summary, formatter_class=HelpFormatter)
         if only in (None, name):
             module = node_module(name)
-            node.description = pasteable(inspect.cleandoc(module.__doc__))
+            node.description = inspect.cleandoc(module.__doc__)
             module.add_arguments(node)
             add_common_arguments(node)
 
@@ -63,7 +63,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         with Session(args.node, args) as session:
             return int(module.run(session, args))
 
-    return run_program(f"{COMMAND} live {name}".strip(), run, needs_output=name in PRINTING)
+    return run_program(f"{COMMAND} live {name}".strip(), run)
 
 
 if __name__ == "__main__":

@@ -142,7 +142,7 @@ def importance(config: SweepConfig, settings: Sequence[Mapping[str, Any]]) -> di
     try:
         optuna = optuna_module()
     except MissingExtraError as error:
-        return {"fields": {}, "missing": error.portable}
+        return {"fields": {}, "missing": str(error)}
     study = optuna.create_study(direction="maximize", sampler=optuna.samplers.RandomSampler(seed=0))
     for entry in scored:
         # Values from JSON stand for the same choices.

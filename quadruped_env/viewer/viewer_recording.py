@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
+from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.report.films.film import Clip
 from quadruped_env.report.films.video import save_film
@@ -85,6 +85,6 @@ class RecordingSaver:
                 self._tell(f"Video: {directory / VIDEO_FILE}")
             except (QuadrupedError, MissingExtraError, OSError) as error:
                 what = "No video" if (directory / TRAJECTORY_FILE).exists() else "Not saved"
-                self._tell(f"{what}: {portable_message(error)}")
+                self._tell(f"{what}: {error}")
             self._queue.task_done()
         self._queue.task_done()

@@ -130,7 +130,7 @@ def test_echo_ends_when_its_output_is_closed(nodes):
         process.stdout.close()
         wait_until(ended)
         assert "Traceback" not in process.stderr.read()
-    assert process.returncode == 0
+    assert process.returncode == 141
 
 
 def test_list_names_topics_types_owners_and_incompatibilities(nodes, capsys):

@@ -23,8 +23,6 @@ SUMMARIES: Final = {
     "record": "record topics into a bag",
 }
 """Node -> summary, in the order of --help. Kept here so that running a node does not import the others."""
-PRINTING: Final = ("echo", "hz")
-"""Nodes whose only result is what they print, and which end when its reader does."""
 _MODULES: Final = {
     **dict.fromkeys(("display", "walk"), "launch"),
     **dict.fromkeys(("echo", "list", "hz", "record"), "listen"),
