@@ -187,19 +187,15 @@ class SlowInputs:
         """Take the present rates of the inputs in Hz, by topic; call it often."""
         if not self._pace.tick():
             return
-        before, self._slow = (
-            self._slow,
-            {
-                name: rate < self._control_rate * (_FAST if self._slow.get(name) else _SLOW)
-                for name, rate in rates.items()
-            },
-        )
-        slow = [f"{name} at {rates[name]:.0f} Hz" for name, is_slow in self._slow.items() if is_slow]
+        before, texts = self._slow, {name: f"{name} at {rate:.0f} Hz" for name, rate in rates.items()}
+        limits = {name: self._control_rate * (_FAST if before.get(name) else _SLOW) for name in rates}
+        self._slow = {name: rate < limits[name] for name, rate in rates.items()}
+        slow = [texts[name] for name, is_slow in self._slow.items() if is_slow]
         self.warning = f"{', '.join(slow)}, below the control rate of {self._control_rate:g} Hz" if slow else ""
         if self._slow != before:
-            found = ", ".join(f"{name} at {rate:.0f} Hz" for name, rate in rates.items())
             effect = ": control steps without a new state use the last one, and the policy may walk worse"
-            self._say(f"{self.warning}{effect}" if slow else f"{found}; control rate {self._control_rate:g} Hz")
+            known = f"{', '.join(texts.values())}; control rate {self._control_rate:g} Hz"
+            self._say(f"{self.warning}{effect}" if slow else known)
 
 
 class VelocityCommands:
