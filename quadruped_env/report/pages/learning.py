@@ -5,7 +5,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.envs import MAX_EPISODE_STEPS
-from quadruped_env.evaluation.comparison import Command, Comparison, words
+from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.conditions import Command, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, LearningGain, gain_rows, reward_in_words
 from quadruped_env.evaluation.measures import START_UP

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
+from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.conditions import MOTIONS, words
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW

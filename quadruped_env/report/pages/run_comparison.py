@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison, equal_up_to, error_of
+from quadruped_env.evaluation.comparison import Comparison, equal_up_to, error_of
+from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.learning_gain import LearningGain
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.evaluation.verdict import listed, verdict
 from quadruped_env.report.pages import page
 from quadruped_env.report.pages.learning import gain_section, learning_curves
