@@ -131,8 +131,6 @@ def transform_messages(stamps: Sequence[int], transforms: Iterable[Any]) -> Iter
         yield cdr.serialize(types["tf2_msgs/msg/TFMessage"](found))
 
 
-
-
 def _raw(message: Any, size: int) -> RawJointState:
     stamp = _checked_stamp(message.header.stamp, JOINT_STATE, size)
     return RawJointState(stamp, tuple(message.name), message.position, message.velocity, message.effort)
