@@ -181,7 +181,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
 
 
 _READING: Final[Mapping[str, Mapping[str, Any]]] = {
-    "--topic": {"metavar": "A[,B,...]", "help": "topic of the joint states, for a bag or JSON lines that have several"},
+    "--topic": {"metavar": "A[,B,...]", "help": "topic of the joint states, for a bag that has several"},
     "--columns": {"metavar": "MAP.toml", "help": "map of the columns of a CSV: table [columns]"},
     "--map": {
         "dest": "joint_map",

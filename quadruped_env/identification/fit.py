@@ -52,23 +52,28 @@ class MotorFit:
 
     Args:
         recorded: joint targets and measurements.
-        base: `fixed` or `free`.
         start: initial motors.
         fitted: parameters to fit, names in `QUANTITIES`.
         progress: called with the approximate fraction done.
+        on_ground: True for a robot that begins at rest on flat ground; otherwise it hangs on a stand, feet in the air.
     """
 
     def __init__(
-        self, recorded: Recorded, base: str, start: MotorConfig, fitted: Sequence[str], progress: Progress | None = None
+        self,
+        recorded: Recorded,
+        start: MotorConfig,
+        fitted: Sequence[str],
+        progress: Progress | None = None,
+        on_ground: bool = False,
     ) -> None:
         self.recorded = recorded
-        self.base = base
+        self.on_ground = on_ground
         self.start = start
         self.names = names_of(fitted, recorded.robot)
         self.half_width: dict[str, float] = {}
         self._progress = progress
         self._iterations = 0
-        self._spec = joint_spec(recorded.robot, base, recorded.timestep)
+        self._spec = joint_spec(recorded.robot, recorded.timestep, on_ground)
         self._max_delay = max(MAX_FIT_DELAY, start.delay)
         self._datas = [mujoco.MjData(self._model(start)) for _ in range(os.cpu_count() or 1)]
         """One for each thread of a rollout"""
@@ -111,7 +116,7 @@ class MotorFit:
         return signals
 
     def mismatch(self) -> float:
-        """Smallest error over a grid of delays with all other parameters at the start: the misfit of this base.
+        """Smallest error over a grid of delays with all other parameters at the start.
 
         Computed from positions and, if measured, efforts over the first seconds of the fit, relative to the motion
         itself. Velocities are not used because they hardly depend on the load.
@@ -283,7 +288,7 @@ class MotorFit:
         recorded, joints = self.recorded, self.recorded.robot.num_joints
         data = mujoco.MjData(model := self._model(self.start))
         positions, velocities = recorded.start
-        if self.base == "free":
+        if self.on_ground:
             data.qpos[:7] = recorded.robot.resting_pose(positions)
         data.qpos[-joints:], data.qvel[-joints:] = positions, velocities
         fill_command_history(model, data.history[None], recorded.control[:1])
@@ -316,8 +321,8 @@ class MotorFit:
         return (1.0 - share) * signals[before] + share * signals[after]
 
 
-def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
-    """A robot with its joint sensors only, on a stand (`fixed`) or on the ground (`free`)."""
+def joint_spec(robot: Robot, timestep: float, on_ground: bool = False) -> mujoco.MjSpec:
+    """A robot with its joint sensors only, on a stand or on the ground."""
     spec = scene(robot)
     spec.option.timestep = timestep
     wanted = {
@@ -331,7 +336,7 @@ def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
         geom.material = ""
     for looks in [*spec.materials, *spec.textures]:
         spec.delete(looks)
-    if base == "fixed":
+    if not on_ground:
         for key in list(spec.keys):
             spec.delete(key)
         spec.delete(spec.joints[0])  # the free one

@@ -49,7 +49,7 @@ def write_report(found: Identification, directory: Path, document: dict[str, Any
     context = {
         "title": f"Motors identified from {Path(found.source).name}",
         "headline": found.verdict(),
-        "level": "good" if found.helps and found.base_fits else "poor",
+        "level": "good" if found.helps else "poor",
         "remarks": found.remarks,
         "tables": [*found.tables(), _joints_table(found)],
         "figures": _figures(found),

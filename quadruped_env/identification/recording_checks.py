@@ -8,7 +8,9 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.identification.dataset import Recorded
+from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import QUANTITIES
+from quadruped_env.robot import MotorConfig
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
@@ -56,6 +58,21 @@ def check(recorded: Recorded, measured: JointTrajectory, commands: JointTrajecto
     if problems:
         more = f" (and {len(problems) - 1} more such problems)" if len(problems) > 1 else ""
         raise QuadrupedError(f"{measured.source.name}: would spoil the fit{more}: {problems[0]}")
+
+
+def check_stand(recorded: Recorded, start: MotorConfig) -> None:
+    """Raise a QuadrupedError if the simulator explains a recording better with the robot on the ground than on a stand.
+
+    Forces of the ground would be taken for friction, inertia and strength.
+    """
+    stand, ground = (MotorFit(recorded, start, (), on_ground=on_ground).mismatch() for on_ground in (False, True))
+    if ground < stand:
+        raise QuadrupedError(
+            f"the robot seems to stand on the ground, whose forces would be taken for friction, inertia and strength: "
+            f"before the fit, the simulator explains the motion better there (error {ground:.2f} of the motion) than "
+            f"on a stand ({stand:.2f}); record it on a stand with its feet in the air, or if it was, start from the "
+            f"motors' data sheet (--start)"
+        )
 
 
 def _read_twice(measured: JointTrajectory, commands: JointTrajectory) -> list[str]:

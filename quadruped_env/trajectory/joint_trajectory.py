@@ -81,9 +81,9 @@ class JointTrajectory:
         """Read a trajectory from a file or bag, whose format is recognised by its content.
 
         Formats: this project's CSV (`quadruped_env.trajectory.formats.project_csv`), any CSV with a column map, CSVs
-        whose columns bear the joints' names, the output of `ros2 topic echo` (YAML and `--csv`), JSON lines of
-        rosbridge, rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags. Messages are `JointState`,
-        `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
+        whose columns bear the joints' names, the output of `ros2 topic echo` (YAML and `--csv`), rosbag2 bags (MCAP and
+        sqlite3, also compressed), ROS 1 bags. Messages are `JointState`, `DynamicJointState`, `JointTrajectory` or
+        `Float64MultiArray`.
 
         What is not plausible is noted (`quadruped_env.trajectory.plausibility`) in `source.notes`, and not changed.
 

@@ -36,8 +36,7 @@ class ReadOptions:
     """
 
     topic: str | None = None
-    """Topic of the joint states, for a bag or JSON lines that have several; to merge topics, their names with commas
-    between"""
+    """Topic of the joint states, for a bag that has several; to merge topics, their names with commas between."""
     columns: ColumnMap | str | Path | None = None
     """Map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`)"""
     joint_map: JointMap | str | Path | None = None

@@ -12,7 +12,7 @@ from paths import DYNA1
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.recorded_episode import play, publish
-from quadruped_env.identification import BASES, FITTED, QUANTITIES, identify, rough_least_squares
+from quadruped_env.identification import FITTED, QUANTITIES, identify, rough_least_squares
 from quadruped_env.identification.dataset import align, held
 from quadruped_env.identification.fit import MotorFit, joint_spec
 from quadruped_env.identification.fitted_parameters import (
@@ -24,7 +24,7 @@ from quadruped_env.identification.fitted_parameters import (
     with_values,
 )
 from quadruped_env.identification.identification_report import save_numbers, write_report
-from quadruped_env.identification.recording_checks import check
+from quadruped_env.identification.recording_checks import check, check_stand
 from quadruped_env.replay.motors_file import read_motors
 from quadruped_env.replay.replay import replay
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, asset_path
@@ -61,7 +61,7 @@ def commanded(seconds, rate=50.0, steps=0.35, seed=1):
 
 def measured(commands, motors, noise=NOISE, every=2, seed=0):
     """Recording of a robot on a stand under the commands, by MuJoCo alone: 5 ms steps, every second one measured."""
-    spec = joint_spec(MINI_QUADRUPED, "fixed", 0.005)
+    spec = joint_spec(MINI_QUADRUPED, 0.005)
     motors.write(spec, MINI_QUADRUPED.joint_kinds)
     model = spec.compile()
     data = mujoco.MjData(model)
@@ -110,13 +110,6 @@ def short():
     return commands, measured(commands, TRUTH)
 
 
-@pytest.fixture(scope="module")
-def walked():
-    """Commands of a gait over 3 s, and the recording of a robot on the ground under them."""
-    commands = publish(SinusoidalGait.preset("tuned"), 3.0, 50.0)
-    return commands, noisy(play(commands, motors=TRUTH).joints)
-
-
 class TestRecorded:
     def test_a_held_command_is_averaged_over_the_step(self):
         times, values = np.array([0.0, 0.02, 0.03]), np.array([[1.0], [3.0], [-1.0]])
@@ -150,7 +143,6 @@ class TestRecorded:
             with pytest.raises(QuadrupedError, match=message):
                 align(MINI_QUADRUPED, recording, told, 0.7, 0.005)
         for arguments, message in (
-            ({"base": "flying"}, "base must be one of fixed, free; found 'flying'"),
             ({"fitted": ["mass"]}, r"cannot estimate 'mass'; valid names are stall_torque"),
             ({"train_share": 1.0}, "share for the fit must be from 0.1 to 0.9; found 1"),
             ({"timestep": 0.1}, "time step must be from 0.0001 to 0.01 s"),
@@ -204,7 +196,7 @@ def test_one_servo_on_a_bench_is_fitted_from_a_file_without_the_other_joints():
     found = identify(bench, alone.select(["LF_hip_joint"]), start=start, fitted=["kp"], without=JOINT_NAMES[1:])
     estimates = {one.name: one for one in found.estimates}
     assert estimates["hip.kp"].after == pytest.approx(TRUTH.hip.kp, rel=0.05)
-    assert (estimates["knee.kp"].determined, estimates["knee.kp"].after) == (False, TRUTH.knee.kp)
+    assert (estimates["knee.kp"].half_width, estimates["knee.kp"].after) == (None, TRUTH.knee.kp)
     assert any(
         one.endswith("RH_knee_joint: not recorded, and simulated at rest in the stance.") for one in found.remarks
     )
@@ -270,7 +262,7 @@ class TestPrediction:
     def test_true_motors_leave_only_noise(self, short):
         commands, _ = short
         exact = measured(commands, TRUTH, noise=(0.0, 0.0, 0.0))
-        fit = MotorFit(align(MINI_QUADRUPED, exact, commands, 0.7, 0.005), "fixed", MotorConfig(), ["kp"])
+        fit = MotorFit(align(MINI_QUADRUPED, exact, commands, 0.7, 0.005), MotorConfig(), ["kp"])
         predicted = fit.predict(TRUTH)
         signals = np.concatenate([exact.positions, exact.velocities, exact.efforts], axis=1)
         np.testing.assert_allclose(predicted[1:], signals[1:], rtol=0, atol=1e-9)
@@ -279,7 +271,7 @@ class TestPrediction:
         """The free robot of the fit does what the task's does with the same targets."""
         commands = publish(SinusoidalGait.preset("tuned"), 2.0, 50.0)
         walked = play(commands).joints
-        fit = MotorFit(align(MINI_QUADRUPED, walked, commands, 0.7, 0.005), "free", MotorConfig(), ["kp"])
+        fit = MotorFit(align(MINI_QUADRUPED, walked, commands, 0.7, 0.005), MotorConfig(), ["kp"], on_ground=True)
         predicted = fit.predict(MotorConfig())
         np.testing.assert_allclose(predicted[1:, :8], walked.positions[1:], rtol=0, atol=1e-6)
         np.testing.assert_allclose(predicted[1:, 16:], walked.efforts[1:], rtol=0, atol=1e-4)
@@ -359,25 +351,6 @@ class TestIdentify:
         assert np.isnan(part.errors(after=True)["position"][2])
         assert "RF_hip" not in part.text()
 
-    @pytest.mark.usefixtures("few_rounds")
-    def test_identify_a_walk_on_the_ground_with_a_fixed_base_warns_and_gives_no_interval(self, walked, tmp_path):
-        commands, recording = walked
-        start = with_values(TRUTH, {"hip.kp": 40.0, "knee.kp": 40.0})
-        found = identify(recording, commands, start=start, fitted=["kp"])
-        # Without a warning the result would be trusted.
-        assert abs(found.after.knee.kp / TRUTH.knee.kp - 1.0) > 0.05
-        assert not found.base_fits
-        assert found.verdict().startswith("Do not trust these motors: --base fixed does not fit.")
-        assert all(estimate.half_width is None and estimate.determined for estimate in found.estimates)
-        assert found.text().count("unknown") == 2
-        assert "No intervals: " in found.text()
-        write_report(found, tmp_path, save_numbers(found, tmp_path, ""))
-        numbers = json.loads((tmp_path / "identification.json").read_text())
-        assert numbers["base_fits"] is False
-        assert numbers["mismatch"]["fixed"] > numbers["mismatch"]["free"]
-        assert "Do not trust these motors" in (tmp_path / "report.html").read_text()
-
-    @pytest.mark.parametrize("place", ["fixed", "free"])
     @pytest.mark.parametrize(
         ("motors", "missing"),
         [
@@ -386,14 +359,15 @@ class TestIdentify:
         ],
         ids=["positions alone", "weak and late"],
     )
-    def test_mismatch_tells_a_stand_from_the_ground_before_the_fit(self, motors, missing, place):
+    def test_recording_on_the_ground_is_refused_and_one_on_a_stand_is_not(self, motors, missing):
         commands = publish(SinusoidalGait.preset("article"), 2.0, 50.0)
-        done = measured(commands, motors) if place == "fixed" else noisy(play(commands, motors=motors).joints)
-        recorded = align(MINI_QUADRUPED, without(done, *missing), commands, 0.7, 0.005)
-        right, wrong = (
-            MotorFit(recorded, base, MotorConfig(), ()).mismatch() for base in sorted(BASES, key=lambda b: b != place)
+        hung, stood = measured(commands, motors), noisy(play(commands, motors=motors).joints)
+        on_stand, on_ground = (
+            align(MINI_QUADRUPED, without(done, *missing), commands, 0.7, 0.005) for done in (hung, stood)
         )
-        assert right < 0.8 * wrong
+        check_stand(on_stand, MotorConfig())
+        with pytest.raises(QuadrupedError, match=r"seems to stand on the ground, .*record it on a stand.*\(--start\)"):
+            check_stand(on_ground, MotorConfig())
 
     @pytest.mark.slow
     def test_intervals_contain_the_true_values(self):

@@ -4,7 +4,6 @@ With more files per format: `FUZZED_FILES=2000 pytest tests/trajectory/test_form
 """
 
 import csv
-import json
 import os
 import re
 import sqlite3
@@ -80,21 +79,6 @@ def parse_yaml(path):
     }
     stamps = [int(one["header"]["stamp"]["sec"]) * 10**9 + int(one["header"]["stamp"]["nanosec"]) for one in found]
     return built(stamps, names, **{kind: None if a is None else np.array(a, float) for kind, a in arrays.items()})
-
-
-def parse_jsonl(path):
-    """JSON lines of rosbridge. A line whose operation or topic is damaged is another message's."""
-    found = [json.loads(line) for line in path.read_text(encoding="utf-8-sig").split("\n") if line.strip()]
-    found = [
-        one["msg"] for one in found if one.get("op", "publish") == "publish" and one.get("topic") == "/joint_states"
-    ]
-    names = found[0]["name"]
-    arrays = {
-        kind: np.array([[float(one[kind][one["name"].index(name)]) for name in names] for one in found])
-        for kind in ("position", "velocity", "effort")
-    }
-    times = [one["header"]["stamp"] for one in found]
-    return built([int(one["sec"]) * 10**9 + int(one["nanosec"]) for one in times], names, **arrays)
 
 
 def parse_echo(path):
@@ -173,16 +157,6 @@ def write_yaml(trajectory, path):
     path.write_text("".join(documents))
 
 
-def write_jsonl(trajectory, path):
-    lines = []
-    for state in trajectory:
-        stamp = dict(zip(("sec", "nanosec"), divmod(state.stamp, 10**9), strict=True))
-        numbers = {kind: getattr(state, kind).tolist() for kind in ("position", "velocity", "effort")}
-        message = {"header": {"stamp": stamp, "frame_id": ""}, "name": NAMES, **numbers}
-        lines.append(json.dumps({"op": "publish", "topic": "/joint_states", "msg": message}) + "\n")
-    path.write_text("".join(lines))
-
-
 def write_echo(trajectory, path):
     lines = []
     for state in trajectory:
@@ -195,7 +169,6 @@ WRITERS = {
     "csv": lambda trajectory, path: trajectory.save(path),
     "echo.yaml": write_yaml,
     "echo.csv": write_echo,
-    "jsonl": write_jsonl,
     "mcap": lambda trajectory, path: trajectory.save(path),
     "db3": lambda trajectory, path: trajectory.save(path),
     "bag": lambda trajectory, path: write_ros1(path, trajectory),
@@ -206,7 +179,6 @@ PARSERS = {
     "csv": parse_csv,
     "echo.yaml": parse_yaml,
     "echo.csv": parse_echo,
-    "jsonl": parse_jsonl,
     "db3": parse_sqlite3,
     "bag": parse_ros1,
 }

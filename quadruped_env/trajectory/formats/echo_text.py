@@ -1,4 +1,4 @@
-"""Messages as text: output of `ros2 topic echo`, as YAML and with `--csv`, and the JSON lines of rosbridge.
+"""Messages as text: output of `ros2 topic echo`, as YAML and with `--csv`.
 
 YAML: one document per message, in block or flow style, each ended by a line `---`, also as ROS 1 prints it. Notices of
 lost messages between them, whose last line ends in `---`, are reported. CSV has no header and no quotes:
@@ -7,16 +7,10 @@ lost messages between them, whose last line ends in `---`, are reported. CSV has
 
 and an empty array is one empty field. Both shorten arrays of over 128 numbers to `...`, unless called with
 `--full-length`; shortened arrays are an error.
-
-JSON lines: each line is a message, or an object whose `msg` is one, as in
-`{"op": "publish", "topic": "/joint_states", "msg": {"header": ...}}`. Other operations are left out.
 """
 
-import json
 import re
 from collections.abc import Iterator
-from contextlib import suppress
-from dataclasses import replace
 from itertools import takewhile
 from typing import Any, Final
 
@@ -24,11 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.robot_messages import RECORDED_TYPES, RawJointState, dynamic_state
+from quadruped_env.ros.robot_messages import RawJointState, dynamic_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.formats.message_rows import assembled
-from quadruped_env.trajectory.formats.storage import choose_topics
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, Rows
 
@@ -38,10 +31,8 @@ LOST: Final = "A message was lost!!!"
 _LOST_NOTE: Final = "the recording itself says that messages were lost"
 _MAX_DOCUMENT: Final = 1_000_000
 """Maximum characters of a message; no joint state is longer."""
-_NO_TOPIC: Final = "(no topic)"
 _SHORTENED: Final = "an array is shortened to '...'; record it again with ros2 topic echo --full-length"
 _FORM: Final = "expected what ros2 topic echo prints of a sensor_msgs/msg/JointState"
-_JSON_FORM: Final = 'expected one JSON object per line, such as {"topic": "/joint_states", "msg": {...}} of rosbridge'
 _SPECIAL: Final = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
 """Numbers that are not finite in YAML -> in Python."""
 _INTEGER: Final = re.compile(r"-?\d{1,18}$", re.ASCII)
@@ -56,7 +47,7 @@ _ARRAY_KEYS: Final = ("layout", "data")
 _POINT_KEYS: Final = ("positions", "velocities", "accelerations", "effort", "time_from_start")
 
 Node = str | list[Any] | dict[str, Any] | None
-"""A node of YAML or JSON, its values still as text"""
+"""A node of YAML, its values still as text."""
 
 
 def read_yaml(reading: Reading) -> Iterator[Rows]:
@@ -72,15 +63,6 @@ def read_yaml(reading: Reading) -> Iterator[Rows]:
 def read_csv(reading: Reading) -> Iterator[Rows]:
     """The messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
     return assembled(_csv_messages(reading), reading, is_text=True)
-
-
-def read_json_lines(reading: Reading) -> Iterator[Rows]:
-    """The messages of lines of JSON, not validated.
-
-    Raises:
-        QuadrupedError: if the file is missing or damaged, or has several topics and the options name none.
-    """
-    return assembled(_json_messages(reading), reading, is_text=True)
 
 
 def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
@@ -100,53 +82,6 @@ def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
             number += 1
     if not number:
         raise reading.error(None, f"there is no message in it; {_FORM}")
-
-
-def _json_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
-    """Number of the line, and joint states of the message."""
-    reading.row_name = "line"
-    types: dict[str, str] = {}
-    # The file is read twice, since a topic may come late. Damage is reported by the second time.
-    with suppress(QuadrupedError):
-        for _, topic, node in _json_nodes(replace(reading, progress=None)):
-            types.setdefault(topic, _type_of(node))
-    wanted = choose_topics(types, reading) if types else (_NO_TOPIC,)
-    for number, topic, node in _json_nodes(reading):
-        if topic in wanted:
-            try:
-                yield number, _states(node, reading)
-            except ValueError as error:
-                raise reading.error(number, f"{error}; {_JSON_FORM}; fix it or delete it") from error
-
-
-def _json_nodes(reading: Reading) -> Iterator[tuple[int, str, Node]]:
-    """Number of the line, topic, and message."""
-    with opened(reading) as file:
-        for number, line in enumerate(lines(file, reading), 1):
-            if not line.strip():
-                continue
-            try:
-                # Numbers stay text: some are longer than Python reads.
-                node = json.loads(line, parse_float=str, parse_int=str, parse_constant=str)
-            except (ValueError, RecursionError) as error:
-                raise reading.error(number, f"not JSON ({error}); {_JSON_FORM}; fix it or delete it") from error
-            fields = node if isinstance(node, dict) else {}
-            if fields.get("op", "publish") != "publish":
-                reading.note("lines with another operation than publish were left out")
-            elif "msg" in fields:
-                yield number, str(fields.get("topic", _NO_TOPIC)), fields["msg"]
-            elif "op" in fields or "topic" in fields:
-                raise reading.error(number, f"there is no msg in it; {_JSON_FORM}; fix it or delete it")
-            else:
-                yield number, _NO_TOPIC, node
-
-
-def _type_of(node: Node) -> str:
-    """Name of the type of a message, by its keys."""
-    keys = _keys(node)
-    types = zip((_STATE_KEYS, _DYNAMIC_KEYS, _TRAJECTORY_KEYS, _ARRAY_KEYS), RECORDED_TYPES, strict=True)
-    other = f"another one, with the keys {', '.join(short(key)[1:-1] for key in keys[:_MAX_KEYS_SHOWN])}"
-    return next((name for known, name in types if set(known) <= set(keys)), other)
 
 
 def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
@@ -305,8 +240,8 @@ def _scalar(node: Node, what: str) -> str:
 
 
 def _number(node: Node, what: str) -> float:
-    """A number; to YAML, 1e-05 is a text. JSON has no NaN, and rosbridge sends null for it."""
-    text = "nan" if node is None else _scalar(node, what)
+    """A number; to YAML, 1e-05 is a text."""
+    text = _scalar(node, what)
     return _cell_number(_SPECIAL.get(text, text), what)
 
 

@@ -22,7 +22,7 @@ _HEAD: Final = 65536
 """Bytes by which a format is recognised."""
 _KNOWN: Final = (
     "known are the project's CSV, CSVs whose columns bear the joints' names, any CSV with a column map, ros2 topic "
-    "echo (YAML and --csv), JSON lines of rosbridge, rosbag2 (MCAP and sqlite3) and ROS 1 bags"
+    "echo (YAML and --csv), rosbag2 (MCAP and sqlite3) and ROS 1 bags"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
     b"\x89MCAP0": bag_reader.read,
@@ -99,7 +99,7 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
     if line.rstrip() in {"header:", "layout:"} or line.startswith(("header: {", "layout: {", "{header:")):
         return echo_text.read_yaml
     if re.match(r'\s*\{\s*"', line):
-        return echo_text.read_json_lines
+        raise reading.error(None, f"JSON is not read; record a bag (ros2 bag record /joint_states); {_KNOWN}")
     if len(cells) >= 7 and all(cell.lstrip("-").isdecimal() for cell in cells[:2]):
         return echo_text.read_csv
     columns = None
