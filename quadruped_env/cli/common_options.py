@@ -13,7 +13,7 @@ from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies.files import DEFAULT, SHIPPED
 from quadruped_env.report.films.film import Clip
-from quadruped_env.report.films.video import STILLS, SUFFIXES, save_film
+from quadruped_env.report.films.video import SUFFIXES, save_film
 from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain
 from quadruped_env.simulation.terrain import LEVELS, Terrain
 from quadruped_env.task import PRESETS
@@ -53,7 +53,7 @@ def add_video(parser: argparse.ArgumentParser) -> None:
         "--video",
         type=Path,
         metavar="FILE",
-        help=f"also film the robot: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
+        help=f"also film the robot, as {' or '.join(SUFFIXES)}",
     )
 
 

@@ -23,10 +23,6 @@ from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.text_table import Table
 
 _INTERVALS: Final = (
-    "No intervals: contacts with the ground make the error rough, and forces that the fit does not model shift its "
-    "optimum."
-)
-_INTERVALS: Final = (
     "Intervals account for residuals that are correlated over up to a second, between signals and between joints; "
     "not for external forces."
 )

@@ -45,7 +45,7 @@ class TestForms:
         "version": 1,
         "inner": {"x": {"a": 1, "b": [1, 2]}, "y": {"a": None}},
         "text": {"a": 1},
-        "free": 1,
+        "free": [{}],
     }
 
     def test_fitted_leaves_out_what_the_form_lacks(self):

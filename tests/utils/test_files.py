@@ -197,7 +197,7 @@ WRITERS = {
     "bag": saved(storage="mcap"),
     "bag2": saved(storage="sqlite3"),
     "a.json": lambda path, seed: write_json(path, {"seed": seed, "numbers": list(range(9999))}),
-    "a.png": draw,
+    "a.webp": draw,
     "policy": save_policy,
 }
 """Name -> function that writes a file or directory of that name, of over `LIMIT` bytes, in place of an older one."""
@@ -210,9 +210,9 @@ def seed_of(path):
         return load_policy(path).card["seed"]
     if path.suffix == ".json":
         return json.loads(path.read_text())["seed"]
-    if path.suffix == ".png":
+    if path.suffix == ".webp":
         data = path.read_bytes()
-        assert data.endswith(b"IEND\xaeB`\x82")
+        assert int.from_bytes(data[4:8], "little") == len(data) - 8
         return len(data)
     return int(JointTrajectory.load(path).positions[-1, 0])
 
