@@ -10,7 +10,7 @@ import numpy as np
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.rows import Rows
-from quadruped_env.utils.arrays import Floats, Mask
+from quadruped_env.utils.arrays import Bools, Floats
 
 MAX_SPEED: Final = 30.0
 """Speed that no joint of a leg keeps up from row to row, rad/s; logs of real robots reach 25."""
@@ -79,8 +79,8 @@ class Steps:
         self.false_speeds = false & (false.mean(axis=0) <= MAX_SHARE)
         """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
 
-    def _spikes(self, too_fast: Mask) -> Mask:
-        """Mask (n, J) of positions to which an impossible step leads, and from which the joint comes back soon."""
+    def _spikes(self, too_fast: Bools) -> Bools:
+        """Bools (n, J) of positions to which an impossible step leads, and from which the joint comes back soon."""
         size = np.abs(self.change)
         spikes = np.zeros((len(size) + 1, size.shape[1]), dtype=np.bool_)
         for count in range(1, min(MAX_AWAY, len(size) - 1) + 1):
@@ -102,8 +102,8 @@ def _held(change: Floats) -> Floats:
     )
 
 
-def frozen(rows: Rows, steps: Steps) -> tuple[Mask, Floats]:
-    """Mask (n - 1, J) of the first steps of runs of equal positions while the velocity says that the joint moves.
+def frozen(rows: Rows, steps: Steps) -> tuple[Bools, Floats]:
+    """Bools (n - 1, J) of the first steps of runs of equal positions while the velocity says that the joint moves.
 
     The second result is the duration of each run at its first step, s (n - 1, J).
     """
@@ -119,8 +119,8 @@ def frozen(rows: Rows, steps: Steps) -> tuple[Mask, Floats]:
     return found, length
 
 
-def clock_jumps(steps: Steps) -> tuple[Mask, Floats]:
-    """Mask (n - 1, 1) of steps of time that are too long for what the joints do in them, and all durations, s."""
+def clock_jumps(steps: Steps) -> tuple[Bools, Floats]:
+    """Bools (n - 1, 1) of steps of time that are too long for what the joints do in them, and all durations, s."""
     found = np.zeros((len(steps.gap), 1), dtype=np.bool_)
     for i in np.flatnonzero((steps.duration > 10.0 * steps.period) & (steps.duration > 0.2)):
         near = np.abs(np.concatenate([steps.change[max(i - 3, 0) : i], steps.change[i + 1 : i + 4]]))
