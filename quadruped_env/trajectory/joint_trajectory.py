@@ -16,8 +16,8 @@ from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import saving
 from quadruped_env.trajectory.interpolation import Gap, derivative, even_stamps, find_gaps, interpolate, nanoseconds_of
+from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.loading import read
-from quadruped_env.trajectory.maps import JointMap
 from quadruped_env.trajectory.reading import Reading, ReadOptions
 from quadruped_env.trajectory.rows import ARRAYS, JointState, Rows, Source
 from quadruped_env.trajectory.validation import (
@@ -294,7 +294,7 @@ class JointTrajectory:
         return self._changed(velocities=derivative(self.times, self.positions, window))
 
     def retarget(self, joint_map: JointMap | str | Path, back: bool = False) -> "JointTrajectory":
-        """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.maps`.
+        """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.joint_map`.
 
         Args:
             joint_map: the map, or the path of its TOML file.

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats import recognition
-from quadruped_env.trajectory.maps import JointMap
+from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.plausibility import TURN, findings
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, Source

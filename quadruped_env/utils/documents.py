@@ -15,7 +15,7 @@ from collections.abc import Callable
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Any, Final, Literal, TypeVar, get_args, get_origin, get_type_hints, is_typeddict
+from typing import Any, Final, Literal, TypeVar, Union, get_args, get_origin, get_type_hints, is_typeddict
 
 from quadruped_env.errors import QuadrupedError, short
 
@@ -216,7 +216,7 @@ def _fitted(value: Any, form: Any, place: tuple[object, ...]) -> Any:
         if not isinstance(value, list):
             raise _UnfitError(place, "a list", short(value))
         return [_fitted(entry, parts[0], (*place, i)) for i, entry in enumerate(value)]
-    if kind is UnionType:
+    if kind in (UnionType, Union):
         return _fitted_to_one(value, parts, place)
     if kind is Literal:
         fits = any(type(value) is type(part) and value == part for part in parts)

@@ -258,7 +258,7 @@ class TestTitles:
             self.load(tmp_path, "t;q\n0,5;1.000,5\n", columns=ColumnMap(**given, decimal=","))
         with pytest.raises(QuadrupedError, match=r"line 2, t: '0,5' is not a time in s; .*\(decimal = \",\"\)"):
             self.load(tmp_path, text, columns=ColumnMap(**given))
-        with pytest.raises(QuadrupedError, match=r'decimal: expected "\." or ","; found \'x\''):
+        with pytest.raises(QuadrupedError, match=r"decimal: expected '\.' or ','; found 'x'"):
             ColumnMap(**given, decimal="x")
 
     def test_csv_without_a_time_needs_a_period(self, tmp_path):

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.trajectory.maps import ColumnMap
+from quadruped_env.trajectory.column_map import ColumnMap
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, TORQUE_ONLY, Rows
 from quadruped_env.utils.files import check_free, whole
