@@ -35,7 +35,6 @@ import numpy as np
 
 from benchmarks.recipe_plots import recipe_curves
 from benchmarks.shipping import disturbed
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
@@ -52,7 +51,7 @@ from quadruped_env.report.plots.learning_plots import read_progress
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.program import run_program
-from quadruped_env.utils.progress import Progress, part_of
+from quadruped_env.utils.progress import Progress, ProgressLine, part_of
 
 STRAIGHT_COMMANDS: Final = ((-0.2, 0.0), (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.3, 0.0), (0.4, 0.0), (0.5, 0.0))
 TURN_COMMANDS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))

@@ -12,9 +12,9 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import ship
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.policies.files import SHIPPED
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 
 
 def main() -> int:

@@ -18,9 +18,9 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
 # isort: split
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 from second_engine.engines import Approximation, Drake, check_drake
 from second_engine.transfer import NUM_SEEDS, SECONDS, run_transfer
 

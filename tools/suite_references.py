@@ -19,7 +19,6 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import note_suite, reference_row, without_suite
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.suite.measured_controller import MeasuredController
 from quadruped_env.evaluation.suite.suite import (
@@ -45,6 +44,7 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 from quadruped_env.utils.provenance import git_commit, versions
 
 

@@ -8,13 +8,12 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies.files import DEFAULT, SHIPPED
 from quadruped_env.report.films.film import Clip
-from quadruped_env.report.films.video import STILLS, SUFFIXES, save_film
+from quadruped_env.report.films.video import SUFFIXES, save_film
 from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain
 from quadruped_env.simulation.terrain import LEVELS, Terrain
 from quadruped_env.task import PRESETS
@@ -22,7 +21,7 @@ from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import REPAIRS, UNITS, ReadOptions
 from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.program import Extras
-from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.progress import Progress, ProgressLine
 
 NEXT_FREE: Final = "or that name with the next free number"
 SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
@@ -54,7 +53,7 @@ def add_video(parser: argparse.ArgumentParser) -> None:
         "--video",
         type=Path,
         metavar="FILE",
-        help=f"also film the robot: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
+        help=f"also film the robot, as {' or '.join(SUFFIXES)}",
     )
 
 

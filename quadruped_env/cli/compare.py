@@ -10,9 +10,9 @@ from pathlib import Path
 
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.utils.files import free_path
 from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

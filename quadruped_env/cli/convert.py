@@ -26,11 +26,11 @@ import numpy as np
 
 from quadruped_env.cli.common_options import add_overwrite, add_reading_options, add_robot_file, load_with
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import JointTrajectory, saving
 from quadruped_env.trajectory.formats.bag_writer import STORAGES
+from quadruped_env.utils.progress import ProgressLine
 
 _GAPS_SHOWN: Final = 5
 

@@ -21,9 +21,9 @@ from quadruped_env.cli.common_options import (
     save_video,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 if TYPE_CHECKING:
     from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy

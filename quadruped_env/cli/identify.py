@@ -39,12 +39,12 @@ from quadruped_env.cli.common_options import (
     reading_options,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.identification import FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import check_free, free_path
 from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -27,10 +27,10 @@ from pathlib import Path
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.common_options import add_reading_options, load_with
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.replay.replay import MODES
 from quadruped_env.utils.files import check_free, free_path
 from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -26,7 +26,6 @@ from quadruped_env.cli.common_options import (
     check_level_has_terrain,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
@@ -43,6 +42,7 @@ from quadruped_env.utils.documents import parse_json, read_json
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import module_command, program_command
 from quadruped_env.utils.program import stopped_status
+from quadruped_env.utils.progress import ProgressLine
 
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""

@@ -7,10 +7,10 @@ import os
 import sys
 import traceback
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
-from typing import Final, TypeVar
+from typing import Any, ClassVar, Final, Self, TypeVar
 
 from quadruped_env.control.control_config import COMMANDS, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
@@ -32,33 +32,43 @@ KEPT_FILE: Final = "task.py"
 """Copy of the user's file in a run, as data."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Terms:
-    """Parts of a policy that are not stored in its file: its robot, fields of the observation, commands."""
+    """Robot and terms of a policy that are not stored in its file: fields of the observation, and commands."""
+
+    kinds: ClassVar[Mapping[str, type]] = {"observations": ObservationField, "commands": Command}
+    """Class of the terms in each list."""
 
     observations: tuple[ObservationField, ...] = OBSERVATIONS
     commands: tuple[Command, ...] = COMMANDS
     robot: Robot = MINI_QUADRUPED
     file: TaskFile | None = None
     """File that defines what is not built in."""
+    path: str | None = None
+
+    def extended(self, file: TaskFile, module: ModuleType) -> Self:
+        """A copy with the terms and the robot that an executed file defines at its top level.
+
+        A term replaces a built-in one of the same name; an observation whose name the file sets to None is left out.
+
+        Raises:
+            QuadrupedError: if the file defines several robots, or a term would replace only a part of a group of terms
+                that are computed together.
+        """
+        values, path = vars(module), str(module.__file__)
+        lists: dict[str, Any] = {name: getattr(self, name) for name in self.kinds}
+        lists["observations"] = tuple(entry for entry in self.observations if values.get(entry.name, 0) is not None)
+        try:
+            for name, kind in self.kinds.items():
+                lists[name] = merged(lists[name], [value for value in values.values() if isinstance(value, kind)])
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{path}: {error}") from error
+        return replace(self, robot=robot_in(module) or self.robot, file=file, path=path, **lists)
 
 
 def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -> Terms:
-    """The built-in robot, observations and commands, with those of a user's file added to them or replacing them.
-
-    An observation whose name the file sets to None is left out.
-
-    Raises:
-        QuadrupedError: as `execute` and `robot_in`.
-    """
-    file, module = execute(path, expected)
-    values = list(vars(module).values())
-    return Terms(
-        merged(kept(OBSERVATIONS, module), [value for value in values if isinstance(value, ObservationField)]),
-        merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
-        robot_in(module) or MINI_QUADRUPED,
-        file,
-    )
+    """The built-in robot, observations and commands, extended by a user's file; see `Terms.extended` and `execute`."""
+    return Terms().extended(*execute(path, expected))
 
 
 def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
@@ -101,11 +111,6 @@ def needs_file(what: str, file: TaskFile) -> TaskFileError:
 def names_of(term: Plain) -> tuple[str, ...]:
     """Names of a term; most terms have one."""
     return tuple(term.names) if hasattr(term, "names") else (term.name,)
-
-
-def kept(built_in: Sequence[Term], module: ModuleType) -> tuple[Term, ...]:
-    """The built-in terms without those whose name an executed file sets to None at its top level."""
-    return tuple(term for term in built_in if any(vars(module).get(n, term) is not None for n in names_of(term)))
 
 
 def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:

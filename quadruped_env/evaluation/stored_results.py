@@ -72,9 +72,7 @@ class StoredSuite(TypedDict):
     met: NotRequired[Any]
     envelope: NotRequired[Any]
     falls_per_hour: NotRequired[Any]
-    half_survival: NotRequired[Any]
     terrain: NotRequired[Any]
-    recovery: NotRequired[Any]
     zero_action: NotRequired[Any]
 
 

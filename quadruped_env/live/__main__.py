@@ -5,7 +5,6 @@ import inspect
 import sys
 from collections.abc import Sequence
 
-from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
 from quadruped_env.utils.interpreter import COMMAND
@@ -45,33 +44,6 @@ def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
             add_common_arguments(node)
 
 
-def without_ros_arguments(typed: Sequence[str]) -> list[str]:
-    """Arguments with those of `--ros-args` in this program's own form.
-
-    Raises:
-        QuadrupedError: if they hold anything but remapping and the parameter use_sim_time.
-    """
-    own: list[str] = []
-    given = iter(typed)
-    for argument in given:
-        if argument != "--ros-args":
-            own.append(argument)
-            continue
-        for flag in given:
-            if flag == "--":
-                break
-            value = next(given, "")
-            if flag in ("-r", "--remap"):
-                own += ["--remap", value]
-            elif flag in ("-p", "--param") and value in ("use_sim_time:=true", "use_sim_time:=false"):
-                own += ["--sim-time"] * (value.endswith("true") and typed[0] == "controller")
-            else:
-                raise QuadrupedError(
-                    f"--ros-args: found {flag} {value}; expected -r FROM:=TO, -p use_sim_time:=true or --"
-                )
-    return own
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the node that the arguments name, or print the help if there is none.
 
@@ -84,10 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     def run() -> int:
         # Only the node's own module is imported: faster start and less memory on a robot.
         parser = make_parser(only=name)
-        try:
-            args = parser.parse_args(without_ros_arguments(typed))
-        except QuadrupedError as error:
-            parser.error(str(error))
+        args = parser.parse_args(typed)
         module = node_module(args.node)
         if hasattr(module, "start"):
             return int(module.start(args))

@@ -21,7 +21,7 @@ from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import CMD_VEL, CMD_VEL_STAMPED, IMU, JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
-from quadruped_env.live.state_checks import ImuRepetition, JointChecks, Sources
+from quadruped_env.live.state_checks import FrozenJoints, ImuRepetition, Sources
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos
 from quadruped_env.ros.timestamps import NS_PER_SECOND
@@ -69,7 +69,7 @@ class Measurements:
         self._repetition = ImuRepetition()
         self._joint_sources = Sources(node.graph, self._states.topic, driver.joint_names)
         self._imu_sources = Sources(node.graph, self._attitudes.topic, ["an orientation"])
-        self._checks = JointChecks(robot.joint_names, session.say)
+        self._joints = FrozenJoints(robot.joint_names, session.say)
         self._imu_period = Period()
         self._heard = dict.fromkeys((JOINT_STATES.name, IMU.name), time.monotonic())
         """Time at which the last message that can be read was taken, s, by topic."""
@@ -95,8 +95,10 @@ class Measurements:
             if refusal := self._joint_sources.refusal(received, found.tolist()):
                 self._session.refuse(refusal)
             elif state := self._merger.add(joints):
-                states.append((received, self._driver.to_robot(state)))
-                self._checks.add(states[-1][1], not self._merger.computes_velocities)
+                of_robot = self._driver.to_robot(state)
+                assert of_robot.positions is not None
+                self._joints.add(of_robot.stamp, of_robot.positions)
+                states.append((received, of_robot))
         for received, imu in self._attitudes.messages(functools.partial(self._refuse, IMU.name)):
             self._heard[IMU.name] = received.taken
             self._unread.pop(IMU.name, None)
@@ -104,7 +106,7 @@ class Measurements:
                 self._session.refuse(refusal)
                 continue
             self._imu_period.add(imu.stamp)
-            self._repetition.add(imu, self._checks.moved)
+            self._repetition.add(imu, self._joints.moved)
             self._imu = imu
         if not states or self._imu is None:
             return None
@@ -119,12 +121,12 @@ class Measurements:
 
     def commanded(self, target: Target) -> None:
         """Take the joint targets (J,) that the robot was sent, in rad."""
-        self._checks.commanded(target)
+        self._joints.commanded(target)
 
     @property
     def problems(self) -> tuple[str, ...]:
         """Problems of messages that can be read."""
-        return tuple(filter(None, (self._joint_sources.problem, self._imu_sources.problem, *self._checks.problems)))
+        return tuple(filter(None, (self._joint_sources.problem, self._imu_sources.problem, *self._joints.problems)))
 
     def _paired(self, joints: Joints, imu: Imu) -> Measurement:
         if self._repetition.frozen:

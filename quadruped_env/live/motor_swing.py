@@ -58,7 +58,7 @@ class MotorSwing:
     def __init__(self, session: Session, motors: Motors) -> None:
         self._states = session.node.subscribe(JOINT_STATES, _QOS, read=JointReader(motors, states=True))
         self._merger = JointMerger(motors, velocities=False)
-        self._publisher = CommandPublisher(session.node, motors, False, session.say)
+        self._publisher = CommandPublisher(session, motors)
         self._stops = EmergencyStop(session)
         session.every_turn.append(self._take)
         self._session, self._motors = session, motors

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.policies.layers import SAMPLES, Network, check_fits, check_same_actions
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.documents import check_regular
-
-Floats = NDArray[np.float64]
 
 _ACTIVATIONS: Final = MappingProxyType(
     {

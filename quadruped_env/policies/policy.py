@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import PolicyController
-from quadruped_env.control.task_file import KEPT_FILE, TASK_FILE, Terms, execute, recorded_terms
+from quadruped_env.control.task_file import KEPT_FILE, TASK_FILE, execute, recorded_terms
 from quadruped_env.envs import ENV_ID
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
@@ -22,7 +22,7 @@ from quadruped_env.policies import onnx_file, sb3
 from quadruped_env.policies.files import is_code, kept_file, policy_directory, read_policy, trained_with, unusable
 from quadruped_env.policies.layers import Network
 from quadruped_env.policies.policy_data import PolicyData
-from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.robot.robot import Robot
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
 from quadruped_env.task.task_config import known_values
 from quadruped_env.utils.files import shown_path
@@ -230,9 +230,7 @@ class Policy(PolicyData):
         inner = getattr(env, "unwrapped", env)
         task, members = getattr(inner, "task", None), getattr(inner, "envs", None)
         if isinstance(task, Task):
-            check_same_robot(self.robot.identity, task.config.robot)
-            self.check_control(task.config.control)
-            self.check_observations(task.control.layout)
+            self.check_fits(task.config.robot, task.config.control, task.control.layout)
         elif isinstance(members, (list, tuple)) and members:
             for member in members:
                 self.check_env(member)
@@ -311,8 +309,7 @@ def at_checkpoint(policy: Policy, checkpoint: Path) -> Policy:
 
 def _with_task(directory: Path, definition: TaskDefinition) -> Policy:
     """The policy of a directory with its task: the terms of a definition, the numbers of the policy's config."""
-    terms = Terms(definition.observations, definition.commands, definition.robot, definition.file)
-    data = read_policy(directory, terms)
+    data = read_policy(directory, definition)
     try:
         # A policy that needs nothing of a user's file is not affected by one.
         own = definition if trained_with(data.task) is not None else BUILT_IN.with_robot(data.robot)

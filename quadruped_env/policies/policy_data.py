@@ -17,7 +17,7 @@ from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.observations import ObservationField, ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies.activations import ACTIVATIONS, OUTPUTS
-from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.utils.files import unwritable, write_whole
 
 FORMAT_VERSION: Final = 1
@@ -123,14 +123,21 @@ class PolicyData:
                 largest = bound.astype(np.float32)
                 bound = np.maximum(np.abs(activate(largest)), np.abs(activate(-largest))).astype(np.float64)
 
-    def check_control(self, control: ControlConfig) -> None:
-        """Check that actions have the same meaning in a task as in training.
+    def check_fits(self, robot: Robot, control: ControlConfig, layout: ObservationLayout | None = None) -> None:
+        """Check that actions and observations have the same meaning in a task as in training.
+
+        Args:
+            robot: robot of the task.
+            control: its action mode, control rate, clock and history.
+            layout: its observations; None: the policy's own.
 
         Raises:
-            QuadrupedError: if the action mode, action scale, control rate, gait clock or length of the observation's
-                history differs from the policy's.
+            QuadrupedError: if the robot, action mode, action scale, scripted gait, control rate, gait clock, length of
+                the history, or a field of the observations or its width, unit, scale or bounds is another one.
         """
-        own = self.control
+        check_same_robot(self.robot.identity, robot)
+        own, fields = self.control, self.layout.document()
+        other = fields if layout is None else layout.document()
         for name, expected, found in (
             ("action.mode", own.action.mode, control.action.mode),
             (f"action.{own.action.mode}_scale", own.action.scale, control.action.scale),
@@ -138,28 +145,14 @@ class PolicyData:
             ("control_timestep", own.timestep, control.timestep),
             ("clock_frequency", own.clock_frequency, control.clock_frequency),
             ("observation_history", own.observation_history, control.observation_history),
+            ("the observations", *(", ".join(entry["name"] for entry in each) for each in (fields, other))),
+            *((f"the observation {mine['name']}", mine, theirs) for mine, theirs in zip(fields, other, strict=False)),
         ):
             if expected != found:
                 raise QuadrupedError(
                     f"policy: it was trained with {name} {expected!r}, and this environment has {found!r}; "
                     f"make its own with policy.make_env()"
                 )
-
-    def check_observations(self, layout: ObservationLayout) -> None:
-        """Check that a task's observations are those that the policy was trained on.
-
-        Raises:
-            QuadrupedError: if a field is missing or another one, or differs in its width, unit, scale or bounds.
-        """
-        expected, found = self.layout.document(), layout.document()
-        if expected != found:
-            own, other = ([entry["name"] for entry in fields] for fields in (expected, found))
-            differing = [a["name"] for a, b in zip(expected, found, strict=False) if a != b]
-            what = f"has {', '.join(other)}" if own != other else f"differs in {', '.join(differing)}"
-            raise QuadrupedError(
-                f"policy: it was trained on the observations {', '.join(own)}, and this environment {what}; make its "
-                f"own with policy.make_env()"
-            )
 
     def save(self, directory: str | Path) -> None:
         """Write the policy's two files into a directory, which is created if it does not exist.

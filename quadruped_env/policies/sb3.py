@@ -40,20 +40,10 @@ _ARGUMENTS: Final = MappingProxyType(
 """Arguments of these classes that a policy's file has no place for, with their defaults."""
 _TRANSPARENT: Final = frozenset({"Flatten", "Identity", "Dropout"})
 """Modules that change nothing when a policy acts."""
-_WRAPPERS: Final = frozenset({"VecMonitor", "VecCheckNan", "VecNormalize", "VecVideoRecorder"})
-"""Wrappers of the env after which a policy still sees the env's observation, apart from its normalization."""
-_ENV_WRAPPERS: Final = (gymnasium.ObservationWrapper, gymnasium.ActionWrapper)
-"""Base classes of Gymnasium's wrappers that change observations or actions."""
-_NEUTRAL: Final = (
-    "Monitor",
-    "TimeLimit",
-    "OrderEnforcing",
-    "PassiveEnvChecker",
-    "Record",
-    "HumanRendering",
-    "Autoreset",
-)
-"""Beginnings of the names of wrappers that change neither."""
+_REWRITING: Final = (gymnasium.ObservationWrapper, gymnasium.ActionWrapper)
+"""Base classes of wrappers that change observations or actions."""
+_LIBRARIES: Final = frozenset({"gymnasium", "stable_baselines3"})
+"""Packages whose other wrappers leave observations as they are, or change their number of columns."""
 PROTOCOL: Final = (
     "evaluate, compare, view and film it as it is with the protocol of two methods, reset and predict "
     "(docs/training.md#your-own-algorithm)"
@@ -139,43 +129,38 @@ def was_normalized(model: Any) -> bool:
 
 
 def _task_of(venv: Any) -> TaskConfig:
-    """Config of the task of SB3's vector env."""
-    inner = venv
+    """Config of the task of SB3's vector env, whose wrappers may change neither observations nor actions."""
+    inner, wrappers = venv, []
     while hasattr(inner, "venv"):
-        if type(inner).__name__ not in _WRAPPERS:
-            raise refused(f"its env has the wrapper {type(inner).__name__}, which changes observations or actions")
+        wrappers.append(inner)
         inner = inner.venv
-    for wrapper in _ENV_WRAPPERS:
-        if any(inner.env_is_wrapped(wrapper)):
-            raise refused(f"its env has an {wrapper.__name__}, which changes observations or actions")
-    for env in getattr(inner, "envs", ()):
-        _check_wrappers(env)
-    task = getattr(inner, "task", None)
-    if task is None:
-        try:
-            task = inner.get_attr("task", 0)[0]
-        except AttributeError:
-            task = None
+    for base in _REWRITING:
+        if any(inner.env_is_wrapped(base)):
+            raise refused(f"its env has an {base.__name__}, which changes observations or actions")
+    for member in getattr(inner, "envs", ()):
+        env = member
+        while isinstance(env, gymnasium.Wrapper):
+            wrappers.append(env)
+            env = env.env
+    for wrapper in wrappers:
+        kind = type(wrapper)
+        if kind.__module__.partition(".")[0] not in _LIBRARIES and not issubclass(kind, gymnasium.RewardWrapper):
+            warnings.warn(
+                f"Policy.from_sb3: the env has the wrapper {kind.__name__}, which the policy leaves out; what it "
+                f"changes in observations or actions is missing",
+                QuadrupedWarning,
+                stacklevel=4,
+            )
+    try:
+        task = inner.get_attr("task", 0)[0]
+    except AttributeError:
+        task = None
     if not isinstance(task, Task):
         raise QuadrupedError(
             f"Policy.from_sb3: {type(inner).__name__} is not an env of this package; train in make_sb3_vec_env(...), "
             f"or in SB3's vector env of gymnasium.make('MiniQuadruped-v0')"
         )
     return task.config
-
-
-def _check_wrappers(env: Any) -> None:
-    """Warn of wrappers that may change observations or actions in a `step` of their own."""
-    while isinstance(env, gymnasium.Wrapper):
-        name = type(env).__name__
-        if not name.startswith(_NEUTRAL) and not isinstance(env, gymnasium.RewardWrapper):
-            warnings.warn(
-                f"Policy.from_sb3: the env has the wrapper {name}, which the policy leaves out; what it changes in "
-                f"observations or actions is missing",
-                QuadrupedWarning,
-                stacklevel=4,
-            )
-        env = env.env
 
 
 def actor_network(policy: Any) -> Network:

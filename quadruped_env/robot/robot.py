@@ -26,9 +26,10 @@ from quadruped_env.robot.model_completion import (
     parsed,
     read_model,
 )
-from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
+from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
 from quadruped_env.robot.skeleton import Skeleton
 from quadruped_env.utils.arrays import Floats, frozen
+from quadruped_env.utils.fields import with_values
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
 
@@ -434,7 +435,7 @@ class Robot(Kinematics):
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""
         values = {
-            entry.name: value.to_dict() if isinstance(value, MotorConfig) else value
+            entry.name: value.content() if isinstance(value, MotorConfig) else value
             for entry, value in self._content()
             if value is not None or entry.name not in _OPTIONAL
         }
@@ -457,10 +458,9 @@ class Robot(Kinematics):
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
             for name, value in values.items()
         }
-        motors = values["motors"]
         if made.get("assets") is not None:
             made["assets"] = {name: base64.b64decode(text) for name, text in made["assets"].items()}
-        made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
+        made["motors"] = with_values(MotorConfig(), values["motors"], "robot.motors")
         return cls(**made)
 
     @property

@@ -45,15 +45,10 @@ def seconds_of(stamp: int) -> tuple[int, int]:
     return sec, nanosec
 
 
-def time(stamp: int) -> Any:
-    """A `builtin_interfaces/msg/Time` from a timestamp in ns."""
-    sec, nanosec = seconds_of(stamp)
-    return message("builtin_interfaces/msg/Time", sec=sec, nanosec=nanosec)
-
-
 def header(stamp: int, frame_id: str = "") -> Any:
-    """A `std_msgs/msg/Header` from a timestamp in ns."""
-    return message("std_msgs/msg/Header", stamp=time(stamp), frame_id=frame_id)
+    """Return a `std_msgs/msg/Header` from a timestamp in ns."""
+    types = typestore().types
+    return types["std_msgs/msg/Header"](types["builtin_interfaces/msg/Time"](*seconds_of(stamp)), frame_id)
 
 
 def serialize(value: Any) -> bytes:

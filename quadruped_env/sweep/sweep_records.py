@@ -30,7 +30,7 @@ from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import CONFIG_FILE
 from quadruped_env.training.train_config import field_rule
 from quadruped_env.utils.documents import check_regular, read_json
-from quadruped_env.utils.files import check_no_links, free_path, unwritable, whole, write_json, write_whole
+from quadruped_env.utils.files import free_path, unwritable, whole, write_json, write_whole
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.provenance import git_commit, machine, versions
 
@@ -125,9 +125,6 @@ class SweepFolder:
     def locked(self) -> Iterator[None]:
         """Within it, no other process runs this sweep; the lock ends with the process."""
         path = self.path / _LOCK_FILE
-        trials = self.path / TRIALS
-        for place in (path, self.path / TUNE_FOLDER, *(trials.iterdir() if trials.is_dir() else ())):
-            check_no_links(place)
         try:
             file = path.open("a", encoding="utf-8")
         except OSError as error:

@@ -5,15 +5,14 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import Command, CommandRate
 from quadruped_env.task.randomization.draws import Purposes
 from quadruped_env.task.randomization.randomization import between
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.fields import Range, Section, check
 from quadruped_env.utils.parameters import Parameter
 
-Floats = NDArray[np.float64]
 Share = Annotated[float, Parameter(low=0.0)]
 
 

@@ -13,8 +13,7 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import quantities
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 class TaskContext:

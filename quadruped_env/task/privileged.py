@@ -22,8 +22,7 @@ from quadruped_env.simulation import Simulation
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.sensor_errors import Sensors
 from quadruped_env.task.reward_function import checked
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 @dataclass(frozen=True)

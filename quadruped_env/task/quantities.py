@@ -9,7 +9,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
+
 Real = NDArray[np.floating]
 """Values that a metric may have in another precision."""
 

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardSection, RewardTerm, Termination, TerminationSection
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.fields import Section
 
-Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 

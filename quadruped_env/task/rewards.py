@@ -8,14 +8,13 @@ context.
 from typing import Annotated, Final, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.task import quantities
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardTerm, reward, reward_group
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import Parameter
 
-Floats = NDArray[np.float64]
 Positive = Parameter.positive
 
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])

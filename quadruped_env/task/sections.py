@@ -5,8 +5,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Annotated, Any, Final
 
-from quadruped_env.control.clock import FIELD as CLOCK
-from quadruped_env.control.clock import UNITS as CLOCK_UNITS
 from quadruped_env.control.control_config import commands_for
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
@@ -72,7 +70,7 @@ def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
     values = {**values}
     if "randomization" in values:
         values["randomization"] = with_preset(values["randomization"], BUILT_IN.robot)
-    units: dict[str, Plain] = {CLOCK: CLOCK_UNITS if isinstance(values.get(CLOCK), Mapping) else "Hz"}
+    units: dict[str, Plain] = {"clock_frequency": "Hz"}
     units |= {
         name: units_of(section_type(base, BUILT_IN, values[name])) for name, base in SECTIONS.items() if name in values
     }
@@ -140,7 +138,7 @@ def _settings(definition: TaskDefinition) -> Iterator[Own]:
         factor, valid = definition.scale(entry, entry.unit), entry.valid
         if valid.unit != "s":  # a limit of the simulation
             valid = valid.scaled(max(factor, 1.0))  # for a small robot, too, what is possible is checked later
-        kind = Amplitude if isinstance(entry.default, (int, float)) else Range | None
+        kind = Amplitude if isinstance(entry.default, float) else Range | None
         yield entry.name, Annotated[kind, replace(valid, unit=entry.unit)], scaled(entry.default, factor)
         for times in (entry.interval, entry.duration):
             if times is not None:

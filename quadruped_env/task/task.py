@@ -26,10 +26,8 @@ from quadruped_env.task.randomization.tile_assignment import TileAssignment
 from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
 from quadruped_env.task.task_config import TaskConfig
 from quadruped_env.task.terrain_section import TilesSection
+from quadruped_env.utils.arrays import EnvIds, Floats
 from quadruped_env.utils.plain import whole_number
-
-Floats = NDArray[np.float64]
-EnvIds = NDArray[np.intp]
 
 _PURPOSES = Purposes({"episode/shortened": 1})
 

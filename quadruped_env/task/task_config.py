@@ -11,17 +11,15 @@ from typing import Final, Self, TypeVar
 
 import mujoco
 
-from quadruped_env.control.clock import UNITS as CLOCK_UNITS
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ClockFrequency, Command, ControlConfig, LoopConfig, clock_frequency
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import MOTOR_PRESETS, MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation import build_model
 from quadruped_env.simulation.terrain import Terrain
 from quadruped_env.task.command_sampling import CommandSection
+from quadruped_env.task.randomization.model_fields import longest_delay
 from quadruped_env.task.randomization.randomization import RandomizationSection
 from quadruped_env.task.randomization.randomization_presets import PRESET, preset_values
 from quadruped_env.task.sections import SECTIONS, section_of, section_type
@@ -148,7 +146,7 @@ class TaskConfig(LoopConfig):
     @property
     def max_delay(self) -> float:
         """Longest delay from joint target to motor that the config allows, s."""
-        return self.randomization.longest_delay(self.motor.delay, self.definition.randomizations)
+        return longest_delay(self.motor.delay, self.randomization.active(self.definition.randomizations))
 
     def compiled_model(self) -> mujoco.MjModel:
         """Compiled model of the task's robot on its terrain; every call returns a new copy."""
@@ -220,9 +218,6 @@ def _restored(kind: type[Config], values: Plain, definition: TaskDefinition) -> 
             values[name] = section_of(base, definition, values[name])
     if "motor" in values:
         values["motor"] = _motor(values["motor"], definition.robot)
-    if isinstance(clock := values.get("clock_frequency"), dict):
-        arm = scaled(CommandedFrequency.turn_arm, scale_of(CLOCK_UNITS["turn_arm"], definition.robot))
-        values["clock_frequency"] = {"turn_arm": arm, **clock}
     return with_values(default, values, "config")
 
 

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.task.context import TaskContext
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.fields import Section
 from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
 from quadruped_env.utils.plain import plain
 
-Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Term = Callable[..., Floats | Callable[[TaskContext], Floats]]
 """Function (context, parameters) -> (N,), or (N, K) for K terms; or a class, created with the context and the

@@ -25,6 +25,7 @@ Timestamps are never missing. The notes say how many values were missing. Timest
 dates and times of ISO 8601 to the ns (UTC unless they name a zone), and are read exactly.
 """
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, Literal, Self
@@ -32,13 +33,14 @@ from typing import Any, Final, Literal, Self
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.trajectory.map_file import check_forms, check_keys, check_values, read_table
 from quadruped_env.trajectory.rows import ARRAYS, TORQUE_ONLY
+from quadruped_env.utils.parameters import is_quantity
 
 STAMP_UNITS: Final = {"s": 9, "ms": 6, "us": 3, "ns": 0}
 """Unit of time -> its length in ns, as a power of ten."""
 
 Column = str | int
 """Name of a column, or its number, 1 for the first."""
-Columns = list[str] | dict[str, Column]
+Columns = list[str] | dict[str, Any]
 """Names of columns, which are the joints' names too, or joint -> column."""
 
 
@@ -59,7 +61,7 @@ class ColumnMap:
     separator: str = ","
     decimal: Literal[".", ","] = "."
     header: list[str] | bool | None = None
-    missing: float | str | list[float | str] | None = None
+    missing: float | str | list[Any] | None = None
     period: float | None = None
     name: str = "ColumnMap"
     """Name in error messages."""
@@ -77,6 +79,10 @@ class ColumnMap:
             "velocity_files": (
                 "files in the same directory",
                 all(Path(name).name == name for name in (self.velocity_files or {}).values()),
+            ),
+            "missing": (
+                "numbers or texts",
+                all(isinstance(mark, str) or is_quantity(mark, -math.inf, math.inf) for mark in self.marks),
             ),
             "header": (
                 "the names of all columns",
@@ -151,5 +157,5 @@ class ColumnMap:
         return cls(**{"stamp": None, **table}, name=where)
 
 
-def _is_column(value: Column) -> bool:
-    return value != "" if isinstance(value, str) else value >= 1
+def _is_column(value: object) -> bool:
+    return value != "" if isinstance(value, str) else type(value) is int and value >= 1

@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, get_type_hints
+from types import NoneType, UnionType
+from typing import Any, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
@@ -34,7 +35,22 @@ def check_forms(where: str, given: object) -> None:
     """Raise a QuadrupedError for the first field of a dataclass whose value does not fit its annotation."""
     for key, form in get_type_hints(type(given)).items():
         value = getattr(given, key)
-        fitted(value.item() if isinstance(value, np.generic) else value, form, f"{where} {key}", "fix it")
+        value = value.item() if isinstance(value, np.generic) else value
+        parts = (
+            [part for part in get_args(form) if part is not NoneType]
+            if get_origin(form) in (UnionType, Union)
+            else [form]
+        )
+        problems: list[QuadrupedError] = []
+        for part in parts if value is not None or NoneType not in get_args(form) else ():
+            try:
+                fitted(value, part, f"{where} {key}", "fix it")
+                break
+            except QuadrupedError as error:
+                problems.append(error)
+        else:
+            if problems:
+                raise problems[0]
 
 
 def check_values(where: str, given: object, expected: Mapping[str, tuple[str, object]]) -> None:

@@ -146,7 +146,7 @@ def with_values(default: Kind, values: Plain, path: str) -> Kind:
         if _is_config(present) and not _is_config(value):
             changes[name] = with_values(present, value, place)
         else:
-            changes[name] = value if isinstance(default, Fields) else converted(value, hints[name], place)
+            changes[name] = converted(value, hints[name], place)
     return dataclasses.replace(default, **changes)  # type: ignore[type-var]
 
 

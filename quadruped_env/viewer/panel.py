@@ -217,7 +217,7 @@ class Panel:
     # --- actions
 
     def _press(self, button: str) -> None:
-        if not self._controller.offered.clock:
+        if not self._controller.offered.sources:
             return
         actions = {STEP: self._controller.step, RESET: self._controller.reset}
         actions.get(button, self._controller.toggle_pause)()
@@ -291,7 +291,7 @@ class Panel:
     def _show_offered(self) -> None:
         """Hide controls without an effect."""
         offered = self._controller.offered
-        _set(self._clock_buttons, "visible", offered.clock)
+        _set(self._clock_buttons, "visible", offered.sources)
         _set(self._command_folder, "visible", offered.command)
         _set(self._push_folder, "visible", offered.push)
         _set(self._overlays[CONTACT_FORCES], "visible", offered.motion)

@@ -33,10 +33,8 @@ class Offered:
 
     command: bool = True
     push: bool = True
-    clock: bool = True
-    """Pause, step and reset."""
     sources: bool = True
-    """Choice of controllers, terrain, playback speed and randomization, and reward terms; fixed from the start."""
+    """Choice of controllers, terrain, playback and randomization, and reward terms; fixed from the start."""
     motion: bool = True
     """Velocity of the base, and contacts of the feet."""
 

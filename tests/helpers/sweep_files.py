@@ -2,7 +2,7 @@
 
 import json
 
-from quadruped_env.evaluation.suite.suite import COMPONENTS, RECOVERY
+from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.sweep import Dimension, SweepConfig
 from quadruped_env.sweep.search import Proposals
@@ -17,7 +17,7 @@ SUITE_RESULTS = {
     "conditions": {"robot": {"name": "mini"}, "mujoco": "4"},
     "name": "standing",
     "score": SCORE,
-    **{name: {} for name in (*COMPONENTS, RECOVERY)},
+    **{name: {} for name in COMPONENTS},
     "terrain": {"stairs": {"highest_level": 3}},
     "policy": {"name": "standing", "card": {}},
 }

@@ -91,7 +91,7 @@ def test_publisher_sends_the_last_valid_targets_and_then_limp(nodes, monkeypatch
     monkeypatch.setattr("quadruped_env.live.command_publisher.time", SimpleNamespace(monotonic=lambda: now))
     topic = JOINT_POSITIONS if arrays else JOINT_COMMANDS
     commands = nodes().subscribe(topic, Qos(100))
-    publisher = CommandPublisher(nodes(), MINI_QUADRUPED, arrays, lambda text: None)
+    publisher = CommandPublisher(session_of(nodes(), []), MINI_QUADRUPED, arrays)
     wait_until(lambda: commands.writers)
     invalid = np.where(np.arange(8) == 5, value, STANCE)
     publisher.send(1, STANCE)
@@ -108,6 +108,14 @@ def test_publisher_sends_the_last_valid_targets_and_then_limp(nodes, monkeypatch
     with pytest.raises(QuadrupedError):
         publisher.send(4, invalid)
     assert arrays or targets_of(commands, received_from(commands, 1)[0]) is LIMP
+
+
+def session_of(node, said):
+    """What a publisher of commands needs of a session, which does not listen for other publishers."""
+    return SimpleNamespace(
+        node=node, say=said.append, running=False, every_turn=[], refuse=pytest.fail,
+        turns=lambda remaining: itertools.cycle([None]),
+    )  # fmt: skip
 
 
 def targets_of(commands, received):
@@ -435,11 +443,7 @@ def test_calibration_whose_targets_fail_ends_the_motion_limp(nodes, monkeypatch)
     monkeypatch.setattr(MotorSwing, "_danger", lambda self, *rest: "")
     node, robot, said = nodes("calibrate"), nodes("driver"), []
     commands = robot.subscribe(JOINT_COMMANDS, Qos(5000))
-    turns = itertools.cycle([None])
-    session = SimpleNamespace(
-        node=node, say=said.append, turns=lambda remaining: turns, every_turn=[], refuse=pytest.fail
-    )
-    swing = MotorSwing(session, SimpleNamespace(joint_names=JOINT_NAMES, unit=1.0))
+    swing = MotorSwing(session_of(node, said), SimpleNamespace(joint_names=JOINT_NAMES, unit=1.0))
     monkeypatch.setattr(swing, "positions", STANCE.copy)
     wait_until(lambda: commands.writers)
     swing._recent.append(STANCE)

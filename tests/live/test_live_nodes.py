@@ -13,7 +13,7 @@ from waiting import wait_until
 from quadruped_env import JOINT_NAMES, SinusoidalGait
 from quadruped_env.live import Node
 from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
@@ -87,18 +87,6 @@ def test_robot_after_its_controller_is_killed_goes_limp_and_walks_with_the_next_
     assert "limp: no command for 1 s" in sim.said
     start("controller")
     watcher.until_it_walks()
-
-
-@pytest.mark.slow
-def test_nodes_with_commands_of_ros2_control_walk(start, watcher, nodes):
-    """The robot lies down when the controller ends, since it publishes nothing more."""
-    arrays = nodes("listener").subscribe(JOINT_POSITIONS)
-    start("sim")
-    controller = start("controller", "--arrays")
-    watcher.until_it_walks()
-    assert len(arrays.decode(arrays.take()[-1]).data) == 8
-    assert controller.interrupt() == 0
-    watcher.until_it_lies()
 
 
 def test_gait_publishes_the_tutorials_joint_states(run_node, nodes):

@@ -16,10 +16,8 @@ from quadruped_env.live.messages.imu_messages import read_imu
 from quadruped_env.live.messages.joint_messages import (
     JointReader,
     command_message,
-    read_positions,
     read_target,
 )
-from quadruped_env.live.middleware.topics import JOINT_POSITIONS
 from quadruped_env.policies import GaitController, PolicyController, load_policy, task_of
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
@@ -310,16 +308,6 @@ def test_commands_are_read_as_they_are_written():
         read_target(read(joint_state(position=(), velocity=np.ones(8))))
     with pytest.raises(QuadrupedError, match="has no positions"):
         read_target(read(joint_state(position=(), velocity=(), effort=np.ones(8))))
-
-
-def test_commands_of_ros2_control_are_read_as_they_are_written():
-    def array(targets):
-        return cdr.message(JOINT_POSITIONS.type_name, data=targets)
-
-    np.testing.assert_array_equal(read_positions(array(STANCE), MINI_QUADRUPED), STANCE)
-    for wrong in (STANCE[:7], np.full(8, np.nan), []):
-        with pytest.raises(QuadrupedError, match="send a finite number of rad for each of LF_hip_joint"):
-            read_positions(array(wrong), MINI_QUADRUPED)
 
 
 @pytest.mark.parametrize("kind", ["policy", "gait"])

@@ -149,7 +149,7 @@ class Turned(gymnasium.ObservationWrapper):
             r"LeakyReLU\(negative_slope=0.2\)",
         ),
         (lambda: model_of(PPO, make_sb3_vec_env(2, privileged=True)), r"its actor sees 120 columns, and the env's"),
-        (lambda: model_of(PPO, VecFrameStack(make_sb3_vec_env(2), 2)), r"wrapper VecFrameStack, which changes"),
+        (lambda: model_of(PPO, VecFrameStack(make_sb3_vec_env(2), 2)), r"its actor sees 204 columns"),
         (lambda: model_of(PPO, Turned(gymnasium.make("MiniQuadruped-v0"))), r"an ObservationWrapper, which changes"),
         (lambda: model_of(PPO, policy=Doubled), r"Doubled computes its action in a way of its own"),
         (

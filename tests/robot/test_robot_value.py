@@ -141,7 +141,7 @@ class TestDesign:
         [
             ({"name": "my robot"}, "name must be letters"),
             ({"leg_names": ("LF", "RF", "LH")}, "leg_names must be LF, RF, LH, RH in any order"),
-            ({"leg_length": -0.1}, "leg_length must be a positive number"),
+            ({"leg_length": -0.1}, "leg_length must be positive"),
             ({"leg_length": 0.03}, "longer than twice leg_radius"),
             ({"base_size": (0.3, 0.15)}, "base_size must be 3 positive numbers"),
             ({"hip_offset": (0.15, 0.08)}, "clear the base"),

@@ -115,7 +115,7 @@ class TestCdr:
         assert cdr.serialize(twist) == b"\x00\x01\x00\x00" + struct.pack("<6d", 0.5, 0, 0, 0, 0, -1)
         text = cdr.message("std_msgs/msg/String", data="hé")
         assert cdr.serialize(text) == b"\x00\x01\x00\x00\x04\x00\x00\x00h\xc3\xa9\x00"
-        assert cdr.serialize(cdr.time(5_000_000_007)) == b"\x00\x01\x00\x00" + struct.pack("<iI", 5, 7)
+        assert cdr.serialize(cdr.header(5_000_000_007).stamp) == b"\x00\x01\x00\x00" + struct.pack("<iI", 5, 7)
         assert cdr.message("geometry_msgs/msg/Quaternion").w == 1.0
 
     def test_whole_numbers_are_written_as_numbers(self):

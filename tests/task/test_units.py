@@ -110,7 +110,7 @@ def test_a_config_takes_the_defaults_of_its_robot_and_keeps_what_a_person_set():
 
 def test_values_of_the_built_in_robot_become_those_of_another_one():
     values = {
-        "clock_frequency": {"speeds": [0.0, 0.4], "frequencies": [2.0, 3.0], "turn_arm": 0.4},
+        "clock_frequency": 3.0,
         "command": {"yaw_rate": [-1.0, 1.0]},
         "reward": {"weights": {"foot_slip": -1.0, "fall": -300.0}, "foot_lift": 0.02},
         "randomization": {"preset": "hard", "push_interval": [1.0, 2.0], "noise_amplitude": {"angular_velocity": 0.2}},
@@ -118,7 +118,7 @@ def test_values_of_the_built_in_robot_become_those_of_another_one():
         "decimation": 5,
     }
     half = values_for(values, ROBOT)
-    assert half["clock_frequency"] == {"speeds": [0.0, 0.282843], "frequencies": [2.82843, 4.24264], "turn_arm": 0.2}
+    assert half["clock_frequency"] == 4.24264
     assert half["command"] == {"yaw_rate": [-1.41421, 1.41421]}
     assert half["reward"] == {"weights": {"foot_slip": -2.0, "fall": -300.0}, "foot_lift": 0.01}
     assert half["randomization"] == preset_values("hard", ROBOT) | {
@@ -226,15 +226,6 @@ def test_standing_ends_at_the_same_speed_in_units_of_the_robot():
     safety = Safety.of(ROBOT)
     assert (safety.ramp_speed, safety.min_ramp_time, safety.limp_after) == (2.12132, 0.707107, 1.0)
     assert Safety.of(MINI_QUADRUPED) == Safety()
-
-
-def test_default_of_the_turn_arm_is_that_of_the_robot():
-    values = {"clock_frequency": {"speeds": [0.0, 0.4], "frequencies": [2.0, 3.0]}}
-    arms = [
-        TaskConfig.from_dict(values, TaskConfig().definition.with_robot(robot)).clock_frequency.turn_arm
-        for robot in (MINI_QUADRUPED, ROBOT)
-    ]
-    assert arms == [0.4, 0.2]
 
 
 def test_numbers_of_a_users_file_are_those_of_its_robot(tmp_path):

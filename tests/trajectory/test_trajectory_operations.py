@@ -189,7 +189,7 @@ class TestRetarget:
             ("", r"expected a table \[joints\]; found none"),
             ("[joints.a]\noffset = 1.0", r"no joint has a source"),
             ("[joints.a]\nsorce = 'b'", r"\[joints\.a\]: unknown key 'sorce'; known are source, sign"),
-            ("[joints.a]\nsource = 3", r"\[joints\.a\] source: expected a text or null; found 3"),
+            ("[joints.a]\nsource = 3", r"\[joints\.a\] source: expected a text; found 3"),
             ("[joints.a]\nsource = 'b'\nsign = 2", r"\[joints\.a\] sign: expected 1 or -1; found 2"),
             ("[joints.a]\nsource = 'b'\nscale = 0", r"\[joints\.a\] scale: expected a number above 0; found 0"),
             ("[joints.a]\nsource = 'b'\noffset = nan", r"\[joints\.a\] offset: expected a finite number; found nan"),

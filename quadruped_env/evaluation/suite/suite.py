@@ -14,7 +14,6 @@ from quadruped_env.evaluation.suite import (
     gait,
     joystick,
     pushes,
-    recovery,
     regulation,
     terrains,
     transients,
@@ -61,15 +60,11 @@ PARTS: Final[dict[str, tuple[_Run, _Score]]] = {
     "terrain": (terrains.run, terrains.score),
 }
 """Component -> function that runs the part, and the component in [0, 1] of its result."""
-RECOVERY: Final = "recovery"
-"""Part that is reported and not scored, because the stand-up is a script."""
 ZERO_ACTION: Final = "zero_action"
-"""Field of a policy's results that holds those of the zero action in its task, without the recovery."""
+"""Field of a policy's results that holds those of the zero action in its task."""
 _AGAIN: Final = "evaluate the policy with --suite"
 _TERRAIN_COST: Final = 1.6
 """Time of an episode on tiles relative to that on a plane."""
-_RECOVERY_COST: Final = 10.0
-"""Time of an episode with a live controller relative to that with the task."""
 
 
 def episode_seconds(suite: Suite) -> dict[str, float]:
@@ -77,7 +72,6 @@ def episode_seconds(suite: Suite) -> dict[str, float]:
     s = suite
     commands = len(s.commands.drawn) + sum(map(len, s.commands.axes.values()))
     scored = len(s.pushes.commands) * len(s.pushes.sizes) * s.pushes.num_seeds
-    horizontal = len(s.pushes.horizontal_sizes) * len(s.pushes.directions) * s.pushes.horizontal_seeds
     alone = len(s.regulation.factors) * s.regulation.num_seeds * s.regulation.seconds
     together = s.regulation.together_seeds * s.regulation.together_seconds
     crossings = len(s.terrain.kinds) * s.terrain.levels * len(s.terrain.terrain_seeds) * s.terrain.num_seeds
@@ -86,10 +80,9 @@ def episode_seconds(suite: Suite) -> dict[str, float]:
         "joystick": len(s.joystick.laws) * s.joystick.num_seeds * s.joystick.seconds,
         "gait": len(s.gait.commands) * s.gait.num_seeds * s.gait.seconds,
         "transients": len(s.transients.changes) * s.transients.num_seeds * (s.transients.before + s.transients.after),
-        "pushes": scored * (s.pushes.before[1] + s.pushes.after) + horizontal * (s.pushes.before[0] + s.pushes.after),
+        "pushes": scored * (s.pushes.before[1] + s.pushes.after),
         "regulation": len(s.regulation.commands) * (alone + together),
         "terrain": crossings * s.terrain.seconds,
-        "recovery": len(s.recovery.releases) * s.recovery.num_seeds * (s.recovery.limp_seconds + s.recovery.seconds),
     }
 
 
@@ -105,34 +98,30 @@ def run_suite(
         measured: the controller, in its task.
         suite: definition of the suite, which is measured in the units of the controller's robot.
         progress: called with the fraction done.
-        zero_action: also measure the zero action in the controller's task, without the recovery.
+        zero_action: also measure the zero action in the controller's task.
 
     Returns:
         Results as plain values: `suite` (name, version and hash), `conditions` (robot and physics), `definition`,
         `score`, one entry per part, and with `zero_action` the same of the zero action.
 
     Raises:
-        QuadrupedError: if the controller cannot run in the task, or observes what a real robot does not measure.
+        QuadrupedError: if the controller cannot run in the task.
     """
     suite = suite or full_suite()
-    runs = {name: run for name, (run, _) in PARTS.items()}
     share = 0.6 if zero_action else 1.0
-    result = _results(measured, suite, {**runs, RECOVERY: recovery.run}, part_of(progress, 0.0, share))
+    result = _results(measured, suite, part_of(progress, 0.0, share))
     result["definition"] = for_robot(suite, measured.robot).to_dict()
     if zero_action:
-        result[ZERO_ACTION] = _results(measured.zero_action(), suite, runs, part_of(progress, share, 1.0))
+        result[ZERO_ACTION] = _results(measured.zero_action(), suite, part_of(progress, share, 1.0))
     return result
 
 
-def _results(
-    measured: MeasuredController, suite: Suite, runs: Mapping[str, _Run], progress: Progress | None
-) -> dict[str, Any]:
+def _results(measured: MeasuredController, suite: Suite, progress: Progress | None) -> dict[str, Any]:
     own, weights = for_robot(suite, measured.robot), episode_seconds(suite)
     weights["terrain"] *= _TERRAIN_COST
-    weights["recovery"] *= _RECOVERY_COST
-    total, done, began = sum(weights[name] for name in runs), 0.0, time.perf_counter()
+    total, done, began = sum(weights.values()), 0.0, time.perf_counter()
     parts: dict[str, Any] = {}
-    for name, run in runs.items():
+    for name, (run, _) in PARTS.items():
         part = part_of(progress, done / total, (done + weights[name]) / total)
         parts[name] = run(getattr(own, name), measured, part)
         done += weights[name]
@@ -166,7 +155,7 @@ def _mean(values: Iterable[float]) -> float:
 def read_results(path: Path) -> dict[str, Any]:
     """Results of the suite from a file, with all parts; a QuadrupedError if it cannot be read or lacks one."""
     document: dict[str, Any] = read_json(path, _AGAIN)
-    check_results(document, str(path), (*PARTS, RECOVERY))
+    check_results(document, str(path), PARTS)
     return document
 
 

@@ -223,12 +223,6 @@ class Pushes(Part):
     """Errors of the mean velocities after a push up to which the episode does what was asked, m/s and rad/s."""
     final: float = 2.0
     """Time at the end over which these means are, s."""
-    horizontal_sizes: tuple[float, ...] = _steps(0, 10, 1, 0.2)
-    """Horizontal velocities of the pushes by direction, m/s."""
-    directions: tuple[float, ...] = _steps(0, 315, 45, 1.0)
-    """Directions relative to the heading, degrees: 0 forwards, 90 to the left."""
-    horizontal_seeds: int = 6
-    """Episodes per size and direction."""
     before: tuple[float, float] = (3.0, 4.0)
     """Range of the time until the push, s: it is drawn, so that it comes anywhere in a stride."""
     after: float = 4.0
@@ -301,42 +295,6 @@ class TerrainPart(Part):
 
 
 @dataclass(frozen=True)
-class Release:
-    """A start of a recovery: a limp robot that is released above the ground."""
-
-    name: str
-    height: float
-    """Height of the centre of the base over the ground, m; in the stance of the built-in robot it is 0.184 m."""
-    tilt: float
-    """Angle between the base's up axis and the world's, about a random horizontal axis, degrees."""
-    random_joints: bool
-    """True for joint positions uniform in their ranges; False for the stance."""
-
-
-@dataclass(frozen=True)
-class Recovery(Part):
-    """Limp robots that are released, fall, and are stood up by the live controller."""
-
-    releases: tuple[Release, ...] = (
-        Release("drop_10cm", 0.284, 0.0, False),
-        Release("drop_30cm", 0.484, 0.0, False),
-        Release("collapse", 0.3, 0.0, True),
-        Release("tilt_30", 0.3, 30.0, True),
-        Release("tilt_60", 0.3, 60.0, True),
-        Release("side", 0.3, 90.0, True),
-        Release("back", 0.3, 180.0, True),
-    )
-    limp_seconds: float = 2.0
-    """Time until the live controller is started, s."""
-    seconds: float = 20.0
-    """Time from then on, s."""
-    command: Command = (0.3, 0.0)
-    """Command from the moment when the controller stands, m/s and rad/s."""
-    walk_seconds: float = 3.0
-    """Time on its feet under the command after which the robot has recovered, s."""
-
-
-@dataclass(frozen=True)
 class Suite:
     """The suite: `full_suite` is the one to compare with, `quick_suite` shows whether a policy works.
 
@@ -351,7 +309,6 @@ class Suite:
     pushes: Pushes = Pushes(16, _FIRST_SEED + 4 * _SEEDS_PER_PART)
     regulation: Regulation = Regulation(4, _FIRST_SEED + 5 * _SEEDS_PER_PART)
     terrain: TerrainPart = TerrainPart(16, _FIRST_SEED + 6 * _SEEDS_PER_PART)
-    recovery: Recovery = Recovery(4, _FIRST_SEED + 7 * _SEEDS_PER_PART)
 
     def to_dict(self) -> dict[str, Any]:
         """The definition as plain values."""
@@ -380,12 +337,12 @@ _VELOCITIES: Final = ("m/s", "rad/s")
 _UNITS: Final[Mapping[str, str | tuple[str, ...]]] = {
     **dict.fromkeys(("rectangle", "smallest", "axes", "command", "commands", "first", "then"), _VELOCITIES),
     **dict.fromkeys(("tolerance", "narrowest", "together_tolerance"), _VELOCITIES),
-    **dict.fromkeys(("soft_landing", "little_slip", "horizontal_sizes"), "m/s"),
+    **dict.fromkeys(("soft_landing", "little_slip"), "m/s"),
     **dict.fromkeys(("bounce", "full_clearance"), "m"),
     "unit": ("m/s",) * 3 + ("rad/s",) * 3,
 }
-"""Units of the fields that follow the robot's size. Disturbances, tiles and releases do where they are used; times are
-the same for all."""
+"""Units of the fields that follow the robot's size. Disturbances and tiles do where they are used; times are the same
+for all."""
 
 
 def for_robot(suite: Suite, robot: Robot) -> Suite:
@@ -424,14 +381,7 @@ def quick_suite() -> Suite:
         joystick=replace(full.joystick, num_seeds=4, seconds=15.0),
         gait=replace(full.gait, num_seeds=1, seconds=6.0, commands=((0.3, 0.0), (0.0, 0.5))),
         transients=replace(full.transients, num_seeds=1),
-        pushes=replace(
-            full.pushes,
-            num_seeds=2,
-            sizes=(1.0,),
-            horizontal_seeds=2,
-            horizontal_sizes=(0.0, 0.6, 1.2),
-            directions=(0.0, 90.0, 180.0, 270.0),
-        ),
+        pushes=replace(full.pushes, num_seeds=2, sizes=(1.0,)),
         regulation=replace(
             full.regulation,
             num_seeds=1,
@@ -440,5 +390,4 @@ def quick_suite() -> Suite:
             together_seconds=8.0,
         ),
         terrain=replace(full.terrain, num_seeds=2, kinds=("rough", "steps"), levels=2, terrain_seeds=(_FIRST_SEED,)),
-        recovery=replace(full.recovery, num_seeds=1, releases=(full.recovery.releases[0],)),
     )

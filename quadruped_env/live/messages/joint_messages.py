@@ -4,7 +4,7 @@ import itertools
 import statistics
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Any, Final, NamedTuple, Protocol
+from typing import Final, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -265,19 +265,6 @@ def read_target(joints: Joints) -> Target:
     if joints.efforts is not None and not joints.efforts.any() and joints.velocities is None:
         return LIMP
     raise QuadrupedError("has no positions; send positions in rad, or only efforts of 0 to let the robot go limp")
-
-
-def read_positions(message: Any, robot: Jointed) -> NDArray[np.float64]:
-    """The joint targets of a `/forward_position_controller/commands` message, rad (J,).
-
-    Raises:
-        QuadrupedError: if it does not hold a finite number for each joint.
-    """
-    positions = np.array(message.data, dtype=np.float64)
-    if positions.shape != (len(robot.joint_names),) or not np.isfinite(positions).all():
-        found = positions.tolist() if positions.size <= len(robot.joint_names) else f"{positions.size} numbers"
-        raise QuadrupedError(f"holds {found}; send a finite number of rad for each of {', '.join(robot.joint_names)}")
-    return positions
 
 
 class _Columns(NamedTuple):

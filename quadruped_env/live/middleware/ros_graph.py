@@ -31,8 +31,6 @@ class Endpoint:
     """Key of the participant that owns it."""
     key: str = ""
     """Key of the endpoint, under which its process announces the node that it belongs to."""
-    structure: str = ""
-    """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
     @property
     def kind(self) -> str:
@@ -83,11 +81,6 @@ class Graph:
                 shown = node.removeprefix("/") if node.count("/") == 1 else node
                 return f"{shown}{name[name.find(' (') :] if ' (' in name else ''}"
         return name
-
-    def nodes(self) -> list[str]:
-        """Full names of all nodes that processes have announced, this one's included."""
-        self._update()
-        return sorted(node for participant in self._names for node in self._nodes.get(participant, ()))
 
     def problems(self, all_processes: bool = False) -> list[str]:
         """Reasons why publishers and subscriptions of the same topic do not match, without repetition.
@@ -146,7 +139,6 @@ class Graph:
                         one.sample_info.instance_handle,
                         str(one.participant_key),
                         key,
-                        _structure(one.type_id),
                     )
 
 
@@ -202,11 +194,6 @@ def _taken(reader: Any) -> Iterator[Any]:
         yield from samples
         if len(samples) < _TAKEN:
             return
-
-
-def _structure(type_id: Any) -> str:
-    digest = getattr(type_id, "value", None)
-    return bytes(digest).hex() if isinstance(digest, (bytes, list, tuple)) else ""
 
 
 def _ros_type(dds_name: str) -> str:

@@ -25,11 +25,10 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.keyboard import Keyboard
-from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.motor_swing import ANGLE, SPEED, Motors, MotorSwing
 from quadruped_env.live.node_options import add_robot_argument, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.robot_messages import read_joint_state
@@ -70,7 +69,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     unit = JointRule(unit=arguments.unit, ticks_per_turn=arguments.ticks_per_turn)
     check_rule("calibrate: --unit:", unit)
     check_free([path], arguments.overwrite)
-    SinglePublisherGuard(session, JOINT_COMMANDS).check()
     names = tuple(arguments.motors or _names(session))
     swing = MotorSwing(session, Motors(names, unit.factors[0]))
     with Keyboard() as keyboard:

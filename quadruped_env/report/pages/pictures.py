@@ -1,7 +1,6 @@
 """Films of a report."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Final
 
 from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
@@ -13,15 +12,13 @@ from quadruped_env.report.films.video import encode_mp4
 from quadruped_env.report.pages.page import data_url
 from quadruped_env.utils.progress import Progress
 
-FEET: Final = "feet"
-"""Title of close-ups of the feet."""
 CLIP_SECONDS: Final = 2.4
 OVERLAY_LEGEND: Final = (
     f"Green marks are commanded velocities, bars measured ones, averaged over {AVERAGED:g} s; coloured bands are feet "
     f"on the ground."
 )
 _FILMED_VELOCITIES: Final = (0.2, 0.5)
-"""Forward velocities that are filmed, the whole robot and its feet, m/s; the closest commands are taken."""
+"""Forward velocities that are filmed, m/s; the closest commands are taken."""
 _FILMED_TOO: Final = ("turning", "backwards")
 _SHOWN_VELOCITY: Final = 0.4
 """Forward velocity of the episode that is plotted over time, m/s; the closest command is taken."""
@@ -41,17 +38,14 @@ def _closest(comparison: Comparison, velocity: float) -> int:
 
 
 def filmed(comparison: Comparison, controller: str = "policy") -> list[Clip]:
-    """Clips of a report's film: a controller walking slowly and fast, its feet, turning and walking backwards."""
+    """Clips of a report's film: a controller walking slowly and fast, turning and walking backwards."""
     commands = shown_commands(comparison)
     whose = "" if controller == "policy" else f"{controller}, "
     ahead = dict.fromkeys(_closest(comparison, v) for v in _FILMED_VELOCITIES) if "forwards" in commands else {}
-    parts = [("forwards", command) for command in ahead] + [(FEET, command) for command in ahead]
+    parts = [("forwards", command) for command in ahead]
     parts += [(motion, commands[motion]) for motion in _FILMED_TOO if motion in commands]
     parts = parts or list(commands.items())
-    return [
-        replace(_episode(comparison, command, CLIP_SECONDS, controller, f"{whose}{what}: "), feet=what == FEET)
-        for what, command in parts
-    ]
+    return [_episode(comparison, command, CLIP_SECONDS, controller, f"{whose}{what}: ") for what, command in parts]
 
 
 def recorded(comparison: Comparison) -> Trace:
@@ -73,7 +67,7 @@ def film(clips: Sequence[Clip], note: str = "", progress: Progress | None = None
     """`source` and `caption` of a film of clips, or the reason why it is `missing`; `note` follows their titles."""
     try:
         with Camera(clips[0].trace.robot) as camera:
-            video = encode_mp4(camera.films(clips, progress))
+            video = encode_mp4(camera.film(clips, progress))
     except Exception as error:  # a library for films may fail in any way, and the report stands without them
         return {"missing": f"No video: {error}"}
     shown = ", then ".join(clip.title for clip in clips)

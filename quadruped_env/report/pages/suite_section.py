@@ -44,19 +44,6 @@ _GAIT_ROWS: Final[dict[str, tuple[str, float, int, str]]] = {
 """Measure of the gait -> label, factor, digits and unit in the table."""
 
 
-_SIDES: Final = (
-    "forwards",
-    "to the front left",
-    "to the left",
-    "to the rear left",
-    "backwards",
-    "to the rear right",
-    "to the right",
-    "to the front right",
-)
-"""Directions in steps of 45 degrees."""
-
-
 def summary(result: Mapping[str, Any]) -> dict[str, Any]:
     """The part of a result that is stored in metrics.json: suite, conditions and score."""
     return {**result["suite"], "conditions": result["conditions"], "score": result["score"], "file": RESULTS_FILE}
@@ -115,10 +102,6 @@ def section(result: Mapping[str, Any]) -> dict[str, Any]:
         ],
         "envelope": _envelope(result),
         "regulation": _regulation(result),
-        "recovery": [
-            {"label": name.replace("_", " "), "cells": [percent(entry["recovered"]), interval(entry["time"], 1)]}
-            for name, entry in result["recovery"].items()
-        ],
     }
 
 
@@ -243,18 +226,8 @@ def _regulation(result: Mapping[str, Any]) -> dict[str, Any]:
     return {"commands": [f"{v:g} m/s, {w:g} rad/s" for v, w in commands], "rows": rows}
 
 
-def _direction(degrees: float) -> str:
-    """Direction of a push in words."""
-    eighths, rest = divmod(round(degrees), 45)
-    return f"at {degrees:g} degrees" if rest else _SIDES[eighths % 8]
-
-
 def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
-    commands, horizontal = result["commands"], result["pushes"]["horizontal"]
-    met = percent(commands["met"])
-    weakest = min(
-        zip(horizontal["directions"], horizontal["half_survival"], strict=True), key=lambda pair: float(pair[1]["mean"])
-    )
+    met = percent(result["commands"]["met"])
     return {
         "commands": figure(
             "Every command",
@@ -265,9 +238,7 @@ def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
         "pushes": figure(
             "Pushes",
             plots.pushes(result),
-            f"Left: share of the robots that do what was asked after a push of all six components, by its size and the "
-            f"command. Right: horizontal push that half of the robots survive while they walk, by its direction. The "
-            f"weakest direction is {_direction(weakest[0])}: {interval(weakest[1], 2)} m/s.",
+            "Share of the robots that follow their command after a push of all six components, by its size.",
         ),
         "terrain": figure(
             "Terrain",

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.utils.arrays import Floats
 
-Floats = NDArray[np.float64]
 Keys = NDArray[np.uint64]
 
 _GOLDEN: Final = np.uint64(0x9E3779B97F4A7C15)

@@ -16,8 +16,8 @@ from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import Simulation
 from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import Floats
 
-Floats = NDArray[np.float64]
 Quantity = Literal["encoder_offset", "imu_mounting", "latency"]
 
 _IMU_VECTORS: Final = ("angular_velocity_b", "linear_acceleration_b", "up_b")

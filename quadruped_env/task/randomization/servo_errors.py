@@ -6,8 +6,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import SERVO_ERRORS, MotorConfig, servo_target
 from quadruped_env.simulation import Simulation
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 class ServoErrors:

@@ -14,9 +14,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.terrain_section import TilesSection
-
-Floats = NDArray[np.float64]
-EnvIds = NDArray[np.intp]
+from quadruped_env.utils.arrays import EnvIds, Floats
 
 EPISODE_SECONDS: Final = 20.0
 """Length of an episode without a fall, s. The distance that a fallen robot was commanded to walk counts up to it."""
