@@ -12,7 +12,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.recorded_episode import Recording, play
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.replay.saturation import saturation
-from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
+from quadruped_env.replay.signal_comparison import comparison_report, comparison_table, lag, side_by_side
 from quadruped_env.report.films.film import FRAME_RATE, Clip
 from quadruped_env.report.report_directory import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
@@ -81,8 +81,8 @@ class Replay:
         return saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
 
     @cached_property
-    def comparison(self) -> Signals:
-        """Recorded against simulated positions, velocities and efforts.
+    def comparison(self) -> tuple[JointTrajectory, JointTrajectory]:
+        """Recorded and simulated joint states at the same times.
 
         Raises:
             QuadrupedError: if `measured` has no time in common with the replay.
@@ -219,7 +219,14 @@ class Replay:
             "A motor is at its limit where its controller requests more torque than it can apply at its speed.",
         )
         tables = [tracking] if self.motion is None else [tracking, limits]
-        return [*tables, self.comparison.table()] if compare else tables
+        if not compare:
+            return tables
+        source = self.measured or self.recorded
+        derived = "" if source.velocities is not None else " Its velocities were computed from its positions."
+        return [
+            *tables,
+            comparison_table(comparison_report(*self.comparison), f"{Path(source.source.name).name}.{derived}"),
+        ]
 
     def text(self, compare: bool = False) -> str:
         """The tables and remarks as plain text."""
@@ -269,7 +276,7 @@ class Replay:
         write_table(directory / POSES_FILE, self.played.stamps, titles, poses, overwrite, progress)
         if self.mode == "dynamic":
             self.played.save(directory / JOINTS_FILE, overwrite, robot=self.robot)
-        comparison = {"comparison": self.comparison.report()} if compare else {}
+        comparison = {"comparison": comparison_report(*self.comparison)} if compare else {}
         write_json(directory / NUMBERS_FILE, {**self.report, **comparison})
 
 
