@@ -13,8 +13,7 @@ from quadruped_env.evaluation.recorded_episode import MAX_SECONDS, play, publish
 from quadruped_env.gait import PRESETS
 from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
-from quadruped_env.replay.saturation import saturation
-from quadruped_env.replay.signal_comparison import comparison_report, lag, side_by_side
+from quadruped_env.replay.signal_comparison import comparison_report, lag, saturation, side_by_side
 from quadruped_env.robot import JOINT_KINDS, MINI_QUADRUPED, JointMotor, MotorConfig
 
 STANCE = MINI_QUADRUPED.stance

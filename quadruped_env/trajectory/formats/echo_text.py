@@ -15,7 +15,6 @@ from itertools import takewhile
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.ros.robot_messages import RawJointState
@@ -24,6 +23,7 @@ from quadruped_env.trajectory.formats.delimited import is_number, lines, opened,
 from quadruped_env.trajectory.formats.message_rows import assembled
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, Rows
+from quadruped_env.utils.arrays import Floats
 
 LOST: Final = "A message was lost!!!"
 """First words of a notice of lost messages."""
@@ -176,7 +176,7 @@ def _time(node: Node, what: str) -> int:
     return _stamp(*(_scalar(found[key], key) for key in keys))
 
 
-def _numbers(node: Node, what: str) -> NDArray[np.float64]:
+def _numbers(node: Node, what: str) -> Floats:
     return np.array([_number(item, what) for item in _sequence(node, what)], dtype=np.float64)
 
 
