@@ -31,18 +31,18 @@ class RawJointState(NamedTuple):
 
 
 def read_joint_state(data: bytes) -> RawJointState:
-    """The joint state that CDR bytes hold. Raises a QuadrupedError if they do not hold one."""
+    """Read a joint state from CDR bytes. Raises a QuadrupedError if they do not hold one."""
     return _raw(cdr.deserialize(data, JOINT_STATE), len(data))
 
 
 def read_recorded(data: bytes, type_name: str, time: int, header: bool = True) -> list[RawJointState]:
-    """The joint states that a message holds: one, or the points of a `JointTrajectory`.
+    """Read the joint states of a message: one, or the points of a `JointTrajectory`.
 
     Args:
         data: CDR bytes.
         type_name: one of `RECORDED_TYPES`.
         time: of recording, ns: the timestamp of a message that has none.
-        header: whether the header's timestamp counts, where there is one.
+        header: True if the header's timestamp counts, where there is one.
 
     Raises:
         QuadrupedError: if they do not hold such a message.
@@ -74,7 +74,7 @@ def read_recorded(data: bytes, type_name: str, time: int, header: bool = True) -
 def dynamic_state(
     stamp: int, names: Sequence[str], interfaces: Sequence[tuple[Sequence[str], ArrayLike]]
 ) -> RawJointState:
-    """The joint state in a `DynamicJointState`: of each joint the names of its interfaces, and their values.
+    """Return the joint state of a `DynamicJointState`, which holds names and values of each joint's interfaces.
 
     Raises:
         QuadrupedError: if the lengths differ.
@@ -92,7 +92,7 @@ def dynamic_state(
 def joint_state(
     stamp: int, names: Sequence[str], position: ArrayLike = (), velocity: ArrayLike = (), effort: ArrayLike = ()
 ) -> bytes:
-    """The CDR bytes of a joint state.
+    """Serialize a joint state to CDR.
 
     Args:
         stamp: ns, below 2^31 s.
@@ -110,7 +110,7 @@ def joint_state(
 
 
 def transform_messages(stamps: Sequence[int], transforms: Iterable[Any]) -> Iterator[bytes]:
-    """The CDR bytes of a `tf2_msgs/msg/TFMessage` for each timestamp.
+    """Yield the CDR bytes of a `tf2_msgs/msg/TFMessage` for each timestamp.
 
     Args:
         stamps: ns (T,).

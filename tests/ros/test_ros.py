@@ -1,4 +1,4 @@
-"""ROS messages as data and as bytes, compared with rosbags' own and those of an installed ROS 2."""
+"""ROS messages as data and as bytes, compared with rosbags' own and with an installed ROS 2."""
 
 import json
 import struct
