@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Final, TypeVar
 
 from quadruped_env.errors import QuadrupedError, cut
-from quadruped_env.trajectory.maps import ColumnMap, JointMap
+from quadruped_env.trajectory.column_map import ColumnMap
+from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.rows import KINDS
 from quadruped_env.utils.progress import Progress
 
@@ -38,9 +39,9 @@ class ReadOptions:
     topic: str | None = None
     """Topic of the joint states, for a bag that has several; to merge topics, their names with commas between."""
     columns: ColumnMap | str | Path | None = None
-    """Map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`)"""
+    """Map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.column_map`)"""
     joint_map: JointMap | str | Path | None = None
-    """Map of another robot's joints to this one's, or the path of its TOML file (in the same module)"""
+    """Map of another robot's joints to this one's, or its TOML file's path (`quadruped_env.trajectory.joint_map`)."""
     names: tuple[str, ...] | None = None
     """Names of the joints in their order, for messages without names; of a CSV without a map, the columns of the
     positions (default: the built-in robot's joints)"""

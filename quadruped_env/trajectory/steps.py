@@ -71,11 +71,12 @@ class Steps:
         """Steps that no joint makes, of joints that make many of them (n - 1, J)"""
         self.bad = too_fast | beside | self.gap[:, None]
         """Steps that say nothing about the motion (n - 1, J)"""
-        speed = np.abs(rows.values["velocity"][:-1]) if "velocity" in rows.values else np.zeros_like(size)
+        self.speeds = np.abs(rows.values["velocity"][:-1]) if "velocity" in rows.values else np.zeros_like(size)
+        """Magnitudes of the velocities of the first rows of steps, rad/s (n - 1, J); 0 if they were not recorded."""
         moved = np.where(self.bad, np.inf, np.abs(self.change - self.wrapped)) / self.time[:, None]
         padded = np.pad(moved, ((2, 2), (0, 0)), mode="edge")
         fastest = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
-        false = speed - fastest > MAX_SPEED
+        false = self.speeds - fastest > MAX_SPEED
         self.false_speeds = false & (false.mean(axis=0) <= MAX_SHARE)
         """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
 

@@ -425,7 +425,7 @@ class TestIdentify:
         counted = np.array([name not in broken for name in JOINT_NAMES])
         assert (after[counted] < 0.6 * before[counted]).all()
         played = [replay(commands, measured=recording, motors=one).comparison for one in (found.before, found.after)]
-        differences = [one.simulated["positions"] - one.recorded["positions"] for one in played]
+        differences = [simulated.positions - recorded.positions for recorded, simulated in played]
         rms = [np.sqrt((difference[:, counted] ** 2).mean(axis=0)) for difference in differences]
         assert (rms[1] < 0.8 * rms[0]).all()
 

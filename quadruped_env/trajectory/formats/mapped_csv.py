@@ -1,4 +1,4 @@
-"""CSVs, read by a map of their columns: see `quadruped_env.trajectory.maps`."""
+"""CSVs, read by a map of their columns: see `quadruped_env.trajectory.column_map`."""
 
 import csv
 import math
@@ -8,15 +8,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime
 from decimal import Decimal, DecimalException
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.column_map import STAMP_UNITS, Column, ColumnMap
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
-from quadruped_env.trajectory.maps import STAMP_UNITS, Column, ColumnMap
 from quadruped_env.trajectory.reading import Reading, salvaged
 from quadruped_env.trajectory.rows import ARRAYS, KINDS, Rows
 
@@ -122,7 +122,7 @@ def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
             raise reading.error(1, f"no column bears the name {short(missing[0])} (--names); found {short(line)}")
         kinds_of_all = {kind: columns for kind, columns in found.items() if set(columns) == set(joints)}
         times = [match for title in titles if (match := _TIME_TITLE.match(title))]
-        unit = (times[0]["unit"] or times[0]["word"] or "s").lower() if times else ""
+        unit: Any = (times[0]["unit"] or times[0]["word"] or "s").lower() if times else ""
         unit = unit if unit in STAMP_UNITS else "s"
         time = f"time in {unit} from {short(times[0].string)}, " if times else ""
         commas = separator != "," and re.search(r"\d,\d", text) and not re.search(r"\d\.\d", text)

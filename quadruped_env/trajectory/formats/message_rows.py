@@ -6,12 +6,12 @@ from itertools import chain, islice
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import short
 from quadruped_env.ros.robot_messages import RawJointState
 from quadruped_env.trajectory.reading import Reading, salvaged
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows
+from quadruped_env.utils.arrays import Floats
 
 _MESSAGES_TO_KNOW_ALL: Final = 1000
 """Messages at the beginning in which every joint of a robot that sends several has come."""
@@ -176,6 +176,6 @@ class _Builder:
         return Rows(np.frombuffer(self._numbers, np.int64), np.frombuffer(self._stamps, np.int64), self._names, values)
 
 
-def _known(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _known(values: Floats) -> Floats:
     """The numbers, or an empty array if all are NaN, which some publishers send for velocities they do not measure."""
     return np.empty(0) if len(values) and np.isnan(values).all() else values
