@@ -11,7 +11,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
-from quadruped_env.utils.arrays import Floats, Mask
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.interpreter import program_command
 
 SIGNALS: Final = ("position", "velocity", "effort")
@@ -43,7 +43,7 @@ class Recorded:
     """Initial joint positions in rad and velocities in rad/s, each (J,)"""
     timestep: float
     """Physics time step, s"""
-    train: Mask
+    train: Bools
     """True for measurements used in the fit, False for held-out ones (T,)"""
 
     @property

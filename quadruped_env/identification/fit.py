@@ -27,7 +27,7 @@ from quadruped_env.identification.rough_least_squares import derivatives, half_w
 from quadruped_env.robot import MotorConfig, Robot
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.simulation.model import scene
-from quadruped_env.utils.arrays import Floats, Mask
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.progress import Progress
 
 _UNDETERMINED: Final = 1.0
@@ -274,8 +274,8 @@ class MotorFit:
             weights[part] = 1.0 / max(np.sqrt(np.nanmean(values[:, part] ** 2)), 1e-9)
         return weights
 
-    def _rows(self) -> Mask:
-        """Mask of the measurements that the fit uses (T,)."""
+    def _rows(self) -> Bools:
+        """Bools of the measurements that the fit uses (T,)."""
         times = self.recorded.times
         return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
 

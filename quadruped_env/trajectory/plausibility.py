@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.trajectory.steps import MAX_AWAY, MAX_SPEED, Steps, clock_jumps, frozen
-from quadruped_env.utils.arrays import Floats, Mask
+from quadruped_env.utils.arrays import Bools, Floats
 
 TURN: Final = 2.0 * np.pi
 
@@ -59,7 +59,7 @@ class Finding:
 class _Events:
     """Steps at which one kind of thing happens, of which there is one or more."""
 
-    def __init__(self, mask: Mask, sizes: Floats, rows: Rows, steps: Steps, after: int) -> None:
+    def __init__(self, mask: Bools, sizes: Floats, rows: Rows, steps: Steps, after: int) -> None:
         found, self.columns = np.nonzero(mask)
         first, size = found[0] + after, sizes[mask]
         largest = int(size.argmax())
@@ -98,7 +98,7 @@ class _Check:
         width = max(4, round(0.1 / steps.period)) if steps.period > 0.0 else 4
         self._edges = np.arange(0, len(change), min(width, len(change) // 4))
         motion = self._windows(change)
-        self._whole: Mask = np.isfinite(motion)
+        self._whole: Bools = np.isfinite(motion)
         """Windows without a bad step (W, J)."""
         self._motion = np.where(self._whole, motion, 0.0)
         """Motion within the windows, rad (W, J)."""
@@ -153,7 +153,7 @@ class _Check:
                 f"{_PERIOD}",
             )
 
-    def _of_places(self, unsaid: Mask) -> Iterator[Finding]:
+    def _of_places(self, unsaid: Bools) -> Iterator[Finding]:
         """Yield the findings at single rows; velocities only of the joints `unsaid` (J,)."""
         rows, steps = self._rows, self._steps
         size = np.abs(steps.change)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.utils.arrays import Floats, Mask
+from quadruped_env.utils.arrays import Bools, Floats
 
 ARRAYS: Final = {"position": "positions", "velocity": "velocities", "effort": "efforts"}
 """Kind of value, named as in ROS's message and in its order -> the array of a `JointTrajectory` that holds it."""
@@ -179,6 +179,6 @@ def check_finite(kind: str, values: Floats, names: tuple[str, ...], source: Sour
         )
 
 
-def invalid(kind: str, values: Floats) -> Mask:
-    """Mask of the values that a trajectory cannot have: efforts may be NaN, positions and velocities must be finite."""
+def invalid(kind: str, values: Floats) -> Bools:
+    """Bools of the values that a trajectory cannot have: efforts may be NaN, positions and velocities must be finite."""
     return np.isinf(values) if kind == "effort" else ~np.isfinite(values)
