@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
-from quadruped_env.evaluation.comparison import Command, commands_for, compare
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.conditions import Command, commands_for
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.stored_results import CardResults, StoredEvaluation, card_results
+from quadruped_env.evaluation.results import CardResults, StoredEvaluation, card_results
 from quadruped_env.export.c_source import c_files
 from quadruped_env.export.card import CARD_PAGE, card_page
 from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields

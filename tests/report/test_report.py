@@ -13,7 +13,8 @@ import pytest
 from comparisons import TINY, write_evaluation
 from report_page import Page
 
-from quadruped_env.evaluation.comparison import CONTROLLERS, MOTIONS
+from quadruped_env.evaluation.comparison import CONTROLLERS
+from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.measures import METRICS
 from quadruped_env.evaluation.verdict import verdict

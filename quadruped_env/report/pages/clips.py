@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison, words
+from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.conditions import MOTIONS, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out

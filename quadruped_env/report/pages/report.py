@@ -12,7 +12,8 @@ from typing import Any
 
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import Comparison, words
+from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.conditions import words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.failures import worst_episodes
 from quadruped_env.evaluation.learning_gain import TABLE_NOTE, LearningGain

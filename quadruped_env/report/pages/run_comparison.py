@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison, equal_up_to, error_of
+from quadruped_env.evaluation.comparison import Comparison, equal_up_to, error_of
+from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.verdict import listed
 

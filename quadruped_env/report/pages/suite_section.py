@@ -9,10 +9,10 @@ import numpy as np
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.measures import METRICS, OF_FEET
-from quadruped_env.evaluation.suite.aggregate import aggregate
-from quadruped_env.evaluation.suite.suite import (
+from quadruped_env.evaluation.results import (
     COMPONENTS,
     RESULTS_FILE,
+    aggregate,
     check_comparable,
     ranked,
     read_references,

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.report.pages.page import figure, provenance, write_html
 from quadruped_env.report.pages.suite_section import interval
 from quadruped_env.report.plots import sweep_plots as plots

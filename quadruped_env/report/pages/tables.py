@@ -4,7 +4,8 @@ import math
 from collections.abc import Mapping
 from typing import Final
 
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison, Motion, words
+from quadruped_env.evaluation.comparison import Comparison, Motion
+from quadruped_env.evaluation.conditions import MOTIONS, words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, LearningGain, gain_rows, reward_in_words
 from quadruped_env.evaluation.measures import METRICS
