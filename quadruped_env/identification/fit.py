@@ -275,7 +275,7 @@ class MotorFit:
         return weights
 
     def _rows(self) -> Bools:
-        """Bools of the measurements that the fit uses (T,)."""
+        """Mask of the measurements that the fit uses (T,)."""
         times = self.recorded.times
         return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
 
