@@ -9,7 +9,7 @@ from quadruped_env.control import ControlConfig, ControlInterface, ObservationLa
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.measures import mean_velocities
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import GaitController
 from quadruped_env.robot import MINI_QUADRUPED
@@ -189,9 +189,7 @@ def test_episodes_of_the_half_size_robot_are_the_same_in_its_units(preset, terra
 @pytest.mark.parametrize("speed", [0.2, 0.5])
 def test_the_scripted_gait_walks_on_the_half_size_robot(speed):
     config = TaskConfig().for_robot(ROBOT)
-    measured = MeasuredController(
-        "sinusoid", GaitController(CommandedGait.preset("sinusoid", ROBOT), "sinusoid"), config
-    )
+    measured = Candidate("sinusoid", GaitController(CommandedGait.preset("sinusoid", ROBOT), "sinusoid"), config)
     rollout = measured.run([(speed * TIME, 0.0)], [0, 1], 8.0)
     assert not rollout.fallen.any()
     np.testing.assert_allclose(mean_velocities(rollout)[:, 0], speed * TIME, rtol=0, atol=0.03)
