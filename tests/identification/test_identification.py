@@ -217,7 +217,7 @@ class TestRefusals:
             ("e *= -1", r"the effort of LF_hip_joint pulls away .*effort_scale"),
             ("s += 500_000_000", r"come 0\.5\d s after the commands, so .* different clocks"),
             ("v = e = None; q[:, 2] *= -1", r"RF_hip_joint moves against its command: .*sign = -1"),
-            ("v = e = None; q[:, :2] = q[:, [1, 0]]", r"LF_hip_joint follows that of LF_knee_joint: .*swapped"),
+            ("v = e = None; q[:, :2] = q[:, [1, 0]]", r"LF_hip_joint follows the command of LF_knee_joint: .*swapped"),
             ("v = e = None; q[:, 3] += 0.9", r"RF_knee_joint is \+0\.\d+ rad from its command on average.*offset"),
             ("v = e = None; q[:, 2] *= 4", r"RF_hip_joint moves \d\.\d+ times as far as it is commanded.*unit"),
             ("v = e = None; q[:, 3] = 0.3", r"RF_knee_joint does not move .*--without RF_knee_joint"),
@@ -311,7 +311,7 @@ class TestIdentify:
         numbers = json.loads((tmp_path / "fit" / "identification.json").read_text())
         assert numbers["errors"]["held_out"]["after"]["position"]["LF_hip_joint"] == pytest.approx(0.002, rel=0.25)
         page = (tmp_path / "fit" / "report.html").read_text()
-        assert page.count("data:image/svg+xml") == 4
+        assert page.count("data:image/svg+xml") == 3
         with pytest.raises(QuadrupedError, match=r"motors\.json: exists already"):
             save_numbers(found, tmp_path / "fit", "")
 
@@ -339,7 +339,7 @@ class TestIdentify:
         estimate = found.estimates[0]
         assert abs(estimate.after - TRUTH.hip.kp) > estimate.half_width
         words = (
-            "Estimates and intervals hold only if the motors' other values are right, which are those of the start: "
+            "Estimates and intervals hold only if the motors' other values are right, which keep their start values: "
             "stall_torque, no_load_speed, kd, damping, friction_loss, armature, delay."
         )
         assert words in found.text()
