@@ -198,8 +198,6 @@ def _transients(result: Mapping[str, Any]) -> list[dict[str, Any]]:
             "cells": [
                 percent(entry["followed"]),
                 interval(entry["settling_time"], 2),
-                interval(entry["overshoot"], 0, 100.0),
-                interval(entry["stopping_distance"], 2) if "stopping_distance" in entry else "-",
             ],
         }
         for name, entry in result["transients"].items()
