@@ -62,7 +62,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.evaluation.evaluated_policy import find_policy
     from quadruped_env.evaluation.results import ranked, read_references, references_for, score_table, with_zero_action
     from quadruped_env.report.films.video import prepare_video
-    from quadruped_env.report.pages.pictures import filmed, recorded
+    from quadruped_env.report.pages.clips import filmed, recorded
     from quadruped_env.report.report_directory import prepare_output
     from quadruped_env.trajectory import saving
 

@@ -31,8 +31,8 @@ from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
 from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.report.films.video import prepare_video, save_film
+from quadruped_env.report.pages.clips import filmed
 from quadruped_env.report.pages.page import METRICS_FILE, without_nan
-from quadruped_env.report.pages.pictures import filmed
 from quadruped_env.robot.ros2_control import controllers_yaml
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.documents import fitted, read_json

@@ -14,7 +14,6 @@ from quadruped_env.evaluation.rollout import PhysicsSamples, roll_out
 from quadruped_env.evaluation.suite import steady
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import GaitController
-from quadruped_env.report.pages.suite_section import _GAIT_ROWS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
@@ -162,7 +161,7 @@ def walking(strides=22, apex=0.02):
 
 def test_measures_of_a_synthetic_gait():
     values, every = gait_measures(walking()), measures.measure(walking())
-    assert {*values, *steady._GAIT_MEASURES} == set(_GAIT_ROWS)
+    assert {*values, *steady._GAIT_MEASURES} <= measures.METRICS.keys()
     for name in measures.OF_FEET:
         assert values[name].shape == (1, 4)
         assert every[name].shape == (1,)
