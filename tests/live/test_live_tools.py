@@ -78,7 +78,9 @@ def test_echo_yaml_is_that_of_ros():
 
 def test_echo_field_is_chosen_by_its_path():
     values = plain(
-        cdr.deserialize(next(transform_messages([STAMP], MINI_QUADRUPED.joint_transforms(np.zeros(8)))), TF.type_name)
+        cdr.deserialize(
+            next(transform_messages([STAMP], MINI_QUADRUPED.skeleton.joint_transforms(np.zeros(8)))), TF.type_name
+        )
     )
     assert field_at(values, "transforms.0.header.stamp.sec") == 1_700_000_000
     assert as_yaml(field_at(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
@@ -174,7 +176,7 @@ def test_recording_of_a_gait_holds_it_to_the_last_bit(nodes, tmp_path):
     node, bag = nodes(), tmp_path / "bag"
     states, transforms = node.publish(JOINT_STATES, DEEP), node.publish(TF, DEEP)
     node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf))
-    tf_bytes = list(transform_messages(stamps.tolist(), MINI_QUADRUPED.joint_transforms(trajectory.positions)))
+    tf_bytes = list(transform_messages(stamps.tolist(), MINI_QUADRUPED.skeleton.joint_transforms(trajectory.positions)))
     with started("record", "-o", str(bag)) as process:
         wait_until(lambda: states.readers and transforms.readers)
         for row in range(100):
