@@ -16,7 +16,7 @@ proportion to the square root of it.
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
@@ -26,7 +26,10 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_presets import (
     ARTICLE,
     COMMANDED,
+    LEG_PHASES,
     PRESETS,
+    SINUSOID,
+    TUNED_FOR_ONE_SPEED,
     TUNED_ON,
     LegTable,
     sinusoid,
@@ -92,21 +95,22 @@ class SinusoidalGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
-        """A gait by name: `article` as published, or a gait of `CommandedGait` at 0.4 m/s straight ahead.
+        """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
 
-        On another robot the leg in each corner has the angles and phases of `article`.
+        `sinusoid`, `tuned`, `crouched`, `low` and `fast` are the gaits of `CommandedGait` at 0.4 m/s straight ahead.
 
         Raises:
             QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
         """
         if name in COMMANDED:
             return CommandedGait.preset(name, robot).straight_ahead
-        if name != "article":
+        if name not in _PRESETS:
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
             )
-        phases = np.array(ARTICLE["phases"]).reshape(4, 2)[list(corners(robot))]
-        return cls(**{**ARTICLE, "phases": tuple(phases.ravel().tolist())}, robot=robot)
+        if robot == TUNED_ON:
+            return _PRESETS[name]
+        return _published(robot) if name == "article" else _mapped(_PRESETS[name], robot)
 
     def parameters(self) -> dict[str, Any]:
         """The numbers of the gait as plain values for JSON."""
@@ -165,6 +169,32 @@ def limit_violations(robot: Robot, low: Floats, high: Floats, speed: Floats, tol
     return found
 
 
+def _published(robot: Robot) -> SinusoidalGait:
+    """The gait `article` on another robot: each corner's leg keeps its angles and phases."""
+    article = _PRESETS["article"]
+    phases = np.array(article.phases).reshape(4, 2)[list(corners(robot))]
+    return replace(article, phases=tuple(phases.ravel().tolist()), robot=robot)
+
+
+def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
+    """A gait of the tuned robot on another one, with the same motions of the feet."""
+    legs = list(corners(robot))
+    hip_amplitude, hip_offset, knee_amplitude, knee_offset = (
+        np.broadcast_to(value, 4)[legs]
+        for value in (gait.hip_amplitude, gait.hip_offset, gait.knee_amplitude, gait.knee_offset)
+    )
+    phases = np.array(gait.phases).reshape(4, 2)[legs]
+    lag = phases[:, 1] - phases[:, 0]
+    waves = (
+        np.stack([hip_amplitude, -knee_amplitude * np.sin(lag)], axis=1).ravel(),
+        np.stack([np.zeros(4), knee_amplitude * np.cos(lag)], axis=1).ravel(),
+        np.stack([hip_offset, knee_offset], axis=1).ravel(),
+    )
+    mapped = map_waves(robot, *waves)
+    frequency = gait.angular_frequency / scale_of("m/s", robot)
+    return _sinusoids(robot, frequency, np.repeat(phases[:, 0], 2), *mapped)
+
+
 def _sinusoids(
     robot: Robot, angular_frequency: float, phases: Floats, sine: Floats, cosine: Floats, offset: Floats
 ) -> SinusoidalGait:
@@ -183,6 +213,23 @@ def _sinusoids(
         phases=tuple(phases.tolist()),
         robot=robot,
     )
+
+
+def _tuned_for_one_speed(name: str) -> SinusoidalGait:
+    """A preset on the robot for which it was tuned."""
+    angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
+    legs = (fore, fore, hind, hind)
+    sine = np.array([part for leg in legs for part in (leg.hip_sine, leg.knee_sine)])
+    cosine = np.array([part for leg in legs for part in (leg.hip_cosine, leg.knee_cosine)])
+    offset = np.array([part for leg in legs for part in (leg.hip_offset, leg.knee_offset)])
+    phases = math.tau * np.repeat(LEG_PHASES[name], 2)
+    return _sinusoids(TUNED_ON, angular_frequency, phases, sine, cosine, offset)
+
+
+_PRESETS: Final = {
+    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
+    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
+}
 
 
 def turn_size(yaw_rate: Floats, largest: float) -> Floats:
@@ -210,8 +257,9 @@ class CommandedGait:
         fore, hind: tables of the straight gait, for the fore and the hind legs.
         fore_turn, hind_turn: what a turn of either sign adds, per rad/s of its size.
         fore_side, hind_side: what a turn adds on the right and subtracts on the left, per rad/s of its size.
-        robot: robot that walks. The tables are joint angles of the robot on which the presets were tuned, and are
-            mapped to any other.
+        robot: robot that walks.
+        native: True if the tables are joint angles of that robot; else they are of the robot on which the presets were
+            tuned, and are mapped.
     """
 
     angular_frequency: float
@@ -224,6 +272,7 @@ class CommandedGait:
     fore_side: LegTable
     hind_side: LegTable
     robot: Robot = MINI_QUADRUPED
+    native: bool = False
     _phases: Floats = field(init=False, repr=False, compare=False)
     _tables: Floats = field(init=False, repr=False, compare=False)
     """The nine waves below side by side, (K, 9 J)."""
@@ -239,7 +288,7 @@ class CommandedGait:
         straight = self._waves_of(self.fore, self.hind, legs)
         turn = self._waves_of(self.fore_turn, self.hind_turn, legs)
         side = self._waves_of(self.fore_side, self.hind_side, legs)
-        if self.robot != TUNED_ON:
+        if not self.native and self.robot != TUNED_ON:
             straight, turn, side = self._mapped(straight, turn, side)
         right = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
         for name, waves in (("straight", straight), ("turn", turn), ("side", side * right)):
@@ -278,12 +327,13 @@ class CommandedGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """A gait by name, mapped to a robot.
+        """A gait by name: the robot's own of `Robot.gaits`, or else the preset, mapped to it.
 
         `sinusoid` is the trot in closed form, `tuned`, `crouched`, `low` and `fast` were found by searches.
 
         Raises:
-            QuadrupedError: if there is no such preset, or the scripted gaits do not fit the robot.
+            QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
+                the robot.
         """
         if name not in COMMANDED:
             raise QuadrupedError(
@@ -362,20 +412,37 @@ class CommandedGait:
 
 @functools.cache
 def _commanded(name: str, robot: Robot) -> CommandedGait:
-    return _from_numbers(COMMANDED[name], robot)
+    gaits = robot.gaits or {}
+    if unknown := set(gaits) - set(COMMANDED):
+        raise QuadrupedError(
+            f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
+            f"{', '.join(COMMANDED)}"
+        )
+    if name not in gaits:
+        return _from_numbers(COMMANDED[name], robot)
+    try:
+        return _from_numbers(gaits[name], robot, native=True)
+    except (TypeError, KeyError, ValueError) as error:
+        raise QuadrupedError(
+            f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
+        ) from error
 
 
 @functools.cache
 def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
+    if SINUSOID in (robot.gaits or {}):
+        return _commanded(SINUSOID, robot)
     return _from_numbers(sinusoid(frequency * scale_of("m/s", robot)), robot)
 
 
-def _from_numbers(numbers: Mapping[str, Any], robot: Robot) -> CommandedGait:
-    root = scale_of("m/s", robot)
-    return CommandedGait(
-        angular_frequency=numbers["angular_frequency"] / root,
-        speeds=tuple(speed * root for speed in numbers["speeds"]),
-        largest_yaw_rate=numbers["largest_yaw_rate"] / root,
-        **{table: LegTable(**numbers[table]) for table in _TABLES},
-        robot=robot,
-    )
+def _from_numbers(numbers: Mapping[str, Any], robot: Robot, native: bool = False) -> CommandedGait:
+    tables = {table: LegTable(**numbers[table]) for table in _TABLES}
+    if not native:
+        root = scale_of("m/s", robot)
+        numbers = {
+            **numbers,
+            "angular_frequency": numbers["angular_frequency"] / root,
+            "speeds": tuple(speed * root for speed in numbers["speeds"]),
+            "largest_yaw_rate": numbers["largest_yaw_rate"] / root,
+        }
+    return CommandedGait(**{**numbers, **tables}, robot=robot, native=native)

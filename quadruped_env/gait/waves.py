@@ -22,9 +22,9 @@ _SAMPLES: Final = 12
 """Samples of a cycle."""
 
 
-def joint_phases(robot: Robot) -> Floats:
-    """Phase of each joint's leg in a trot (J,), rad."""
-    phases = np.array([LEG_PHASES[corner] for corner in corners(robot)])
+def joint_phases(robot: Robot, gait: str = "trot") -> Floats:
+    """Phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
+    phases = np.array([LEG_PHASES[gait][corner] for corner in corners(robot)])
     return np.repeat(phases * math.tau, 2)
 
 

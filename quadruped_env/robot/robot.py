@@ -43,7 +43,7 @@ _RESTATED = (
     "stance_height",
 )
 """Fields that restate the model or the motors; in an order in which each follows from those before it."""
-_OPTIONAL = ("motor_kinds", "mirror_signs", "leg_corners", "assets")
+_OPTIONAL = ("motor_kinds", "mirror_signs", "leg_corners", "gaits", "assets")
 """Fields that may be None; then they are not part of the content, so that robots without them keep their identity."""
 _MIRROR_TOLERANCE = 1e-3
 """Difference between an axis and its mirror image, as 1 - |cosine|, about 2.5 degrees."""
@@ -117,6 +117,9 @@ class Robot:
     leg_corners: tuple[int, ...] | None = None
     """Corner of each leg (L,), whose phase and motion it has in the scripted gaits: 0 left fore, 1 right fore, 2 left
     hind, 3 right hind. None: see `corners`."""
+    gaits: Mapping[str, Mapping[str, Any]] | None = None
+    """Scripted gaits tuned on this robot, by name of the preset whose place they take, as `tools/tune_gait.py` writes
+    them. None: the presets, mapped to the robot."""
     assets: Mapping[str, bytes] | None = None
     """Files that the MJCF names, such as meshes, by name; with the path of a file as `mjcf` they are read from it."""
 
@@ -190,6 +193,10 @@ class Robot:
             ):
                 raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {given!r}")
             object.__setattr__(self, name, tuple(given))
+        if self.gaits is not None:
+            if not isinstance(self.gaits, Mapping):
+                raise self._error(f"gaits must be a dict of preset -> parameters; found {short(self.gaits)}")
+            object.__setattr__(self, "gaits", plain(dict(self.gaits)))
 
     @property
     def base_name(self) -> str:

@@ -127,7 +127,7 @@ def test_display_launch_starts_publisher_transforms_and_rviz():
 def test_walk_launch_starts_sim_and_controller_with_the_given_python(monkeypatch):
     monkeypatch.delenv("MINI_QUADRUPED_PYTHON", raising=False)
     monkeypatch.delenv("ROS_AUTOMATIC_DISCOVERY_RANGE", raising=False)
-    arguments = {"python": PYTHON, "policy": "tuned", "terrain": "rough"}
+    arguments = {"python": PYTHON, "policy": "trot", "terrain": "rough"}
     sim, controller, state, rviz = launched("walk.launch.py", **arguments)
     for process in (sim, controller):
         assert process.executable == PYTHON
@@ -136,7 +136,7 @@ def test_walk_launch_starts_sim_and_controller_with_the_given_python(monkeypatch
     parsed = [make_parser().parse_args(process.arguments[2:]) for process in (sim, controller)]
     assert [one.node for one in parsed] == ["sim", "controller"]
     assert parsed[0].terrain == "rough"
-    assert parsed[1].policy == "tuned"
+    assert parsed[1].policy == "trot"
     assert state.executable.startswith("robot_state_publisher/")
     assert rviz.arguments[-2:] == ["-f", "odom"]
     assert all(

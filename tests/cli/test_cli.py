@@ -125,7 +125,7 @@ def test_no_command_prints_the_help_with_the_list(arguments, capsys):
         ("live sim --pickup=3", r"mini-quadruped live sim: error: .*--pickup=3; did you mean --pick-up\?"),
         ("train --recipe rogh", r"mini-quadruped train: error: .*; did you mean rough\?"),
         ("train --algo sacc", r"mini-quadruped train: error: .*; did you mean sac\?"),
-        ("baseline --preset tund", r"mini-quadruped baseline: error: .*; did you mean tuned\?"),
+        ("baseline --preset tort", r"mini-quadruped baseline: error: .*; did you mean trot\?"),
         ("evaluate rogh", r"mini-quadruped evaluate: error: .*; did you mean rough\?"),
         ("view flta", r"mini-quadruped view: error: .*; did you mean flat\?"),
         ("evaluate flat --terrain stiars", r"mini-quadruped evaluate: error: .*; did you mean stairs\?"),

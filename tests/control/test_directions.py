@@ -9,6 +9,7 @@ import pytest
 from quadruped_env import CommandedGait, JointTrajectory, SinusoidalGait
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.gait import PRESETS
 from quadruped_env.policies import (
     GaitController,
     PolicyController,
@@ -118,9 +119,10 @@ def test_controller_at_a_standing_command_stays_where_it_is(make):
 
 @pytest.mark.parametrize(
     ("preset", "speed"),
-    [("article", 0.0), ("tuned", 0.4), ("low", 0.4)],
+    [("article", 0.0), ("trot", 0.4), ("walk", 0.25), ("bound", 0.35), ("pace", 0.3), ("tuned", 0.4), ("low", 0.4)],
 )
 def test_gait_preset_walks_straight_ahead_under_any_command(preset, speed):
+    assert preset in PRESETS
     gait = SinusoidalGait.preset(preset)
     for forward, yaw_rate in walked(GaitController(gait, preset), [STANDING, (-0.2, 0.6)]):
         assert forward == pytest.approx(speed, abs=0.1)

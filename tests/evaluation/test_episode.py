@@ -50,7 +50,7 @@ class TestRecord:
         )
 
     def test_velocities_are_the_derivative_of_positions(self):
-        joints = record(GaitController(SinusoidalGait.preset("tuned")), 1.0).joints
+        joints = record(GaitController(SinusoidalGait.preset("trot"), "trot"), 1.0).joints
         # Without the start, where the robot jumps into the gait. A landing foot stops its joints within a step.
         change = np.diff(joints.positions[5:], axis=0)
         mean_velocity = (joints.velocities[6:] + joints.velocities[5:-1]) / 2

@@ -72,12 +72,12 @@ def test_every_preset_stays_within_the_robots_limits(name):
 
 
 def test_times_of_any_shape_give_that_many_positions():
-    article = SinusoidalGait.preset("article")
+    trot = SinusoidalGait.preset("trot")
     t = np.linspace(0, 1, 6).reshape(2, 3)
-    assert article.positions(0.5).shape == (8,)
-    assert article.velocities(t).shape == article.positions(t).shape == (2, 3, 8)
-    np.testing.assert_array_equal(article.positions(t)[1, 2], article.positions(t[1, 2]))
-    np.testing.assert_array_equal(article.positions([0.0, 1.0])[1], article.positions(1))
+    assert trot.positions(0.5).shape == (8,)
+    assert trot.velocities(t).shape == trot.positions(t).shape == (2, 3, 8)
+    np.testing.assert_array_equal(trot.positions(t)[1, 2], trot.positions(t[1, 2]))
+    np.testing.assert_array_equal(trot.positions([0.0, 1.0])[1], trot.positions(1))
 
 
 @pytest.mark.parametrize(
@@ -110,12 +110,12 @@ def test_violations_name_the_joint_its_value_and_the_limit(changes, found):
 
 
 def test_unknown_preset_names_the_valid_ones():
-    with pytest.raises(QuadrupedError, match=r"'gallop'.*article, sinusoid, tuned, crouched, low, fast"):
+    with pytest.raises(QuadrupedError, match=r"'gallop'.*article, sinusoid, trot, .*, low, fast"):
         SinusoidalGait.preset("gallop")
     with pytest.raises(
-        QuadrupedError, match=r"'article' follows no command; those that do are sinusoid, tuned, crouched, low, fast"
+        QuadrupedError, match=r"'trot' follows no command; those that do are sinusoid, tuned, crouched, low, fast"
     ):
-        CommandedGait.preset("article")
+        CommandedGait.preset("trot")
 
 
 @pytest.mark.parametrize(
@@ -155,7 +155,7 @@ def test_positions_are_the_waves_at_a_phase():
     commands = draw_commands(30)
     phase = np.random.default_rng(1).uniform(0, math.tau, len(commands))
     sine, cosine, offset = TUNED.waves(commands)
-    legs = np.repeat(np.array(LEG_PHASES) * math.tau, 2)
+    legs = np.repeat(np.array(LEG_PHASES["trot"]) * math.tau, 2)
     angle = phase[:, None] + legs
     expected = sine * np.sin(angle) + cosine * np.cos(angle) + offset
     np.testing.assert_allclose(TUNED.positions(phase, commands), expected, atol=1e-12)

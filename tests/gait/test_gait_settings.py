@@ -40,7 +40,7 @@ def test_settings_of_a_gait_leave_it_unchanged(name):
 
 
 def test_each_setting_changes_what_it_names():
-    gait = SinusoidalGait.preset("tuned")
+    gait = SinusoidalGait.preset("trot")
     base = gait.positions(np.array([0.1]))[0]
     offset = edited(gait, GaitSettings(0.0, 2.0, PHASES)).positions(np.array([0.1]))[0]
     settings = GaitSettings.of(gait)
@@ -58,4 +58,4 @@ def test_each_setting_changes_what_it_names():
 
 def test_phases_are_one_per_leg():
     with pytest.raises(QuadrupedError, match="expected 4 phases, one per leg; found 3"):
-        edited(SinusoidalGait.preset("tuned"), GaitSettings(1.0, 1.0, PHASES[:3]))
+        edited(SinusoidalGait.preset("trot"), GaitSettings(1.0, 1.0, PHASES[:3]))

@@ -6,9 +6,11 @@ import mujoco
 import numpy as np
 import pytest
 
-from gait_search.search import measure_commands
-from quadruped_env import CommandedGait
-from quadruped_env.gait import COMMANDED
+from gait_search.search import ONE_SPEED, measure_commands
+from gait_search.trial import draw_starts, measure
+from quadruped_env import CommandedGait, SinusoidalGait
+from quadruped_env.gait import COMMANDED, LEG_PHASES
+from quadruped_env.robot import MINI_QUADRUPED
 
 pytestmark = pytest.mark.skipif(
     mujoco.__version__ < "4", reason="the gaits are tuned on MuJoCo 4; on 3.17 some miss their tables by a little"
@@ -86,3 +88,19 @@ def test_no_hip_is_sent_near_its_limit():
     commands = np.stack(np.meshgrid(speeds, yaw_rates), axis=-1).reshape(-1, 2)
     sine, cosine, offset = GAITS["tuned"].waves(commands)
     assert (offset + np.hypot(sine, cosine))[:, 0::2].max() < 1.355
+
+
+@pytest.mark.parametrize("name", ONE_SPEED)
+def test_presets_walk_as_fast_as_they_were_tuned_for(name):
+    preset, robot = SinusoidalGait.preset(name), MINI_QUADRUPED
+    assert preset.violations() == []
+    frequency = preset.angular_frequency
+
+    def targets(clock):
+        return preset.positions(np.array([clock / frequency]))
+
+    got = measure(robot, targets, 1, frequency, LEG_PHASES[name], draw_starts(robot, 0))
+    assert got.forward_velocity[0] == pytest.approx(ONE_SPEED[name], abs=0.05)
+    assert not got.fallen[0]
+    assert got.highest[0] > 0.01
+    assert got.touchdown_error[0] < 0.4

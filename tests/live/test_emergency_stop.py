@@ -155,7 +155,7 @@ def test_subscription_with_several_readers_receives_each_message_once(nodes, qos
 def test_controller_that_starts_stopped_stays_limp_until_release_and_command(run_node, nodes):
     """As systemd starts it again after it was killed, with a velocity command that goes on."""
     with FakeRobot() as robot:
-        controller = run_node("controller", "tuned", "--start-stopped")
+        controller = run_node("controller", "trot", "--start-stopped")
         stops = nodes("button").publish(ESTOP, Qos(10))
         wait_until(lambda: "waiting for the release of the emergency stop" in controller.said and stops.readers)
         # States and commands that would make it move.

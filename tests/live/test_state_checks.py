@@ -102,7 +102,7 @@ def test_joint_of_a_robot_at_rest_or_with_few_states_is_not_called_frozen():
 
 def test_controller_names_a_frozen_joint_and_lets_go_when_the_imu_stops_measuring(run_node, nodes):
     with FakeRobot() as robot:
-        log = run_node("controller", "tuned")
+        log = run_node("controller", "trot")
         wait_until(lambda: "following the command" in log.said, lambda: log.said)
         robot.fault, words = "zero", "LH_hip_joint stays at exactly 0 rad"
         wait_until(lambda: words in log.said and words in robot.problems, lambda: log.said)
@@ -128,9 +128,9 @@ def test_controller_names_a_frozen_joint_and_lets_go_when_the_imu_stops_measurin
 
 def test_second_controller_of_a_robot_is_refused(run_node):
     with FakeRobot() as robot:
-        log = run_node("controller", "tuned")
+        log = run_node("controller", "trot")
         wait_until(lambda: robot.targets > 10, lambda: log.said)
-        second = run_node("controller", "tuned")
+        second = run_node("controller", "trot")
         assert second.status() == 2
         assert "/joint_commands: controller" in second.said
         assert "publishes it already" in second.said
@@ -140,7 +140,7 @@ def test_second_controller_of_a_robot_is_refused(run_node):
 def test_of_two_controllers_that_wait_together_one_ends_before_both_command(run_node, monkeypatch):
     """However long they have waited."""
     monkeypatch.setattr(single_publisher, "CONTEST", 1.0)
-    first, second = run_node("controller", "tuned"), run_node("controller", "tuned")
+    first, second = run_node("controller", "trot"), run_node("controller", "trot")
     for node in (first, second):
         wait_until(lambda node=node: "waiting for a publisher" in node.said, lambda node=node: node.said)
     since = time.monotonic()

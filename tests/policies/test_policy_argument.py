@@ -70,7 +70,7 @@ def test_file_that_is_no_policy_is_named_with_its_fix(name, message, tmp_path):
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("tuned", r"'tuned': this is a scripted gait, which has no weights; '.*baseline --preset tuned' measures it"),
+        ("trot", r"'trot': this is a scripted gait, which has no weights; '.*baseline --preset trot' measures it"),
         ("someone/walker", r"'someone/walker': there is no such folder; a policy of the hub is hf://someone/walker"),
         ("https://huggingface.co/someone/walker", r"a policy of the hub is hf://someone/walker"),
         ("walk.mcap", r"walk.mcap: this looks like a recording; '.*replay walk.mcap' plays it"),
@@ -87,7 +87,7 @@ def test_name_that_is_no_policy_is_named_with_its_fix(name, message, tmp_path, m
 
 def test_viewer_and_controller_take_gaits_and_recordings(tmp_path):
     write_all(tmp_path)
-    assert find_controller("tuned").name == "gait tuned"
+    assert find_controller("trot").name == "gait trot"
     assert find_controller(str(tmp_path / "walk.mcap")).name == "recording walk.mcap"
 
 

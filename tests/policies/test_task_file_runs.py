@@ -218,7 +218,7 @@ def test_viewer_of_a_trusted_run_has_its_robot_and_executes_the_files_of_no_othe
     (tmp_path / "runs" / "other" / "log").unlink(missing_ok=True)
     mine = save_policy(tmp_path / "runs" / "mine", edited(tmp_path, robot))
     (mine / CONFIG_FILE).write_text("{}")
-    show = open_show([str(mine), "tuned"], port=0, trust_task=True)
+    show = open_show([str(mine), "trot"], port=0, trust_task=True)
     try:
         assert {view.now.robot.name for view in show.controller.view().robots} == {"long"}
         with pytest.warns(QuadrupedWarning, match="not executed"), pytest.raises(QuadrupedError, match="'long'"):

@@ -105,7 +105,7 @@ def report(policy, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def targets():
-    return publish(SinusoidalGait.preset("tuned", ROBOT), 2.5, 50.0)
+    return publish(SinusoidalGait.preset("trot", ROBOT), 2.5, 50.0)
 
 
 @pytest.fixture(scope="module")
@@ -252,7 +252,7 @@ class TestViewer:
     def controller(self, robot_file, tmp_path):
         from quadruped_env.viewer import ViewController
 
-        sources, chosen = find_controllers(["tuned"], runs=tmp_path / "runs", task_file=robot_file)
+        sources, chosen = find_controllers(["trot"], runs=tmp_path / "runs", task_file=robot_file)
         controller = ViewController(sources, chosen, tmp_path / "results", load_robot(robot_file))
         yield controller
         controller.close()
@@ -270,8 +270,7 @@ class TestPrograms:
     def test_programs_read_the_robot_from_a_file(self, robot_file, tmp_path, capsys, monkeypatch):
         monkeypatch.chdir(tmp_path)
         task = ["--task", str(robot_file)]
-        short = ["--seconds", "1", "--episodes", "1"]
-        assert main(["baseline", "--preset", "tuned", *short, "-o", "walk.csv", *task]) == 0
+        assert main(["baseline", "--preset", "trot", "--seconds", "1", "--episodes", "1", "-o", "walk.csv", *task]) == 0
         assert "14 N m" in capsys.readouterr().out
         assert JointTrajectory.load("walk.csv").names == ROBOT.joint_names
         assert main(["replay", "walk.csv", "-o", "again", *task]) == 0

@@ -11,7 +11,7 @@ import pytest
 from environments import assert_same, episodes, make, make_native, make_sync
 from gymnasium.envs.registration import EnvSpec
 from gymnasium.utils.env_checker import check_env
-from live_loop import Loop
+from live_bench import Loop
 from paths import TESTS
 from second_robot import DESIGN, ROBOT
 from trainings import train
@@ -158,13 +158,14 @@ class TestGait:
         assert published.hip_amplitude == article.hip_amplitude
         np.testing.assert_allclose(trot, 0.0, atol=1e-12)  # all phases are 0 or half a cycle
 
-    def test_feet_move_about_the_stance_as_those_of_the_tuned_robot(self):
+    @pytest.mark.parametrize("preset", ["trot", "tuned"])
+    def test_feet_move_about_the_stance_as_those_of_the_tuned_robot(self, preset):
         """In proportion to its size, and as nearly as sinusoids can: the feet move by 6 cm and more."""
         t = np.linspace(0.0, 1.0, 200)
         moves = []
         for robot in (MINI_QUADRUPED, ROBOT):
             size = robot.stance_height / MINI_QUADRUPED.stance_height
-            feet = robot.skeleton.foot_centres(SinusoidalGait.preset("tuned", robot).positions(math.sqrt(size) * t))
+            feet = robot.skeleton.foot_centres(SinusoidalGait.preset(preset, robot).positions(math.sqrt(size) * t))
             away = (feet - robot.skeleton.foot_centres(robot.stance)) / size
             moves.append({robot.leg_names[leg]: away[:, leg] for leg in range(4)})
         for name in MINI_QUADRUPED.leg_names:

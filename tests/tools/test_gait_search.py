@@ -4,6 +4,7 @@ import dataclasses
 import json
 import math
 
+import gymnasium
 import numpy as np
 import pytest
 import second_robot
@@ -14,11 +15,11 @@ from gait_search import trial
 from gait_search.strides import Strides
 from gait_search.styles import HIGH_STEPS, STYLES, Steps, Style
 from gait_search.trial import Achieved, Scale, draw_starts, measure, new_starts
-from quadruped_env import CommandedGait
+from quadruped_env import CommandedGait, QuadrupedError
 from quadruped_env.gait import LEG_PHASES
 from quadruped_env.robot import MINI_QUADRUPED
 
-TALL, TROT = second_robot.ROBOT, LEG_PHASES
+TALL, TROT = second_robot.ROBOT, LEG_PHASES["trot"]
 LEG = [0.1, 0.6, 0.15, -0.1, -0.7, 0.0]
 ROBOTS = pytest.mark.parametrize("robot", [MINI_QUADRUPED, TALL], ids=["built-in", "second"])
 
@@ -214,15 +215,40 @@ def test_search_with_new_starts_ends_with_its_mean_else_with_the_best(pretend):
 
 
 @pytest.mark.slow
-def test_program_writes_a_gait_that_residual_mode_walks_on(monkeypatch, tmp_path, capsys):
+def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, capsys):
     """With one generation of three candidates, a start and no time to walk."""
     monkeypatch.setattr(gait_search, "CANDIDATES", 4)
     monkeypatch.setattr(trial, "SECONDS", 1.5)
     monkeypatch.setitem(STYLES, "low", Style(*[Steps(0.004, 0.006, 4000.0)] * 2, (0.0, 0.3), (0.0,)))
     output = tmp_path / "gait.json"
-    assert tune_gait.main(["--preset", "low", "--generations", "1", "-o", str(output)]) == 0
+    options = ["--preset", "low", "--generations", "1", "-o", str(output)]
+    assert tune_gait.main([*options, "--task", second_robot.__file__]) == 0
+    gaits = json.loads(output.read_text())
+    robot = dataclasses.replace(TALL, gaits=gaits)
+    gait = CommandedGait.preset("low", robot)
+    assert gait.native
+    assert gait.angular_frequency == pytest.approx(CommandedGait.preset("low").angular_frequency * Scale(TALL).rate)
+    assert gait.parameters() == gaits["low"]
+    assert CommandedGait.preset("fast", robot).parameters() == CommandedGait.preset("fast", TALL).parameters()
+    assert robot != TALL
+    config = {"action": {"gait": "low"}, "clock_frequency": gait.angular_frequency / math.tau}
+    env = gymnasium.make("MiniQuadruped-v0", robot=robot, action_mode="residual", config=config)
+    env.reset(seed=0, options={"command": (0.3, 0.0)})
+    env.step(np.zeros(8, dtype=np.float32))
     assert "in turns: reached" in capsys.readouterr().out
-    found, shipped = json.loads(output.read_text())["low"], CommandedGait.preset("low").parameters()
-    assert found.keys() == shipped.keys()
-    assert found["angular_frequency"] == pytest.approx(shipped["angular_frequency"])
-    assert np.shape(found["hind"]["knee_sine"]) == np.shape(found["speeds"])
+    for wrong in ({"fore": 3}, {**gaits["low"], "speeds": [0.0]}, {**gaits["low"], "pace": 1}):
+        with pytest.raises(QuadrupedError, match=r"'tall': gaits\['low'\] must be what tools/tune_gait.py writes"):
+            CommandedGait.preset("low", dataclasses.replace(TALL, gaits={"low": wrong}))
+    with pytest.raises(QuadrupedError, match="'tall': gaits has 'lower'; it may replace sinusoid, tuned, crouched"):
+        CommandedGait.tuned(dataclasses.replace(TALL, gaits={"lower": gaits["low"]}))
+    with pytest.raises(QuadrupedError, match="'tall': gaits must be a dict of preset -> parameters; found 3"):
+        dataclasses.replace(TALL, gaits=3)
+
+
+def test_program_searches_the_presets_for_one_speed_of_the_built_in_robot(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(gait_search, "CANDIDATES", 4)
+    options = ["--preset", "walk", "--generations", "1", "-o", str(tmp_path / "gait.json")]
+    assert tune_gait.main(options) == 0
+    assert np.shape(json.loads((tmp_path / "gait.json").read_text())["walk"]["hind"]) == (6,)
+    assert tune_gait.main([*options, "--task", second_robot.__file__]) == 2
+    assert "--preset walk is searched for the built-in robot" in capsys.readouterr().err

@@ -9,7 +9,7 @@ from viewing import showing
 
 @pytest.fixture(scope="module")
 def show(tmp_path_factory):
-    with showing(tmp_path_factory.mktemp("access"), "gait article") as show:
+    with showing(tmp_path_factory.mktemp("access"), "gait trot") as show:
         yield show
 
 

@@ -123,16 +123,17 @@ def test_an_edited_gait_is_the_formula(control):
         np.testing.assert_allclose(targets[:, 2 * leg + 1], 0.5 * 0.3 * np.cos(angle + lag) - 0.3, atol=1e-12)
 
 
-def test_gait_without_edits_is_the_preset(control):
-    controller = control("gait article")
-    gait = SinusoidalGait.preset("article")
+@pytest.mark.parametrize("preset", ["article", "trot", "walk", "bound", "pace"])
+def test_gait_without_edits_is_the_preset(control, preset):
+    controller = control(f"gait {preset}")
+    gait = SinusoidalGait.preset(preset)
     np.testing.assert_allclose(joint_targets(controller, 40), gait.positions(np.arange(40) * DT), atol=1e-9)
-    same = edited(gait, GaitSettings.of(gait))
+    same = edited(gait, GaitSettings.of(SinusoidalGait.preset(preset)))
     np.testing.assert_allclose(same.velocities(0.3), gait.velocities(0.3), atol=1e-9)
 
 
 def test_gait_with_another_frequency_keeps_its_phase(control):
-    controller = control("gait article")
+    controller = control("gait trot")
     before = joint_targets(controller, 33)
     gait = controller.gait
     controller.set_gait(GaitSettings(gait.amplitude, gait.frequency / 2, gait.phases))
@@ -146,7 +147,7 @@ def test_invalid_gait_settings_are_refused(control):
     controller = control("policy flat")
     assert controller.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
-        controller.set_gait(GaitSettings.of(SinusoidalGait.preset("article")))
+        controller.set_gait(GaitSettings.of(SinusoidalGait.preset("trot")))
     with pytest.raises(QuadrupedError, match=r"frequency must be in 0\.1 to 6; found 0"):
         GaitSettings(1.0, 0.0, (0.0,) * 4)
     with pytest.raises(QuadrupedError, match="4 finite numbers"):
@@ -154,7 +155,7 @@ def test_invalid_gait_settings_are_refused(control):
 
 
 def test_gait_beyond_the_motors_is_reported(control):
-    controller = control("gait article")
+    controller = control("gait trot")
     assert not controller.view().robots[0].complaints
     gait = controller.gait
     controller.set_gait(GaitSettings(2.0, 4.0, gait.phases))
@@ -193,7 +194,7 @@ def test_pushes_in_a_pause_add_up_to_a_limit(control):
 
 
 def test_a_fallen_robot_lies_for_a_while_and_stands_up_again(control):
-    controller = control("gait article", "stand still")
+    controller = control("gait trot", "stand still")
     controller.advance(0.2)
     throw_on_the_back(controller)
     controller.step()
@@ -234,7 +235,7 @@ def test_controller_can_be_used_from_any_thread(control):
             while not stop.is_set():
                 controller.set_command(*generator.uniform(-0.3, 0.6, 2))
                 controller.push(generator.uniform(-3, 3), 0.2)
-                controller.set_source(1, ("gait article", "gait tuned", "stand still")[generator.integers(3)])
+                controller.set_source(1, ("gait trot", "gait tuned", "stand still")[generator.integers(3)])
                 controller.toggle_pause()
                 controller.toggle_pause()
                 controller.reset()

@@ -107,7 +107,7 @@ def test_keys_command_the_robot_and_leave_the_camera_alone(stage, paused):
 def test_gait_sliders_set_the_gait(paused):
     controller, page = paused
     tab(page, "Robots")
-    choose(page, "Robot", "gait article")
+    choose(page, "Robot", "gait trot")
     until(lambda: controller.gait is not None)
     fill(page, "Amplitude", 1.5)
     until(lambda: controller.gait.amplitude == 1.5)

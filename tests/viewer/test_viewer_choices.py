@@ -24,7 +24,7 @@ SHOWN = dict.fromkeys(OVERLAYS, True)
 
 
 def test_a_terrain_is_chosen_with_its_level_and_every_robot_begins_on_it(control):
-    controller = control("policy flat", "gait article")
+    controller = control("policy flat", "gait trot")
     assert controller.terrain == controller.view().terrain == flat
     controller.set_command(0.3, 0.0)
     for _ in range(10):
@@ -32,7 +32,7 @@ def test_a_terrain_is_chosen_with_its_level_and_every_robot_begins_on_it(control
     controller.set_terrain("stairs", 6)
     assert controller.view().terrain == controller.terrain == find_terrain("stairs").variant(level=6)
     assert controller.view().time == 0.0
-    assert controller.robots == ("policy flat", "gait article")
+    assert controller.robots == ("policy flat", "gait trot")
     assert controller.command == (0.3, 0.0)
     for index in range(2):
         assert robot(controller, index).terrain.level == 6
@@ -49,7 +49,7 @@ def test_a_terrain_is_chosen_with_its_level_and_every_robot_begins_on_it(control
 
 def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control):
     controller = control("stand still", "stand still")
-    for change in (("stand still", 2), (None, 1), ("gait article", 2)):
+    for change in (("stand still", 2), (None, 1), ("gait trot", 2)):
         controller.set_source(change[1], change[0])
         controller.set_terrain("stairs", 8)
         robots = [slot.robot for slot in controller._robots.slots]
@@ -84,16 +84,16 @@ def test_an_unknown_terrain_or_level_changes_nothing(control):
 
 
 def test_robots_have_names_that_differ(control):
-    controller = control("policy flat", "gait article", "policy flat")
-    assert controller.names == ("policy flat", "gait article", "policy flat (2)")
+    controller = control("policy flat", "gait trot", "policy flat")
+    assert controller.names == ("policy flat", "gait trot", "policy flat (2)")
     assert tuple(shown.name for shown in controller.view().robots) == controller.names
-    controller.set_source(0, "gait low")
-    assert controller.names == ("gait low", "gait article", "policy flat")
+    controller.set_source(0, "gait pace")
+    assert controller.names == ("gait pace", "gait trot", "policy flat")
 
 
 def test_the_command_is_offered_if_a_robot_follows_it(control, tmp_path):
     path = tmp_path / "walk.csv"
-    publish(SinusoidalGait.preset("article"), 1.0, 50.0).save(path)
+    publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(path)
     controller = control(asked=[str(path)])
     follows = {}
     for name in controller.sources:

@@ -48,7 +48,7 @@ def test_sources_have_no_directory_in_their_names_and_different_ones_different_n
     asked = []
     for directory in ("one", "two"):
         load_policy("flat").save(tmp_path / directory / "runs" / "best")
-        publish(SinusoidalGait.preset("article"), 1.0, 50.0).save(tmp_path / directory / "walk.csv")
+        publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(tmp_path / directory / "walk.csv")
         asked += [str(tmp_path / directory / "runs" / "best"), str(tmp_path / directory / "walk.csv")]
     _, chosen = find_controllers([*asked, asked[0]], runs=tmp_path / "none")
     assert chosen == (

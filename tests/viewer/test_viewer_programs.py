@@ -87,9 +87,9 @@ def _program(*arguments, **options):
 
 
 def test_program_prints_its_address_and_ends_at_ctrl_c(tmp_path):
-    process = _program("flat", "tuned", cwd=tmp_path)
+    process = _program("flat", "trot", cwd=tmp_path)
     line = process.stdout.readline()
-    assert line.startswith("policy flat, gait tuned: http://127.0.0.1:")
+    assert line.startswith("policy flat, gait trot: http://127.0.0.1:")
     process.send_signal(signal.SIGINT)
     out, err = output_of(process)
     assert (process.returncode, out, err) == (0, "ending\n", "")

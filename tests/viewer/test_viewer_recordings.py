@@ -45,14 +45,14 @@ def test_recording_holds_the_samples_of_its_time(control, tmp_path, monkeypatch)
 @pytest.mark.parametrize("end", ["reset", "set_source", "watch", "close", "fall"])
 def test_recording_ends_where_its_robot_does(control, tmp_path, monkeypatch, end):
     monkeypatch.setattr("quadruped_env.viewer.viewer_recording.save_film", lambda path, clips: None)
-    controller = control("gait article", "stand still")
+    controller = control("gait trot", "stand still")
     controller.start_recording()
     controller.advance(0.2)
     match end:
         case "reset":
             controller.reset()
         case "set_source":
-            controller.set_source(0, "gait low")
+            controller.set_source(0, "gait pace")
         case "watch":
             controller.watch(1)
         case "fall":

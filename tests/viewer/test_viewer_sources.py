@@ -19,7 +19,7 @@ from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
 def recording(tmp_path):
     """A trot as a file."""
     path = tmp_path / "walk.csv"
-    publish(SinusoidalGait.preset("tuned"), 1.0, 50.0).save(path)
+    publish(SinusoidalGait.preset("trot"), 1.0, 50.0).save(path)
     return path
 
 
@@ -86,16 +86,16 @@ def test_a_run_that_does_not_match_is_refused_and_nothing_changes(control, forei
 
 def test_robots_can_be_added_and_removed(control):
     controller = control("policy flat")
-    controller.set_source(1, "gait tuned")
-    controller.set_source(2, "gait low")
-    assert controller.robots == ("policy flat", "gait tuned", "gait low")
+    controller.set_source(1, "gait trot")
+    controller.set_source(2, "gait pace")
+    assert controller.robots == ("policy flat", "gait trot", "gait pace")
     with pytest.raises(QuadrupedError, match=f"up to {MAX_ROBOTS}"):
-        controller.set_source(3, "gait fast")
+        controller.set_source(3, "gait walk")
     with pytest.raises(QuadrupedError, match="there is no 'nobody'"):
         controller.set_source(1, "nobody")
     controller.watch(2)
     controller.set_source(1, None)
-    assert controller.robots == ("policy flat", "gait low")
+    assert controller.robots == ("policy flat", "gait pace")
     assert controller.view().watched == 1
     with pytest.raises(QuadrupedError, match="policy flat: the first robot cannot be removed"):
         controller.set_source(0, None)

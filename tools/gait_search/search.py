@@ -12,17 +12,20 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from gait_search.styles import STYLES, Steps
+from gait_search.styles import HIGH_STEPS, STYLES, Steps
 from gait_search.trial import Achieved, Floats, Scale, Targets, draw_starts, measure, new_starts
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
+from quadruped_env.gait.gait_presets import TUNED_FOR_ONE_SPEED, TUNED_ON
 from quadruped_env.robot import Robot
 from quadruped_env.robot.corners import corners
 
 CANDIDATES: Final = 32
 """Of each generation, next to its mean."""
+ONE_SPEED: Final = {"trot": 0.4, "walk": 0.25, "bound": 0.35, "pace": 0.3}
+"""Preset -> forward velocity for which it is searched, m/s."""
 
-_TROT: Final = LEG_PHASES
+_TROT: Final = LEG_PHASES["trot"]
 _OVERSHOOT: Final = 0.05
 """Share of a joint's range that no target enters at either end: joints overshoot their targets."""
 _HIP: Final = (0, 5, 1)
@@ -184,6 +187,16 @@ def tune_commanded_gait(
     return commanded_gait(robot, dict(zip(whole, table, strict=True)), angular_frequency, max(yaw_rates))
 
 
+def tune_preset(name: str, generations: int, say: Callable[[str], None]) -> Floats:
+    """Columns of the fore and the hind leg (2, 6) of a preset for one speed, on the robot that the presets are for."""
+    angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
+    start = np.zeros((3, 2, 6))
+    start[0] = fore, hind
+    found = search(TUNED_ON, ONE_SPEED[name], angular_frequency, LEG_PHASES[name], start, HIGH_STEPS, generations)
+    say(_line(f"{name} at {angular_frequency} rad/s", found, (0.0,)))
+    return found.candidate[0].round(3)
+
+
 def _nearest(speed: float, others: Iterable[float]) -> float:
     return min(others, key=lambda other: abs(other - speed))
 
@@ -191,7 +204,7 @@ def _nearest(speed: float, others: Iterable[float]) -> float:
 def commanded_gait(
     robot: Robot, table: Mapping[float, Floats], angular_frequency: float, largest_yaw_rate: float
 ) -> CommandedGait:
-    """The gait whose tables have a candidate (3, 2, 6) at each speed in m/s, increasing."""
+    """The robot's own gait whose tables have a candidate (3, 2, 6) at each speed in m/s, increasing."""
     # Part, leg, column, speed.
     columns = np.round(list(table.values()), 4).transpose(1, 2, 3, 0)
     fore, hind, fore_turn, hind_turn, fore_side, hind_side = (
@@ -208,6 +221,7 @@ def commanded_gait(
         fore_side,
         hind_side,
         robot,
+        native=True,
     )
 
 
