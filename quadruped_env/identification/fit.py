@@ -290,7 +290,7 @@ class MotorFit:
         data = mujoco.MjData(model := self._model(self.start))
         positions, velocities = recorded.start
         if self.on_ground:
-            data.qpos[:7] = recorded.robot.resting_pose(positions)
+            data.qpos[:7] = recorded.robot.skeleton.resting_pose(positions)
         data.qpos[-joints:], data.qvel[-joints:] = positions, velocities
         fill_command_history(model, data.history[None], recorded.control[:1])
         kind = mujoco.mjtState.mjSTATE_FULLPHYSICS

@@ -134,7 +134,7 @@ class Replay:
         clearance = self.robot.sole_heights(self.played.positions[0], start)
         field = HeightField.of(build_model(terrain=self.motion.terrain, robot=self.robot))
         if field is not None:
-            clearance -= field.at(self.robot.foot_centres(self.played.positions[0], start))
+            clearance -= field.at(self.robot.skeleton.foot_centres(self.played.positions[0], start))
         return {
             **self.motion.terrain.provenance(),
             "seconds": self.motion.joints.duration,

@@ -208,7 +208,7 @@ class _Wizard:
                 return angles
 
     def _list_joints(self) -> None:
-        feet = self._robot.foot_centres(
+        feet = self._robot.skeleton.foot_centres(
             np.vstack([np.zeros(self._robot.num_joints), 0.1 * np.eye(self._robot.num_joints)])
         )
         lines = []

@@ -141,7 +141,7 @@ def _transforms(stamps: NDArray[np.int64], positions: Floats, poses: Floats | No
     """Yield the messages of /tf at timestamps (T,), in pieces: as Python objects, all would take gigabytes."""
     for start in range(0, len(stamps), _ROWS_PER_PIECE):
         part = slice(start, start + _ROWS_PER_PIECE)
-        moved = robot.joint_transforms(positions[part], None if poses is None else poses[part])
+        moved = robot.skeleton.joint_transforms(positions[part], None if poses is None else poses[part])
         yield from transform_messages(stamps[part].tolist(), moved)
 
 
@@ -149,7 +149,7 @@ def _write_description(writer: Any, robot: Robot, stamp: int) -> None:
     """Write the robot's description and its fixed transforms."""
     description = connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
     writer.write(description, stamp, cdr.serialize(cdr.message("std_msgs/msg/String", data=robot.urdf)))
-    message = next(transform_messages([stamp], robot.fixed_transforms()))
+    message = next(transform_messages([stamp], robot.skeleton.fixed_transforms()))
     writer.write(connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), stamp, message)
 
 
