@@ -37,7 +37,7 @@ _NEVER_USED: Final[dict[str, Any]] = {
     "ep_success_buffer": None,
     "tensorboard_log": None,
 }
-"""Fields that only a training needs, with values in place of theirs: a replay buffer may need gigabytes, and a pickled
+"""Fields that only a training needs, with values that replace theirs: a replay buffer may need gigabytes, and a pickled
 function often cannot be read by another version of Python."""
 
 
@@ -71,7 +71,7 @@ def import_policy(path: Path, config: TaskConfig, vecnormalize: Path | None = No
 
         check_regular(vecnormalize, "name the file that VecNormalize.save wrote")
         plain = env
-        env = _unpickled(vecnormalize, lambda: VecNormalize.load(str(vecnormalize), plain), "name that of the model")
+        env = _unpickled(vecnormalize, lambda: VecNormalize.load(str(vecnormalize), plain), "name the model's file")
     model.n_envs = 1  # of the training, which may have had more
     model.set_env(env)
     policy = Policy.from_sb3(model)

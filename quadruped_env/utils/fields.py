@@ -107,7 +107,7 @@ def extended(
         again: function that makes such a section from its plain values, which supports pickling.
 
     Raises:
-        QuadrupedError: if a name cannot be that of a field.
+        QuadrupedError: if a name cannot name a field.
     """
     for name in own:
         if not name.isidentifier() or (hasattr(base, name) and name not in hints_of(base)):
