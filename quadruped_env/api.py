@@ -13,8 +13,9 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_poli
 from quadruped_env.evaluation.learning_gain import LearningGain, gain_beside
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.evaluation.verdict import verdict
-from quadruped_env.report.pages.evaluation_report import write_numbers, write_report
-from quadruped_env.report.pages.page import METRICS_FILE, summary_table
+from quadruped_env.report.pages.page import METRICS_FILE
+from quadruped_env.report.pages.report import write_numbers, write_report
+from quadruped_env.report.pages.tables import summary_table
 from quadruped_env.report.report_directory import REPORT_FILE, prepare_output, print_report
 from quadruped_env.simulation import Terrain
 from quadruped_env.utils.program import Extras

@@ -20,16 +20,16 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import note_suite, reference_row, without_suite
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.evaluation.suite.suite import (
+from quadruped_env.evaluation.results import (
     REFERENCE_FILE,
     check_comparable,
     read_references,
     read_results,
-    run_suite,
     score_table,
     with_zero_action,
 )
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite import run_suite
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
@@ -116,17 +116,15 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
     return found
 
 
-def reference_controllers(policies: Mapping[str, Policy]) -> list[MeasuredController]:
+def reference_controllers(policies: Mapping[str, Policy]) -> list[Candidate]:
     """Controllers of the reference rows: standing, three scripted gaits, and policies by name."""
     config = TaskConfig().for_robot(MINI_QUADRUPED)
     return [
-        MeasuredController("standing", ZeroController(), config),
-        MeasuredController(
-            "article", GaitController(SinusoidalGait.preset("article", MINI_QUADRUPED), "article"), config
-        ),
-        MeasuredController("sinusoid", GaitController(CommandedGait.preset("sinusoid"), "sinusoid"), config),
-        MeasuredController("tuned", GaitController(), config),
-        *(MeasuredController.of_policy(policy, name) for name, policy in policies.items()),
+        Candidate("standing", ZeroController(), config),
+        Candidate("article", GaitController(SinusoidalGait.preset("article", MINI_QUADRUPED), "article"), config),
+        Candidate("sinusoid", GaitController(CommandedGait.preset("sinusoid"), "sinusoid"), config),
+        Candidate("tuned", GaitController(), config),
+        *(Candidate.of_policy(policy, name) for name, policy in policies.items()),
     ]
 
 

@@ -29,7 +29,7 @@ from quadruped_env.cli.invocation import Invocation
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.evaluation.comparison import COMMANDS
+from quadruped_env.evaluation.conditions import COMMANDS
 from quadruped_env.evaluation.learning_gain import EPISODES, MOTION_SEEDS, LearningGain, learning_gain
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import kept_file

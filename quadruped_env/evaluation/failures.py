@@ -5,7 +5,8 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import ERRORS, Command, Comparison
+from quadruped_env.evaluation.comparison import ERRORS, Comparison
+from quadruped_env.evaluation.conditions import Command
 from quadruped_env.evaluation.measures import METRICS, window_means, without_fall_in_words
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.verdict import tolerance

@@ -7,17 +7,8 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import (
-    MOTIONS,
-    NUM_SEEDS,
-    Comparison,
-    commands_for,
-    error_of,
-    evaluation_task,
-    rank,
-    run,
-    without_curriculum,
-)
+from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, error_of, rank, run
+from quadruped_env.evaluation.conditions import MOTIONS, commands_for, evaluation_task, without_curriculum
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number, proportion
 from quadruped_env.evaluation.measures import CLOSE, METRICS, START_UP, WINDOW, commands_met
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out

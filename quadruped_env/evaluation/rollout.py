@@ -156,6 +156,7 @@ def roll_out(
     progress: Progress | None = None,
     before_step: BeforeStep | None = None,
     engine: Engine = in_mujoco,
+    tiles: NDArray[np.intp] | None = None,
     physics: bool = False,
     restart: bool = False,
 ) -> Rollout:
@@ -174,6 +175,7 @@ def roll_out(
         progress: called with the fraction done.
         before_step: called before every control step; it may change commands or push robots.
         engine: simulates the robots.
+        tiles: kind and level of the tile on which each episode starts (K * S, 2), as in `Task.reset`.
         physics: record every physics step, which the measures of the gait need.
         restart: begin a new episode after a fall, as in training. Otherwise the episode ends.
 
@@ -212,9 +214,7 @@ def roll_out(
         if not fixed:
             commanded[step:] = task.command
 
-    for task, transition in run_episodes(
-        controller, command, seed, steps, config, prepare, engine=engine, restart=restart
-    ):
+    for task, transition in run_episodes(controller, command, seed, steps, config, prepare, tiles, engine, restart):
         substeps = task.context.substeps
         torque, speed = substeps.joint_torque, substeps.joint_velocity
         if physics:

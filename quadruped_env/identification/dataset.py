@@ -11,6 +11,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.interpreter import program_command
 
 SIGNALS: Final = ("position", "velocity", "effort")
@@ -32,17 +33,17 @@ class Recorded:
     """
 
     robot: Robot
-    control: NDArray[np.float64]
+    control: Floats
     """Joint targets, one per physics step: the mean of the last command over the step, rad (K, J)"""
-    times: NDArray[np.float64]
+    times: Floats
     """Times of the measurements from the first physics step, s (T,)"""
-    measured: NDArray[np.float64]
+    measured: Floats
     """Positions, velocities and efforts (T, S); NaN where not recorded or excluded"""
-    start: tuple[NDArray[np.float64], NDArray[np.float64]]
+    start: tuple[Floats, Floats]
     """Initial joint positions in rad and velocities in rad/s, each (J,)"""
     timestep: float
     """Physics time step, s"""
-    train: NDArray[np.bool_]
+    train: Bools
     """True for measurements used in the fit, False for held-out ones (T,)"""
 
     @property
@@ -55,9 +56,7 @@ class Recorded:
         return columns(signal, self.robot.num_joints)
 
 
-def whole(
-    trajectory: JointTrajectory, robot: Robot, without: Sequence[str], rest: NDArray[np.float64]
-) -> JointTrajectory:
+def whole(trajectory: JointTrajectory, robot: Robot, without: Sequence[str], rest: Floats) -> JointTrajectory:
     """A trajectory in the order of a robot's joints; those that are left out may be missing, and are at rest.
 
     Args:
@@ -172,7 +171,7 @@ def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajec
     return tuple(found)
 
 
-def held(times: NDArray[np.float64], values: NDArray[np.float64], edges: NDArray[Any]) -> NDArray[np.float64]:
+def held(times: Floats, values: Floats, edges: NDArray[Any]) -> Floats:
     """Means (K, J) over the intervals between edges (K + 1,) of values (T, J) with zero-order hold at times (T,)."""
     # The integral of a piecewise constant function is piecewise linear.
     corners = np.concatenate([[min(times[0], edges[0]) - 1.0], times, [max(times[-1], edges[-1]) + 1.0]])

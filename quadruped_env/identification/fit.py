@@ -8,7 +8,6 @@ import mujoco
 import numpy as np
 from mujoco import minimize
 from mujoco.rollout import rollout
-from numpy.typing import NDArray
 
 from quadruped_env.identification.dataset import Recorded
 from quadruped_env.identification.fitted_parameters import (
@@ -28,11 +27,12 @@ from quadruped_env.identification.rough_least_squares import derivatives, half_w
 from quadruped_env.robot import MotorConfig, Robot
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.simulation.model import scene
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.progress import Progress
 
 _UNDETERMINED: Final = 1.0
-"""Maximum half-width of a 95 % interval under white noise, relative to the value or its scale. A parameter with a wider
-interval is not determined and keeps its start value."""
+"""Maximum half-width of a 95 % interval under white noise, relative to the start value or its scale. A parameter with a
+wider interval is not determined and keeps its start value."""
 _STEP: Final = 1e-3
 """Step of the finite differences, in coordinates."""
 _TOLERANCE: Final = 1e-4
@@ -110,7 +110,7 @@ class MotorFit:
             self._progress(1.0)
         return with_values(self.start, values)
 
-    def predict(self, motors: MotorConfig) -> NDArray[np.float64]:
+    def predict(self, motors: MotorConfig) -> Floats:
         """Simulated signals over the whole recording, at the times of the measurements, (T, S)."""
         (signals,) = self._simulate([motors], self.recorded.times)
         return signals
@@ -192,7 +192,7 @@ class MotorFit:
         # The fit could stall on a bound.
         margin = 2e-3 * (high - low)
 
-        def columns(points: NDArray[np.float64]) -> NDArray[np.float64]:
+        def columns(points: Floats) -> Floats:
             """Residuals (M, n) of points (P, n)."""
             found = residuals(points.reshape(len(values), -1).T)
             return found.reshape(len(found), -1).T
@@ -214,17 +214,17 @@ class MotorFit:
         self,
         values: Mapping[str, float],
         fixed: Mapping[str, float] = {},
-    ) -> tuple[Callable[[NDArray[np.float64]], NDArray[np.float64]], Any, Any, Any]:
+    ) -> tuple[Callable[[Floats], Floats], Any, Any, Any]:
         """Weighted residuals (n, T, S) as a function of coordinates (n, P), those of the values, and their bounds."""
         rows = self._rows()
         measured = self.recorded.measured[rows]
 
-        def residual(signals: NDArray[np.float64]) -> NDArray[np.float64]:
+        def residual(signals: Floats) -> Floats:
             # A diverged simulation gets the maximum error.
             signals = np.nan_to_num(signals, nan=_DIVERGED, posinf=_DIVERGED, neginf=-_DIVERGED)
             return np.where(np.isfinite(measured), (signals - measured) * self._weights, 0.0) / np.sqrt(len(measured))
 
-        def residuals(points: NDArray[np.float64]) -> NDArray[np.float64]:
+        def residuals(points: Floats) -> Floats:
             coordinates = (dict(zip(values, point, strict=True)) for point in np.maximum(points, 0.0).tolist())
             motors = [with_values(self.start, {**from_coordinates(one), **fixed}) for one in coordinates]
             return np.stack([residual(signals) for signals in self._simulate(motors, self.recorded.times[rows])])
@@ -251,7 +251,8 @@ class MotorFit:
         scales = np.array([quantity(name).scale for name in values])
         jacobian = jacobian @ coordinate_derivatives(values) * scales
         influence = np.sqrt((jacobian**2).sum(axis=(0, 1)))
-        allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
+        # Relative to the start: a value that runs away would allow itself any interval.
+        allowed = _UNDETERMINED * np.maximum([value_of(self.start, name) for name in values] / scales, 1.0)
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
             white, widths = half_widths(jacobian[..., left], left_over, times, joints, kinds)
@@ -265,7 +266,7 @@ class MotorFit:
             left = np.delete(left, worst)
         return {}
 
-    def _inverse_spread(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _inverse_spread(self, values: Floats) -> Floats:
         """Weights (S,): the inverse RMS of each signal in values (T, S); 0 for missing signals."""
         weights = np.zeros(values.shape[1])
         for name in self.recorded.signals:
@@ -273,8 +274,8 @@ class MotorFit:
             weights[part] = 1.0 / max(np.sqrt(np.nanmean(values[:, part] ** 2)), 1e-9)
         return weights
 
-    def _rows(self) -> NDArray[np.bool_]:
-        """Mask of the measurements that the fit uses (T,)."""
+    def _rows(self) -> Bools:
+        """Bools of the measurements that the fit uses (T,)."""
         times = self.recorded.times
         return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
 
@@ -283,7 +284,7 @@ class MotorFit:
         motors.write(spec, self.recorded.robot.joint_kinds, self._max_delay)
         return spec.compile()
 
-    def _simulate(self, motors: Sequence[MotorConfig], times: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
+    def _simulate(self, motors: Sequence[MotorConfig], times: Floats) -> Iterator[Floats]:
         """Simulated signals with each of these motors, at times (T,) in s from the start of the recording, (T, S)."""
         recorded, joints = self.recorded, self.recorded.robot.num_joints
         data = mujoco.MjData(model := self._model(self.start))
@@ -310,7 +311,7 @@ class MotorFit:
                 ]
                 yield self._at(times, np.concatenate(parts, axis=1))
 
-    def _at(self, times: NDArray[np.float64], signals: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _at(self, times: Floats, signals: Floats) -> Floats:
         """Signals (K, S) after each physics step, at times (T,) in s; linear in between."""
         place = np.clip(times / self.recorded.timestep - 1.0, 0.0, len(signals) - 1.0)
         whole = np.rint(place)
@@ -345,7 +346,7 @@ def joint_spec(robot: Robot, timestep: float, on_ground: bool = False) -> mujoco
     return spec
 
 
-def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _centered(values: Floats) -> Floats:
     """Values (T, S) less the mean of each column, NaN aside."""
     count = np.isfinite(values).sum(axis=0)
     return values - np.nansum(values, axis=0) / np.maximum(count, 1)

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MotorConfig, Robot
+from quadruped_env.utils.arrays import Floats
 
 DELAY: Final = "delay"
 MAX_FIT_DELAY: Final = 0.2
@@ -81,7 +81,7 @@ def from_coordinates(coordinates: Mapping[str, float]) -> dict[str, float]:
     return {name: value * quantity(name).scale * _armature(name, armatures) for name, value in coordinates.items()}
 
 
-def coordinate_derivatives(values: Mapping[str, float]) -> NDArray[np.float64]:
+def coordinate_derivatives(values: Mapping[str, float]) -> Floats:
     """Derivatives of the coordinates with respect to the values, (n, n)."""
     names = list(values)
     coordinates = to_coordinates(values)

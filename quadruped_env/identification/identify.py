@@ -6,7 +6,6 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
@@ -18,6 +17,7 @@ from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.text_table import Table
@@ -52,9 +52,9 @@ class Identification:
     estimates: tuple[Estimated, ...]
     before: MotorConfig
     after: MotorConfig
-    predicted_before: NDArray[np.float64]
+    predicted_before: Floats
     """Simulated signals with the motors before the fit, at the times of the measurements (T, S)"""
-    predicted_after: NDArray[np.float64]
+    predicted_after: Floats
     """Simulated signals with the motors after the fit (T, S)"""
     remarks: tuple[str, ...]
     """Remarks on the recording, in sentences"""
@@ -80,7 +80,7 @@ class Identification:
             f"{', '.join(self.assumed)}."
         )
 
-    def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
+    def errors(self, after: bool, held_out: bool = True) -> dict[str, Floats]:
         """Root mean square error (J,) of every measured signal, over the held-out time or the fit's.
 
         NaN for a joint whose signal was not measured.
@@ -252,7 +252,7 @@ def identify(
     return replace(found, estimates=tuple(estimates))
 
 
-def pooled(rms: NDArray[np.float64]) -> float:
+def pooled(rms: Floats) -> float:
     """RMS over the joints of their RMS values (J,), without NaN."""
     return float(np.sqrt(np.nanmean(rms**2)))
 

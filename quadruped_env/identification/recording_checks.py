@@ -15,6 +15,7 @@ from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.plausibility import findings
+from quadruped_env.utils.arrays import Floats
 
 _MAX_DELAY: Final = 0.25
 """Longest time by which a servo follows its command, s."""
@@ -107,9 +108,9 @@ def _echoes(measured: JointTrajectory, commands: JointTrajectory, without: Seque
 
 def _age_of_echo(
     stamps: NDArray[np.int64],
-    positions: NDArray[np.float64],
+    positions: Floats,
     command_stamps: NDArray[np.int64],
-    targets: NDArray[np.float64],
+    targets: Floats,
 ) -> float | None:
     """Age in s of the targets that a joint's positions (T,) repeat; None if they are no targets."""
     common = (stamps >= command_stamps[0]) & (stamps <= command_stamps[-1])
@@ -201,7 +202,7 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
     return problems
 
 
-def _correlation(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+def _correlation(one: Floats, other: Floats) -> float:
     """Correlation where both are known; 0 if one does not change."""
     known = np.isfinite(one) & np.isfinite(other)
     if known.sum() < 20 or not np.ptp(one[known]) or not np.ptp(other[known]):
@@ -209,16 +210,14 @@ def _correlation(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
     return float(np.corrcoef(one[known], other[known])[0, 1])
 
 
-def _correlations(command: NDArray[np.float64], position: NDArray[np.float64], delay: int) -> NDArray[np.float64]:
+def _correlations(command: Floats, position: Floats, delay: int) -> Floats:
     """Correlation of each joint's position with each joint's command some steps earlier (J, J)."""
     target, reached = command[: len(command) - delay], position[delay:]
     with np.errstate(all="ignore"):
         return np.nan_to_num(np.corrcoef(reached.T, target.T)[: len(command.T), len(command.T) :], nan=0.0)
 
 
-def _clock_offset(
-    command: NDArray[np.float64], position: NDArray[np.float64], step: float
-) -> tuple[float, float, float]:
+def _clock_offset(command: Floats, position: Floats, step: float) -> tuple[float, float, float]:
     """Time in s by which all positions together follow their commands best, its correlation, and that of servos."""
     target, reached = command - command.mean(axis=0), position - position.mean(axis=0)
     target, reached = target / target.std(axis=0), reached / reached.std(axis=0)

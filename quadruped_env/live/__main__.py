@@ -19,7 +19,7 @@ describes each node.
 
 
 def make_parser(only: str | None = None) -> argparse.ArgumentParser:
-    """The parser of the nodes' arguments.
+    """Return the parser of the nodes' arguments.
 
     Args:
         only: the node whose arguments are needed; the other nodes get no arguments, and their modules are not imported.

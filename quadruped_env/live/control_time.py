@@ -24,7 +24,7 @@ class SystemTime:
         return time.monotonic()
 
     def of(self, taken: float) -> float:
-        """Time at which a message was taken, s, given its `time.monotonic`."""
+        """Return the time at which a message was taken, s, given its `time.monotonic`."""
         return taken
 
     def set_back(self, refused: Refused) -> bool:
@@ -32,7 +32,7 @@ class SystemTime:
         return False
 
     def state(self, stamp: int, taken: float) -> tuple[float, bool]:
-        """Time of receipt of a state with a timestamp in ns, s, and True if time was set back."""
+        """Return when a state with a timestamp in ns was received, s, and True if time was set back."""
         return taken, False
 
 
@@ -60,7 +60,7 @@ class SimTime:
         return newest is not None and self._set(newest[1])
 
     def state(self, stamp: int, taken: float) -> tuple[float, bool]:
-        """Time of a state, which may overtake the message of `/clock`, and True if time was set back."""
+        """Return the time of a state, which may overtake its `/clock`, s, and True if time was set back."""
         back = not self._clock.writers and self._set(stamp)
         ahead = stamp / NS_PER_SECOND - self.now
         return self.now + (ahead if 0.0 < ahead <= MAX_AGE else 0.0), back

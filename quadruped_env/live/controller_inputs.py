@@ -45,7 +45,7 @@ class Measurements:
         robot: the robot.
         driver: conversion of the driver's joints.
         velocities: True if measurements need joint velocities.
-        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: that of the base.
+        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: the base frame itself.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class Measurements:
         """Why the last messages gave no measurement; empty if they gave one."""
 
     def newest(self) -> tuple[Measurement, float] | None:
-        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
+        """Return the newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
 
         Raises:
             QuadrupedError: if the times of joint states and IMU differ, the IMU only repeats itself, or its orientation
@@ -157,7 +157,7 @@ class Measurements:
         return {name: rate for name, rate in found.items() if rate is not None}
 
     def missing(self) -> str:
-        """Why there are no measurements; empty if they come."""
+        """Return why there are no measurements; empty if they come."""
         silent = [one.topic.name for one in (self._states, self._attitudes) if not one.writers]
         if silent:
             return f"a publisher of {' and of '.join(silent)}"
@@ -187,19 +187,15 @@ class SlowInputs:
         """Take the present rates of the inputs in Hz, by topic; call it often."""
         if not self._pace.tick():
             return
-        before, self._slow = (
-            self._slow,
-            {
-                name: rate < self._control_rate * (_FAST if self._slow.get(name) else _SLOW)
-                for name, rate in rates.items()
-            },
-        )
-        slow = [f"{name} at {rates[name]:.0f} Hz" for name, is_slow in self._slow.items() if is_slow]
+        before, texts = self._slow, {name: f"{name} at {rate:.0f} Hz" for name, rate in rates.items()}
+        limits = {name: self._control_rate * (_FAST if before.get(name) else _SLOW) for name in rates}
+        self._slow = {name: rate < limits[name] for name, rate in rates.items()}
+        slow = [texts[name] for name, is_slow in self._slow.items() if is_slow]
         self.warning = f"{', '.join(slow)}, below the control rate of {self._control_rate:g} Hz" if slow else ""
         if self._slow != before:
-            found = ", ".join(f"{name} at {rate:.0f} Hz" for name, rate in rates.items())
             effect = ": control steps without a new state use the last one, and the policy may walk worse"
-            self._say(f"{self.warning}{effect}" if slow else f"{found}; control rate {self._control_rate:g} Hz")
+            known = f"{', '.join(texts.values())}; control rate {self._control_rate:g} Hz"
+            self._say(f"{self.warning}{effect}" if slow else known)
 
 
 class VelocityCommands:

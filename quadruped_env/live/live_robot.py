@@ -162,7 +162,7 @@ class LiveRobot(ViewedRobot):
         self._settings, self._changed_at = settings, time.monotonic()
 
     def complaints(self) -> list[str]:
-        """Descriptions of the joint limits that the last states of the `gait` node's gait exceed."""
+        """Return the descriptions of the joint limits that the last states of the `gait` node's gait exceed."""
         if self.gait is None:
             return []
         positions = np.array([moment.joint_position for moment in self.history])
@@ -213,7 +213,7 @@ class LiveRobot(ViewedRobot):
 
 
 def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Base pose (7,) and velocity (6,) of an `/odom` message, in MuJoCo's conventions.
+    """Read base pose (7,) and velocity (6,) of an `/odom` message, in MuJoCo's conventions.
 
     Raises:
         QuadrupedError: if a value is not finite or too large, or the orientation is zero.

@@ -77,7 +77,7 @@ class MotorSwing:
                 self._stamp, self._heard = state.stamp, received.taken
 
     def positions(self) -> NDArray[np.float64]:
-        """Mean of the last positions (D,), in the motors' unit; waits until they are fresh and the motors at rest.
+        """Return the mean of the last positions (D,), in the motors' unit, once they are fresh and the motors at rest.
 
         Raises:
             QuadrupedError: if the session ends.
@@ -90,7 +90,7 @@ class MotorSwing:
         raise QuadrupedError("ended before the motors were at rest; nothing more was moved")
 
     def _missing(self) -> str:
-        """Condition that is missing before a motor is moved; empty if there is none."""
+        """Return the condition that is missing before a motor is moved; empty if there is none."""
         if self._stops.stopped:
             return f"the release of the emergency stop ({self._stops.name})"
         if time.monotonic() - self._heard > Safety.hold_after or len(self._recent) < Safety.fresh_states:
@@ -139,14 +139,14 @@ class MotorSwing:
         return "the session ended"
 
     def _offset(self, elapsed: float) -> float:
-        """Distance from the start, in the motors' unit, at a time in s."""
+        """Return the distance from the start, in the motors' unit, at a time in s."""
         out = _SWING_TIME
         at = elapsed % (2.0 * out + sum(_PAUSES))
         share = min(at / out, 1.0, max(0.0, (2.0 * out + _PAUSES[0] - at) / out))
         return ANGLE / self._motors.unit * share * share * (3.0 - 2.0 * share)
 
     def _danger(self, now: float, since: float, target: NDArray[np.float64]) -> str:
-        """Why the robot must not be moved; empty if it may. `since` is the time since the last command, s."""
+        """Return why the robot must not be moved, or an empty text. `since`: time since the last command, s."""
         if self._stops.stopped:
             return f"emergency stop ({self._stops.name})"
         if max(now - self._heard, since) > Safety.limp_after:

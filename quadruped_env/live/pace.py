@@ -43,8 +43,6 @@ class Pace:
         """Number of deadlines met or skipped."""
         self.lost = 0
         """Number of deadlines skipped."""
-        self.latest = 0.0
-        """Largest delay of a deadline so far, s."""
         self._clock = clock
         self._start = clock()
 
@@ -63,7 +61,6 @@ class Pace:
         late = -self.remaining
         if late < 0.0:
             return False
-        self.latest = max(self.latest, late)
         if late > _MAX_LAG:
             missed = int(late / self.period)
             self.ticks += missed

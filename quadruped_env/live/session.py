@@ -67,8 +67,8 @@ def add_realtime_argument(parser: argparse.ArgumentParser) -> None:
 class Refusals:
     """Counts refused messages by reason, and writes them to the log.
 
-    The first message of a reason is logged at once. Later ones are logged once per second, with their number.
-    Memory use is bounded, whatever the messages contain.
+    The first message of a reason is logged at once, and later ones once per second, with their number. Memory use is
+    bounded, whatever the messages contain.
 
     Args:
         say: writes one line to the log.
@@ -80,49 +80,36 @@ class Refusals:
         self._clock = clock
         self._counts: dict[str, int] = {}
         """Reason -> number of messages not logged yet."""
-        self._others = 0
-        """Number of messages with further reasons that have not been logged yet."""
-        self._since = 0.0
+        self._since = clock()
         self.count = 0
         """Number of messages refused."""
 
     def __call__(self, reason: str) -> None:
-        """Count a refused message, and log it if the period allows it."""
+        """Count a refused message, and log it if its reason is new."""
         self.report()
         self.count += 1
         reason = escaped(reason if len(reason) <= _MAX_REASON else f"{reason[:_MAX_REASON]}...")
         if not self._counts:
             self._since = self._clock()
+        if reason not in self._counts and len(self._counts) >= MAX_REASONS:
+            reason = "for other reasons"
         if reason in self._counts:
             self._counts[reason] += 1
-        elif len(self._counts) < MAX_REASONS:
+        else:
             self._counts[reason] = 0
             self._say(f"refused: {reason}")
-        else:
-            self._others += 1
 
     def report(self, last: bool = False) -> None:
-        """Log the counts if the period is over. Call this often.
-
-        Args:
-            last: log them even if the period is not over.
-        """
+        """Log the counts if the period is over, or if `last`. Call this often."""
         elapsed = self._clock() - self._since
         if not self._counts or (elapsed < REFUSALS_PERIOD and not last):
             return
         for reason, count in self._counts.items():
             if count:
-                self._say(f"refused: {reason} ({_messages(count)} in {elapsed:.1f} s)")
-        if self._others:
-            self._say(f"refused: {_messages(self._others)} for other reasons in {elapsed:.1f} s")
+                self._say(f"refused: {reason} ({count} message{'s' * (count > 1)} in {elapsed:.1f} s)")
         # A reason that did not occur in this period counts as new when it occurs again.
         self._counts = {reason: 0 for reason, count in self._counts.items() if count}
-        self._others = 0
         self._since = self._clock()
-
-
-def _messages(count: int) -> str:
-    return "1 message" if count == 1 else f"{count} messages"
 
 
 class Session:
@@ -197,7 +184,7 @@ class Session:
         return self.node.wait(min(seconds, POLL_PERIOD))
 
     def turns(self, remaining: Callable[[], float] = lambda: POLL_PERIOD, drain: bool = False) -> Iterator[None]:
-        """The loop of every node: each turn waits for a message and calls `every_turn`; the caller then does its work.
+        """Run the loop of every node: each turn waits for a message and calls `every_turn`; then the caller works.
 
         Args:
             remaining: returns the time after which a turn is due without a message, s; at most `POLL_PERIOD`.

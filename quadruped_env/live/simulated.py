@@ -84,7 +84,7 @@ class SimulatedRobot:
         self.put(np.concatenate([place, [self._standing_height(place)], heading, self.robot.stance]))
 
     def _standing_height(self, place: NDArray[np.float64]) -> float:
-        """Height of the base's centre in the stance, over the highest ground around a position (2,), m."""
+        """Return the height of the base's centre in the stance, over the highest ground around a position (2,), m."""
         return self.robot.stance_height + float(highest_ground(self._simulation, place))
 
     def push(self, velocity: NDArray[np.float64]) -> None:

@@ -69,7 +69,7 @@ class Sources:
         self._problem, self._problem_at = "", 0.0
 
     def refusal(self, received: Received, parts: Sequence[int]) -> str:
-        """Reason to refuse a message with these parts: another publisher sends one of them; empty if none does."""
+        """Return why a message with these parts is refused: another publisher sends one of them; or an empty text."""
         for part in parts:
             writer, heard = self._known.get(part, (received.writer, 0.0))
             if writer != received.writer and received.taken - heard <= _SOURCE_TIMEOUT:

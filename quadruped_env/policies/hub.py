@@ -44,7 +44,7 @@ def hub_directory(address: str) -> Path:
         url = hf_hub_url(repository, CARD_FILE, revision=revision or None)
         try:  # once, where the client would try for minutes
             if get_hf_file_metadata(url, timeout=TIMEOUT).commit_hash is None:
-                unreachable = "the answer is not that of a hub"
+                unreachable = "the answer does not come from a hub"
         except named:
             raise
         except errors.OfflineModeIsEnabled:

@@ -11,5 +11,5 @@ def write_stamp(time: Any, stamp: int) -> None:
 
 
 def read_stamp(time: Any) -> int:
-    """The timestamp of a `builtin_interfaces/msg/Time`, ns."""
+    """Return the timestamp of a `builtin_interfaces/msg/Time`, ns."""
     return int(time.sec) * NS_PER_SECOND + int(time.nanosec)

@@ -23,8 +23,8 @@ from pathlib import Path
 from typing import Any, Final, cast
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
-from quadruped_env.evaluation.suite.suite import read_results
+from quadruped_env.evaluation.results import RESULTS_FILE as SUITE_FILE
+from quadruped_env.evaluation.results import read_results
 from quadruped_env.sweep.sweep_definition import FORMAT_VERSION, SweepConfig, known
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import CONFIG_FILE

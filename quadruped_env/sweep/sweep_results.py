@@ -11,9 +11,8 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.errors import MissingExtraError
-from quadruped_env.evaluation.suite.aggregate import aggregate, interquartile_mean
-from quadruped_env.evaluation.suite.suite import RESULTS_FILE as SUITE_FILE
-from quadruped_env.evaluation.suite.suite import read_results
+from quadruped_env.evaluation.results import RESULTS_FILE as SUITE_FILE
+from quadruped_env.evaluation.results import aggregate, interquartile_mean, read_results
 from quadruped_env.sweep.search import add_trial, optuna_module
 from quadruped_env.sweep.search_space import shown
 from quadruped_env.sweep.sweep_definition import SweepConfig

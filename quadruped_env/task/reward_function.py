@@ -6,15 +6,12 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardSection, RewardTerm, Termination, TerminationSection
-from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.fields import Section
-
-Bools = NDArray[np.bool_]
 
 
 class RewardFunction:

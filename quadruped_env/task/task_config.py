@@ -7,7 +7,7 @@ task's terms, so they depend on the task's definition (`quadruped_env.task.secti
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Final, Self, TypeVar
+from typing import Final, Self
 
 import mujoco
 
@@ -32,7 +32,6 @@ from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
 ROBOT: Final = "robot"
 """Field of a config's plain values that names the robot, if it is not the built-in one."""
-Config = TypeVar("Config", bound="TaskConfig")
 _OF_THE_DEFINITION: Final[Plain] = None
 """Default of the fields whose defaults depend on the task's definition."""
 
@@ -57,8 +56,7 @@ class TaskConfig(LoopConfig):
 
     def __post_init__(self) -> None:
         definition = self.definition
-        if self.motor is None:
-            object.__setattr__(self, "motor", definition.robot.motors)
+        object.__setattr__(self, "motor", _motor(self.motor, definition.robot))
         if self.clock_frequency is None:
             object.__setattr__(self, "clock_frequency", clock_frequency(definition.robot))
         for name, base in SECTIONS.items():
@@ -203,27 +201,17 @@ class TaskConfig(LoopConfig):
                 definition = definition if file is not None else BUILT_IN.with_robot(definition.robot)
                 for terrain in terrains:
                     definition = definition.with_terrain(terrain)
-        return _restored(cls, values, definition)
-
-
-def _restored(kind: type[Config], values: Plain, definition: TaskDefinition) -> Config:
-    """A config from nested plain values that name neither files nor a robot."""
-    default = kind(definition=definition)
-    if not isinstance(values, dict):
-        raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
-    check_names(values, [name for name in hints_of(kind) if name != "definition"], "config")
-    values = {**values}
-    for name, base in SECTIONS.items():
-        if name in values:
-            values[name] = section_of(base, definition, values[name])
-    if "motor" in values:
-        values["motor"] = _motor(values["motor"], definition.robot)
-    return with_values(default, values, "config")
+        if not isinstance(values, dict):
+            raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
+        check_names(values, [name for name in hints_of(cls) if name != "definition"], "config")
+        return cls(**values, definition=definition)
 
 
 def _motor(values: Plain, robot: Robot) -> MotorConfig:
-    """Motors whose missing fields are those of the robot, or of the preset that the values name."""
+    """Motors whose missing fields are a robot's, or those of the preset that the values name."""
     base = robot.motors
+    if values is None or isinstance(values, MotorConfig):
+        return base if values is None else values
     if isinstance(values, str):
         values = {PRESET: values}
     if isinstance(values, dict) and PRESET in values:

@@ -4,17 +4,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-import numpy as np
-from numpy.typing import NDArray
-
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.task.context import TaskContext
-from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.fields import Section
 from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
 from quadruped_env.utils.plain import plain
 
-Bools = NDArray[np.bool_]
 Term = Callable[..., Floats | Callable[[TaskContext], Floats]]
 """Function (context, parameters) -> (N,), or (N, K) for K terms; or a class, created with the context and the
 parameters, and then called with the context."""

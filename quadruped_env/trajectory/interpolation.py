@@ -8,15 +8,14 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 _DEGREE: Final = 2
 """Degree of the polynomial that `derivative` fits."""
 _ROWS_PER_FIT: Final = 65536
 
 
-def interpolate(
-    stamps: NDArray[np.float64], values: NDArray[np.float64], times: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def interpolate(stamps: Floats, values: Floats, times: Floats) -> Floats:
     """Linear interpolation, constant before the first row and after the last.
 
     At the time of a row the result is bit-identical to the values of the row.
@@ -37,7 +36,7 @@ def interpolate(
     return np.where(fraction == 0.0, values[before], values[before] + fraction * (values[after] - values[before]))
 
 
-def nanoseconds_of(seconds: NDArray[np.float64], last: float) -> NDArray[np.float64]:
+def nanoseconds_of(seconds: Floats, last: float) -> Floats:
     """Times (...,) in s as ns, within a recording from 0 to `last` ns.
 
     In floating point, k times a period in s is rarely a whole number of ns, but is meant to be: such times are rounded.
@@ -54,7 +53,7 @@ def even_stamps(stamps: NDArray[np.int64], rate: float) -> NDArray[np.int64]:
     return np.minimum(stamps[0] + nanoseconds, stamps[-1])
 
 
-def derivative(seconds: NDArray[np.float64], values: NDArray[np.float64], window: float) -> NDArray[np.float64]:
+def derivative(seconds: Floats, values: Floats, window: float) -> Floats:
     """Rate of change, filtered without delay; exact for parabolas.
 
     A parabola is fitted by least squares to the rows of a window around each row, and its slope taken at the row; near

@@ -16,18 +16,22 @@ from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import saving
 from quadruped_env.trajectory.interpolation import Gap, derivative, even_stamps, find_gaps, interpolate, nanoseconds_of
+from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.loading import read
-from quadruped_env.trajectory.maps import JointMap
 from quadruped_env.trajectory.reading import Reading, ReadOptions
-from quadruped_env.trajectory.rows import ARRAYS, JointState, Rows, Source
-from quadruped_env.trajectory.validation import (
+from quadruped_env.trajectory.rows import (
+    ARRAYS,
     IN_MEMORY,
+    JointState,
+    Rows,
+    Source,
     check_finite,
     checked_names,
     checked_stamps,
     checked_values,
     read_only,
 )
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.progress import Progress
 
 
@@ -49,9 +53,9 @@ class JointTrajectory:
 
     stamps: NDArray[np.int64]
     names: tuple[str, ...]
-    positions: NDArray[np.float64]
-    velocities: NDArray[np.float64] | None
-    efforts: NDArray[np.float64] | None
+    positions: Floats
+    velocities: Floats | None
+    efforts: Floats | None
     source: Source
 
     def __init__(
@@ -159,12 +163,12 @@ class JointTrajectory:
         return (self[i] for i in range(len(self)))
 
     @cached_property
-    def _nanoseconds(self) -> NDArray[np.float64]:
+    def _nanoseconds(self) -> Floats:
         """Time from the first timestamp, ns (T,)."""
         return (self.stamps - self.stamps[0]).astype(np.float64)
 
     @cached_property
-    def times(self) -> NDArray[np.float64]:
+    def times(self) -> Floats:
         """Time from the first timestamp, s (T,)."""
         return read_only(self._nanoseconds / NS_PER_SECOND)
 
@@ -203,7 +207,7 @@ class JointTrajectory:
             )
         return ordered
 
-    def positions_at(self, seconds: ArrayLike) -> NDArray[np.float64]:
+    def positions_at(self, seconds: ArrayLike) -> Floats:
         """Joint positions at times, in the order of `names`.
 
         Linear between rows, constant before the first and after the last. At the time of a row the result is
@@ -294,7 +298,7 @@ class JointTrajectory:
         return self._changed(velocities=derivative(self.times, self.positions, window))
 
     def retarget(self, joint_map: JointMap | str | Path, back: bool = False) -> "JointTrajectory":
-        """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.maps`.
+        """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.joint_map`.
 
         Args:
             joint_map: the map, or the path of its TOML file.
@@ -328,7 +332,7 @@ class JointTrajectory:
         """Names of the arrays: positions, and velocities and efforts if they were recorded."""
         return tuple(self._arrays())
 
-    def _arrays(self) -> dict[str, NDArray[np.float64]]:
+    def _arrays(self) -> dict[str, Floats]:
         """Name -> array (T, J), of those that were recorded."""
         arrays = {name: getattr(self, name) for name in ARRAYS.values()}
         return {name: array for name, array in arrays.items() if array is not None}

@@ -11,7 +11,8 @@ from synthetic import synthetic_rollout
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation import learning_gain as learning_gain_module
-from quadruped_env.evaluation.comparison import MOTIONS, Comparison, compare
+from quadruped_env.evaluation.comparison import Comparison, compare
+from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.learning_gain import NO_GAIN, gain_beside, gain_rows, learning_gain
 from quadruped_env.evaluation.measures import CLOSE, commands_met

@@ -53,7 +53,7 @@ def damaged(rng, topic):
 
 
 class FloodedSession(Session):
-    """A session whose subscriptions deliver damaged messages in place of those of other nodes."""
+    """A session whose subscriptions deliver damaged messages instead of other nodes' messages."""
 
     def __init__(self, arguments, log, rng, turns, size=3):
         super().__init__(arguments.node, arguments, log)

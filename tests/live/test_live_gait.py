@@ -143,7 +143,7 @@ def test_viewer_shows_the_limits_that_a_published_gait_exceeds(nodes, tmp_path):
         return status_html(show.view())
 
     wait_until(lambda: "live robot" in status(0.1, 6.0) and live.receives_states)
-    assert "exceeds" not in status(0.1, 6.0), "without the gait node, the joints may be those of any robot"
+    assert "exceeds" not in status(0.1, 6.0), "without the gait node, they may be any robot's joints"
     robot.subscribe(GAIT)
     robot.publish(GAIT_SETTINGS).send(settings_message(CHANGED))
     wait_until(lambda: "The gait exceeds limits: LF_knee_joint: " in status(0.1, 6.0))

@@ -212,7 +212,7 @@ def test_controller_moves_a_robot_that_sends_legs_apart_without_velocities_and_a
 
 
 def test_controller_says_that_positions_are_missing(run_node, nodes):
-    """As those of servos that report nothing."""
+    """As with servos that report nothing."""
     driver = nodes("driver")
     states, attitudes = driver.publish(JOINT_STATES), driver.publish(IMU)
     log = run_node("controller", "tuned")

@@ -4,7 +4,6 @@ import os
 import pty
 import re
 import select
-import signal
 import struct
 import subprocess
 import time
@@ -15,7 +14,7 @@ import numpy as np
 import pytest
 from live_nodes import STAMP, joint_state, received_from, started
 from trajectories import assert_same, random_trajectory
-from waiting import DEADLINE, output_of, wait_until
+from waiting import DEADLINE, wait_until
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait, asset_path
 from quadruped_env.live import Network, Topic
@@ -46,15 +45,6 @@ def message_of(trajectory, row):
         () if trajectory.velocities is None else trajectory.velocities[row],
         () if trajectory.efforts is None else trajectory.efforts[row],
     )
-
-
-def ended(process):
-    """Output of a node until Ctrl-C ended it."""
-    process.send_signal(signal.SIGINT)
-    output, _ = output_of(process)
-    assert process.returncode == 0, output
-    assert "Traceback" not in output
-    return output
 
 
 def test_echo_output_can_be_read_back(tmp_path):
@@ -89,15 +79,40 @@ def test_echo_field_is_chosen_by_its_path():
         field_at(values, "x")
 
 
-def test_echo_prints_every_message_of_a_reliable_topic(nodes):
-    publisher = nodes().publish(JOINT_STATES, DEEP)
-    with started("echo", "joint_states", "--field", "position", stderr=subprocess.DEVNULL) as process:
-        wait_until(lambda: publisher.readers, alive=process)
-        for i in range(20):
-            publisher.send(joint_state(position=[i] * 8))
-        assert publisher.wait_until_read(DEADLINE)
-        output = ended(process)
-    assert output == "".join(f"- {i}.0\n" * 8 + "---\n" for i in range(20))
+def test_listeners_print_and_record_every_message_of_a_reliable_topic(nodes, run_node, capsys, tmp_path):
+    """Echo one by one, `hz` with its rate, and `record` into a bag whose trajectory is the one that was sent."""
+    stamps = STAMP + 20_000_000 * np.arange(100)
+    times = (stamps - STAMP) / 1e9
+    gait = SinusoidalGait.preset("tuned")
+    trajectory = JointTrajectory(
+        stamps=stamps, names=JOINT_NAMES, positions=gait.positions(times), velocities=gait.velocities(times)
+    )
+    node, bag = nodes(), tmp_path / "bag"
+    states, transforms = node.publish(JOINT_STATES, DEEP), node.publish(TF, DEEP)
+    node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf))
+    tf_bytes = list(transform_messages(stamps.tolist(), MINI_QUADRUPED.joint_transforms(trajectory.positions)))
+    # Without the slash, the name is relative to the node's namespace.
+    echo = run_node("echo", "joint_states", "--field", "position")
+    listeners = [echo, run_node("hz"), run_node("record", "-o", str(bag))]
+    wait_until(lambda: (states.readers, transforms.readers) == (3, 2))
+    for row in range(100):
+        states.send(message_of(trajectory, row))
+        transforms.send_bytes(tf_bytes[row])
+    assert states.wait_until_read(DEADLINE)
+    assert transforms.wait_until_read(DEADLINE)
+    printed = []
+    for listener in listeners:
+        assert listener.interrupt() == 0
+        printed.append(capsys.readouterr().out)
+    lines = "".join(printed)
+    position = "".join(as_yaml(row.tolist()) for row in trajectory.positions)
+    assert "".join(line for line in lines.splitlines(True) if line.startswith("-")) == position
+    rates = re.findall(r"^/joint_states: average rate \d+\.\d\d Hz, period .* ms, (\d+) messages$", lines, re.MULTILINE)
+    assert rates[-1] == "100"
+    assert f"201 messages of 3 topics: {bag}" in lines
+    assert_same(JointTrajectory.load(bag), trajectory)
+    assert contents(bag)["/tf"] == tf_bytes
+    assert_read_by_others(bag, trajectory)
 
 
 def test_echo_ends_when_its_output_is_closed(nodes):
@@ -118,27 +133,15 @@ def test_echo_ends_when_its_output_is_closed(nodes):
     assert process.returncode == 141
 
 
-def test_hz_measures_the_received_messages(nodes):
-    publisher = nodes().publish(JOINT_STATES)
-    with started("hz", stderr=subprocess.DEVNULL) as process:
-        wait_until(lambda: publisher.readers)
-        for _ in range(10):
-            publisher.send(joint_state())
-        assert publisher.wait_until_read(DEADLINE)
-        process.send_signal(signal.SIGINT)
-        output, _ = output_of(process)
-    assert re.search(r"^/joint_states: average rate \d+\.\d\d Hz, period .* ms, 10 messages$", output, re.MULTILINE)
-
-
-def test_list_names_topics_types_owners_and_incompatibilities(nodes):
+def test_list_names_topics_types_owners_and_incompatibilities(nodes, capsys):
     one, other = nodes("one"), nodes("other")
     one.publish(JOINT_STATES, Qos(10, reliable=False))
     other.subscribe(JOINT_STATES)
 
     def listed():
         """Output once it has found both: it listens for a moment only, which a busy machine may miss."""
-        with started("list", "--verbose", stderr=subprocess.DEVNULL) as process:
-            lines = output_of(process)[0].splitlines()
+        assert main(["list", "--verbose", "--seconds", "0.3"]) == 0
+        lines = capsys.readouterr().out.splitlines()
         return lines if len(lines) >= 4 else None
 
     lines = wait_until(listed, "the topic, its two ends and the problem")
@@ -162,31 +165,6 @@ def test_common_qos_is_what_all_publishers_offer():
     assert common_qos([reliable, latched], "/other") == Qos(10)
     assert common_qos([latched, latched], "/robot_description") == Qos(1, transient_local=True)
     assert common_qos([reliable, loose], "/tf") == Qos(100, reliable=False)
-
-
-def test_recording_of_a_gait_holds_it_to_the_last_bit(nodes, tmp_path):
-    stamps = STAMP + 20_000_000 * np.arange(100)
-    times = (stamps - STAMP) / 1e9
-    gait = SinusoidalGait.preset("tuned")
-    trajectory = JointTrajectory(
-        stamps=stamps, names=JOINT_NAMES, positions=gait.positions(times), velocities=gait.velocities(times)
-    )
-    node, bag = nodes(), tmp_path / "bag"
-    states, transforms = node.publish(JOINT_STATES, DEEP), node.publish(TF, DEEP)
-    node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf))
-    tf_bytes = list(transform_messages(stamps.tolist(), MINI_QUADRUPED.joint_transforms(trajectory.positions)))
-    with started("record", "-o", str(bag)) as process:
-        wait_until(lambda: states.readers and transforms.readers)
-        for row in range(100):
-            states.send(message_of(trajectory, row))
-            transforms.send_bytes(tf_bytes[row])
-        assert states.wait_until_read(DEADLINE)
-        assert transforms.wait_until_read(DEADLINE)
-        output = ended(process)
-    assert f"201 messages of 3 topics: {bag}" in output.splitlines()
-    assert_same(JointTrajectory.load(bag), trajectory)
-    assert contents(bag)["/tf"] == tf_bytes
-    assert_read_by_others(bag, trajectory)
 
 
 def assert_read_by_others(bag, trajectory):
@@ -317,36 +295,35 @@ def test_keys_step_the_command_within_its_range():
     assert after(command, " ") == (0.0, 0.0)
 
 
-def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes):
+def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes, run_node, monkeypatch):
     velocities = nodes().subscribe(CMD_VEL, DEEP)
     ours, terminal = pty.openpty()
     commands = []
 
     def take():
-        for received in velocities.take():
-            twist = velocities.decode(received)
+        for _, twist in velocities.messages(pytest.fail):
             command = (twist.linear.x, twist.angular.z)
             if not commands or commands[-1] != command:
                 commands.append(command)
         return commands
 
-    with started("teleop", stdin=terminal) as process:
-        wait_until(take)
+    with open(terminal, encoding="utf-8") as stdin:
+        monkeypatch.setattr("sys.stdin", stdin)
+        teleop = run_node("teleop")
+        wait_until(take, lambda: teleop.said)
         for key, expected in ((b"\x1b[A", (0.1, 0.0)), (b"\x1b[A\x1b[C", (0.2, -0.2))):
             os.write(ours, key)
             wait_until(lambda expected=expected: take()[-1] == expected)
         os.write(ours, b"q")
-        output, _ = output_of(process)
-        assert process.returncode == 0, output
+        assert teleop.status() == 0
     wait_until(lambda: take()[-1] == (0.0, 0.0))
     assert commands == [(0.0, 0.0), (0.1, 0.0), (0.2, -0.2), (0.0, 0.0)]
     os.close(ours)
-    os.close(terminal)
 
 
 @pytest.fixture
 def pad(tmp_path):
-    """A pipe in place of the device `js0`, to which a test writes the events of Linux's joystick interface."""
+    """A pipe instead of the device `js0`, to which a test writes the events of Linux's joystick interface."""
     os.mkfifo(tmp_path / "js0")
     with (tmp_path / "js0").open("r+b", buffering=0) as pad:
         yield pad

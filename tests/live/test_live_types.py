@@ -90,4 +90,4 @@ def test_topic_is_made_once_for_all_readers_and_writers_of_a_node(nodes):
         node.subscribe(TOPICS["/estop"])
         node.publish(TOPICS["/estop"])
     assert ("rt/estop", "std_msgs/msg/Bool") in node._participant.quadruped_topics
-    assert len(node._participant.quadruped_topics) == 2, "the other one is that of discovery"
+    assert len(node._participant.quadruped_topics) == 2, "the other one is for discovery"

@@ -165,11 +165,6 @@ def test_live_controller_with_another_meaning_of_actions_is_refused_before_the_r
         LiveController(PolicyController(policy), ControlConfig())
 
 
-def test_task_that_differs_without_changing_actions_is_accepted():
-    values = TASK.to_dict() | {"randomization": {"payload": (0.0, 1.0)}, "motor": {"delay": 0.01}}
-    make_policy().check_env(make(ENV_ID, config=values))
-
-
 def test_check_env_of_another_environment_is_refused():
     env = make("CartPole-v1")
     with pytest.raises(

@@ -11,7 +11,7 @@ import pytest
 from environments import assert_same, episodes, make, make_native, make_sync
 from gymnasium.envs.registration import EnvSpec
 from gymnasium.utils.env_checker import check_env
-from live_loop import Loop
+from live_bench import Loop
 from paths import TESTS
 from second_robot import DESIGN, ROBOT
 from trainings import train

@@ -135,17 +135,6 @@ def test_starts_after_an_autoreset_have_the_same_laws():
     assert_independent(draws, ((0, 0), *NEIGHBOURS))
 
 
-def test_friction_and_payload_reach_both_geoms_of_a_contact_and_the_inertia():
-    plain = gymnasium.make(ENV_ID).unwrapped.model
-    env = gymnasium.make(ENV_ID, config=settings(friction=FRICTION, payload=PAYLOAD)).unwrapped
-    base = plain.body("base_link").id
-    for seed in range(5):
-        env.reset(seed=seed)
-        assert len(set(env.model.geom_friction[:, 0])) == 1
-        scale = env.model.body_mass[base] / plain.body_mass[base]
-        np.testing.assert_allclose(env.model.body_inertia[base], scale * plain.body_inertia[base], rtol=1e-12)
-
-
 # --- commands ---
 
 

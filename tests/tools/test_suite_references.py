@@ -13,8 +13,9 @@ from suites import tiny_suite
 import suite_references
 from benchmarks import shipping
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.evaluation.suite.suite import COMPONENTS, read_references, run_suite
+from quadruped_env.evaluation.results import COMPONENTS, read_references
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite import run_suite
 from quadruped_env.evaluation.suite.suite_definition import quick_suite
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import SHIPPED
@@ -114,7 +115,7 @@ def shipped(tmp_path, monkeypatch):
 @functools.cache
 def quick_result():
     """Results of the policy of `shipped`, which say that they are of the quick suite."""
-    measured = MeasuredController.of_policy(random_policy("position"), "flat")
+    measured = Candidate.of_policy(random_policy("position"), "flat")
     result = run_suite(measured, tiny_suite(), zero_action=True)
     for part in (result, result["zero_action"]):
         part["suite"] = quick_suite().identity

@@ -148,17 +148,6 @@ def test_wraps_of_a_geared_encoder_in_many_rows_are_wraps():
     assert re.search(r"wrap by 1\.571 rad .* in LF_hip_joint, .* 76 times", found[0].text)
 
 
-def test_findings_at_the_edges_of_blocks_are_each_found_once(tmp_path):
-    lies = "i = [5, 4090, 4096, 4100, 8191, 15_000]; q[i, np.mod(i, 8)] += 2.0; v[12_000, 2] = 200.0"
-    rows = planted(lies, rate=1000.0, seconds=16.0)
-    found = findings(rows, "line")
-    assert [finding.kind for finding in found] == ["jump", "velocity"]
-    assert "6 times" in found[0].text
-    JointTrajectory(rows.stamps, rows.names, *rows.values.values()).save(tmp_path / "a.csv")
-    expected = findings(replace(rows, numbers=rows.numbers + 2), "line")
-    assert JointTrajectory.load(tmp_path / "a.csv").source.notes == tuple(finding.text for finding in expected)
-
-
 class TestRepairs:
     @staticmethod
     def load(tmp_path, rows, **options):

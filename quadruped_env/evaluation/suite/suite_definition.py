@@ -14,6 +14,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.evaluation.conditions import COMMANDS, Command
 from quadruped_env.evaluation.measures import BOUNCE, CLOSE, ROUGH, SPEED_SHARE, SWING_SHARE
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
@@ -25,9 +26,6 @@ from quadruped_env.utils.seeds import EVALUATION_SEEDS
 
 NAME: Final = "mq-eval"
 VERSION: Final = 2
-
-Command = tuple[float, float]
-"""Forward velocity in m/s and yaw rate in rad/s."""
 
 _FIRST_SEED: Final = EVALUATION_SEEDS.start + 500_000
 """First seed of the suite; the seeds before it are those of the other evaluations."""
@@ -102,8 +100,8 @@ class CommandMap(Part):
 
 
 @dataclass(frozen=True)
-class Factor:
-    """One disturbance: values of the config's section `randomization`, and an incline of the ground."""
+class Disturbance:
+    """Values of the config's section `randomization`, and an incline of the ground."""
 
     name: str
     randomization: dict[str, Any] = field(default_factory=dict)
@@ -116,8 +114,8 @@ class Joystick(Part):
     """Commands that change at any time, as a person gives them."""
 
     rectangle: tuple[Command, Command] = RECTANGLE
-    laws: tuple[Factor, ...] = field(
-        default_factory=lambda: (Factor("undisturbed"), Factor("moderate", dict(PRESETS["moderate"])))
+    laws: tuple[Disturbance, ...] = field(
+        default_factory=lambda: (Disturbance("undisturbed"), Disturbance("moderate", dict(PRESETS["moderate"])))
     )
     """Disturbances under which the episodes run."""
     seconds: float = 60.0
@@ -139,18 +137,7 @@ class Joystick(Part):
 class GaitPart(Part):
     """Steady walking, for the measures of the gait."""
 
-    commands: tuple[Command, ...] = (
-        (0.1, 0.0),
-        (0.2, 0.0),
-        (0.3, 0.0),
-        (0.4, 0.0),
-        (0.5, 0.0),
-        (-0.2, 0.0),
-        (0.0, 0.5),
-        (0.0, -0.5),
-        (0.3, 0.5),
-        (0.3, -0.5),
-    )
+    commands: tuple[Command, ...] = tuple(command for command in COMMANDS if any(command))
     seconds: float = 15.0
     tolerance: tuple[float, float] = ROUGH
     """Errors of the mean velocities up to which the gait of an episode counts in the score, m/s and rad/s."""
@@ -229,15 +216,15 @@ class Pushes(Part):
     """Time from the latest push to the end, s."""
 
 
-def _factors() -> tuple[Factor, ...]:
+def _factors() -> tuple[Disturbance, ...]:
     """Friction, payload, encoder offsets and slopes, one at a time."""
     return (
-        Factor("nominal"),
-        *(Factor(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
-        *(Factor(f"payload_{kg:+g}_kg", {"payload": (kg, kg)}) for kg in (-0.5, 0.5, 1.0, 2.0)),
-        *(Factor(f"encoder_offset_{offset:g}", {"encoder_offset": offset}) for offset in (0.02, 0.04)),
+        Disturbance("nominal"),
+        *(Disturbance(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
+        *(Disturbance(f"payload_{kg:+g}_kg", {"payload": (kg, kg)}) for kg in (-0.5, 0.5, 1.0, 2.0)),
+        *(Disturbance(f"encoder_offset_{offset:g}", {"encoder_offset": offset}) for offset in (0.02, 0.04)),
         *(
-            Factor(f"{way}_{angle:g}_degrees", {"start_heading": 0.0}, sign * angle)
+            Disturbance(f"{way}_{angle:g}_degrees", {"start_heading": 0.0}, sign * angle)
             for angle in (4.0, 8.0, 12.0, 16.0)
             for way, sign in (("up", 1.0), ("down", -1.0))
         ),
@@ -248,7 +235,7 @@ def _factors() -> tuple[Factor, ...]:
 class Regulation(Part):
     """Speed and yaw rate kept under one disturbance at a time, and under all of the preset `hard` together."""
 
-    factors: tuple[Factor, ...] = field(default_factory=_factors)
+    factors: tuple[Disturbance, ...] = field(default_factory=_factors)
     commands: tuple[Command, ...] = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
     seconds: float = 8.0
     standing: float = 0.5
@@ -257,7 +244,7 @@ class Regulation(Part):
     """Error up to which an episode keeps a velocity that is commanded, relative to the command."""
     tolerance: tuple[float, float] = CLOSE
     """The same for a velocity whose command is 0, m/s and rad/s."""
-    together: Factor = field(default_factory=lambda: Factor("hard", dict(PRESETS["hard"])))
+    together: Disturbance = field(default_factory=lambda: Disturbance("hard", dict(PRESETS["hard"])))
     together_seeds: int = 32
     """Episodes per command with all disturbances together."""
     together_seconds: float = 20.0

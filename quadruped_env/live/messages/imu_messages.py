@@ -29,7 +29,7 @@ class Imu(NamedTuple):
 
 
 def read_imu(message: Any) -> Imu:
-    """The IMU measurement of a `sensor_msgs/msg/Imu` message.
+    """Read the measurement of a `sensor_msgs/msg/Imu` message.
 
     Raises:
         QuadrupedError: if it has no orientation or timestamp, or a value is not finite or too large.
@@ -57,7 +57,7 @@ def read_imu(message: Any) -> Imu:
 
 
 def in_base(imu: Imu, base: str, mount: NDArray[np.float64] | None) -> Imu:
-    """The measurement of an IMU at the base.
+    """Convert the measurement of an IMU to the base frame.
 
     Args:
         imu: the measurement in the sensor's frame.

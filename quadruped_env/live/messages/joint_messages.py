@@ -190,7 +190,7 @@ class JointMerger:
         return f"{self._names[oldest]} on {JOINT_STATES.name}: {lag:.2f} s older than {self._names[newest]}"
 
     def _differentiated(self, joints: Joints) -> NDArray[np.float64]:
-        """Velocities (J,) from the joints' last positions and a message, through a first-order low-pass filter."""
+        """Compute velocities (J,) from the last positions and a message, through a first-order low-pass filter."""
         if not self.computes_velocities:
             self.computes_velocities = True
             self._say(
@@ -206,7 +206,7 @@ class JointMerger:
 
 
 def missing_joints(joints: Sequence[str], others: Sequence[str]) -> str:
-    """Description of joints that `/joint_states` does not hold, and of other ones that it holds."""
+    """Return the description of joints that `/joint_states` does not hold, and of other ones that it holds."""
     more = f" and {len(joints) - 1} more" if len(joints) > 1 else ""
     held = f", which holds {', '.join(map(short, others[:_SHOWN]))}{', ...' * (len(others) > _SHOWN)}"
     return f"{joints[0]}{more} on {JOINT_STATES.name}{held if others else ''}"
@@ -229,7 +229,7 @@ class Period:
         return len(steps) * NS_PER_SECOND / sum(steps) if len(steps) >= _STAMPS else None
 
     def _steps(self, count: int = 0) -> list[int]:
-        """Steps between increasing timestamps, of the last `count` timestamps or of all, ns."""
+        """Return the steps between increasing timestamps, of the last `count` timestamps or of all, ns."""
         stamps = list(self._stamps)[-count:]
         return [later - earlier for earlier, later in itertools.pairwise(stamps) if later > earlier]
 
@@ -242,7 +242,7 @@ class Period:
 
 
 def command_message(robot: Jointed, stamp: int, target: Target) -> bytes:
-    """The CDR bytes of a `/joint_commands` message.
+    """Serialize a `/joint_commands` message to CDR.
 
     Args:
         robot: the robot that is commanded, or its driver.
@@ -255,7 +255,7 @@ def command_message(robot: Jointed, stamp: int, target: Target) -> bytes:
 
 
 def read_target(joints: Joints) -> Target:
-    """The target of a `/joint_commands` message.
+    """Read the target of a `/joint_commands` message.
 
     Raises:
         QuadrupedError: if the message holds neither positions nor efforts of zero alone.
@@ -279,7 +279,7 @@ class _Columns(NamedTuple):
 
 
 def _columns(names: tuple[str, ...], joints: tuple[str, ...], whole: bool) -> _Columns:
-    """Where a list of names holds the joints; with `whole`, each of them once and nothing else."""
+    """Find the joints in a list of names; with `whole`, it has to hold each of them once and nothing else."""
     others = tuple(name for name in names if name not in joints)
     found = [i for i, joint in enumerate(joints) if joint in names]
     twice = len(names) - len(others) > len(found)

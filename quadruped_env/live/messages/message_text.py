@@ -28,7 +28,7 @@ def _plain_fields(fields: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def field_at(values: Any, path: str) -> Any:
-    """One field of a message.
+    """Return one field of a message.
 
     Args:
         values: the result of `plain`.
@@ -49,7 +49,7 @@ def field_at(values: Any, path: str) -> Any:
 
 
 def as_yaml(values: Any) -> str:
-    """YAML with one line per list item, and the `---` line that ends a message.
+    """Return YAML with one line per list item, and the `---` line that ends a message.
 
     Raises:
         MissingExtraError: if PyYAML is not installed.

@@ -50,7 +50,7 @@ class Names:
         return self.full(self.node)
 
     def full(self, name: str) -> str:
-        """A topic's full name; one without a leading slash is in the namespace, one with `~/` in that of the node."""
+        """Return a topic's full name: without a leading slash it is in the namespace, with `~/` in the node's own."""
         if name.startswith("/"):
             return name
         if name.startswith("~/"):
@@ -58,6 +58,6 @@ class Names:
         return f"{self.namespace.rstrip('/')}/{name}"
 
     def resolved(self, topic: Topic) -> Topic:
-        """One of this robot's topics under the name that this node uses."""
+        """Return one of this robot's topics under the name that this node uses."""
         name = topic.name if topic.is_global else self.full(topic.name.removeprefix("/"))
         return replace(topic, name=dict(self.rules).get(name, name))

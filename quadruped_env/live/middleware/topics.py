@@ -29,7 +29,7 @@ class Topic:
 
     @property
     def dds_name(self) -> str:
-        """The topic's name on DDS; a name without a slash is that of DDS itself."""
+        """The topic's name on DDS; a name without a slash is DDS's own."""
         return f"rt{self.name}" if self.name.startswith("/") else self.name
 
     @property
@@ -39,7 +39,7 @@ class Topic:
 
 
 def ros_name(dds_name: str) -> str:
-    """The ROS 2 name of a DDS topic; empty if it is not a ROS 2 topic."""
+    """Return the ROS 2 name of a DDS topic; empty if it is not a ROS 2 topic."""
     return dds_name.removeprefix("rt") if dds_name.startswith("rt/") else ""
 
 

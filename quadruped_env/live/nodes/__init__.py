@@ -31,6 +31,6 @@ _MODULES: Final = {
 
 
 def node_module(name: str) -> Any:
-    """The module or class of a node of `SUMMARIES`."""
+    """Return the module or class of a node of `SUMMARIES`."""
     module = importlib.import_module(f"{__name__}.{_MODULES.get(name, name)}")
     return getattr(module, name.capitalize()) if name in _MODULES else module

@@ -63,8 +63,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--arrays",
         action="store_true",
         help=f"send the targets in the format of ros2_control on {JOINT_POSITIONS.name}: one number per joint, in the "
-        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or in that of the robot of --task, or with --map in that "
-        "of the log. This format has no limp command: the node stops sending, and the driver has to disable the "
+        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or the order of --task's robot, or with --map the one "
+        "in the log. This format has no limp command: the node stops sending, and the driver has to disable the "
         "motors",
     )
     add_map_argument(parser)
@@ -75,7 +75,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "policy needs it if it defines its robot or observations",
     )
     parser.add_argument(
-        "--trust-task", action="store_true", help="execute the copy of that file that the run keeps, in place of --task"
+        "--trust-task", action="store_true", help="execute the copy of that file that the run keeps, instead of --task"
     )
     parser.add_argument(
         "--imu-mount",
@@ -190,7 +190,7 @@ def _control(
 
 
 def _terms(arguments: argparse.Namespace) -> Terms:
-    """Robot and terms of `--task`, or of the copy that the run of the policy keeps."""
+    """Load robot and terms of `--task`, or of the copy that the run of the policy keeps."""
     if not arguments.trust_task:
         return Terms() if arguments.task is None else load_terms(arguments.task)
     if arguments.task is not None:
@@ -200,7 +200,7 @@ def _terms(arguments: argparse.Namespace) -> Terms:
 
 
 def _mount(arguments: argparse.Namespace) -> NDArray[np.float64] | None:
-    """The quaternion of `--imu-mount`."""
+    """Return the quaternion of `--imu-mount`."""
     angles = arguments.imu_mount
     if angles is None:
         return None

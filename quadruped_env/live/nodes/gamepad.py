@@ -139,7 +139,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
 
 def velocity(gamepad: Gamepad, axes: list[int]) -> Velocity:
-    """The command of two axes, of which full deflection is the end of the range that policies are trained for."""
+    """Return the command of two axes: full deflection is the end of the range that policies are trained for."""
     values = []
     for entry, axis in zip(COMMANDS, axes, strict=True):
         low, high = entry.range

@@ -88,7 +88,7 @@ def add_view_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:
-    """Options as they were given, for another node."""
+    """Return options as they were given, for another node."""
     found = []
     for name in names:
         value = getattr(arguments, name)

@@ -262,7 +262,7 @@ def _published(session: Session) -> dict[str, list[Endpoint]]:
 
 
 def _topic(session: Session, publishers: Sequence[Endpoint], names: Sequence[str]) -> Topic | None:
-    """A topic as its publishers offer it, or None if its type is unknown."""
+    """Return a topic as its publishers offer it, or None if its type is unknown."""
     known = [endpoint for endpoint in publishers if endpoint.type_name in MESSAGE_TYPES]
     name = publishers[0].topic
     if known:
@@ -276,9 +276,9 @@ def _topic(session: Session, publishers: Sequence[Endpoint], names: Sequence[str
 
 
 def common_qos(offers: Sequence[Qos], name: str) -> Qos:
-    """The QoS with which a subscription matches all publishers of a topic, as in ROS 2's tools.
+    """Return the QoS that matches all publishers of a topic, as ROS 2's tools choose it.
 
-    The depth is that of this robot's topic of the same name, since publishers need not announce theirs.
+    The depth is taken from this robot's topic of the same name, since publishers need not announce theirs.
     """
     depth = TOPICS[name].qos.depth if name in TOPICS else _DEFAULT_DEPTH
     return Qos(
@@ -289,7 +289,7 @@ def common_qos(offers: Sequence[Qos], name: str) -> Qos:
 
 
 def rate_text(times: deque[float]) -> str:
-    """Description of the rate and periods of messages with these arrival times, s."""
+    """Return the description of the rate and periods of messages with these arrival times, s."""
     if len(times) < 2:
         return f"{len(times)} messages" if len(times) != 1 else "1 message"
     periods = 1e3 * np.diff(times)

@@ -155,5 +155,5 @@ def _push_robot(session: Session, robot: SimulatedRobot, velocity: NDArray[np.fl
 
 
 def _push(vector: Any) -> NDArray[np.float64]:
-    """The velocity (3,) of a `/push` message, m/s."""
+    """Return the velocity (3,) of a `/push` message, m/s."""
     return np.array([vector.x, vector.y, vector.z])

@@ -55,7 +55,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
 
 def after(command: Velocity, key: str) -> Velocity:
-    """The command after a key press, clipped to the range that policies are trained for."""
+    """Return the command after a key press, clipped to the range that policies are trained for."""
     if key in (STOP, END):
         return 0.0, 0.0
     if key not in STEPS:

@@ -29,7 +29,7 @@ from quadruped_env.task.randomization.randomization import (
 from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
 from quadruped_env.task.randomization.servo_errors import ServoErrors
 from quadruped_env.utils import rotations
-from quadruped_env.utils.arrays import EnvIds, Floats
+from quadruped_env.utils.arrays import Bools, EnvIds, Floats
 from quadruped_env.utils.fields import Range
 
 Steps = NDArray[np.int64]
@@ -241,7 +241,7 @@ class Randomizer:
         return self._noise_values
 
 
-def _among(mask: NDArray[np.bool_], running: EnvIds | None) -> EnvIds:
+def _among(mask: Bools, running: EnvIds | None) -> EnvIds:
     env_ids = np.flatnonzero(mask)
     return env_ids if running is None else np.intersect1d(env_ids, running)
 

@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
 from typing import Final
@@ -15,7 +15,7 @@ from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import check_regular
 
-Reader = Callable[[Reading], Iterator[Rows]]
+Reader = Callable[[Reading], Rows | None]
 
 _FIX: Final = "name a file of joint states, or the directory of a bag"
 _HEAD: Final = 65536
@@ -32,8 +32,8 @@ _MAGICS: Final[dict[bytes, Reader]] = {
 """First bytes of a file -> its reader."""
 
 
-def read(reading: Reading, stack: ExitStack) -> Iterator[Rows]:
-    """The rows of a file or bag, not validated.
+def read(reading: Reading, stack: ExitStack) -> Rows | None:
+    """The rows of a file or bag, not validated; None without a usable one.
 
     Args:
         reading: of the file.

@@ -8,8 +8,7 @@ import pytest
 from scipy.stats import trim_mean
 
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.suite.aggregate import aggregate, interquartile_mean, stratified_interquartile_mean
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS, aggregate, interquartile_mean, stratified_interquartile_mean
 from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from quadruped_env.evaluation.measures import meets
-from quadruped_env.evaluation.suite import command_map
-from quadruped_env.evaluation.suite.measured_controller import share_with_standing
+from quadruped_env.evaluation.suite import steady
+from quadruped_env.evaluation.suite.suite import moving_and_standing
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 
 PART = replace(
@@ -47,9 +47,9 @@ def test_a_command_to_stand_is_met_only_by_standing_still():
 
 
 def test_standing_alone_earns_nothing_and_marching_loses_a_fifth():
-    assert share_with_standing(0.0, 1.0) == 0.0
-    assert share_with_standing(1.0, 1.0) == 1.0
-    assert share_with_standing(0.5, 0.0) == pytest.approx(0.4)
+    for moving, standing, expected in ((0.0, 1.0, 0.0), (1.0, 1.0, 1.0), (0.5, 0.0, 0.4)):
+        result = {"moving": {"mean": moving}, "standing": {"mean": standing}}
+        assert moving_and_standing(result, PART) == pytest.approx(expected)
 
 
 def test_errors_are_signed_and_their_summary_is_that_of_the_means_over_seeds():
@@ -58,7 +58,7 @@ def test_errors_are_signed_and_their_summary_is_that_of_the_means_over_seeds():
     achieved[0, :, 0] += [-0.08, 0.08]  # opposite errors cancel in the mean, and each misses the tolerance
     achieved[3, :, 1] -= 0.3
     achieved[2, 0] = np.nan
-    result = command_map.summary(COMMANDS, achieved, NONE, met(achieved))
+    result = steady.summary(COMMANDS, achieved, NONE, met(achieved))
     forward = result["forward_velocity_error"]
     np.testing.assert_allclose(forward["signed"], [0.0, 0.03, 0.0, 0.0], atol=1e-12)
     assert forward["mean"] == pytest.approx(0.03 / 4)
@@ -66,13 +66,13 @@ def test_errors_are_signed_and_their_summary_is_that_of_the_means_over_seeds():
     assert result["yaw_rate_error"]["signed"][3] == pytest.approx(-0.3)
     assert (result["met"]["mean"], result["met"]["count"]) == (pytest.approx(3 / 8), 8)
     achieved[2] = np.nan
-    unknown = command_map.summary(COMMANDS, achieved, NONE, met(achieved))
+    unknown = steady.summary(COMMANDS, achieved, NONE, met(achieved))
     assert unknown["forward_velocity_error"]["signed"][2] is None
 
 
 def test_envelope_ends_before_the_first_command_on_the_axis_that_is_missed():
     kept = np.ones((5, 2), dtype=bool)
-    assert command_map.envelope(PART, kept) == {"forwards": 0.4, "right": 0.5}
+    assert steady.envelope(PART, kept) == {"forwards": 0.4, "right": 0.5}
     kept[1, 1] = False  # 0.2 m/s is missed in one episode, and 0.4 m/s beyond it is met
     kept[3] = False
-    assert command_map.envelope(PART, kept) == {"forwards": 0.1, "right": 0.0}
+    assert steady.envelope(PART, kept) == {"forwards": 0.1, "right": 0.0}

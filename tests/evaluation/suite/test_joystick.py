@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from synthetic import DT, falls, synthetic_rollout
 
-from quadruped_env.evaluation.suite import joystick
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.evaluation.suite.suite_definition import Factor, full_suite
+from quadruped_env.evaluation.suite import changing
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite_definition import Disturbance, full_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.task import TaskConfig
 
@@ -22,10 +22,10 @@ def given(*pieces):
 
 
 def test_schedules_hold_each_command_and_have_every_kind():
-    commands = np.concatenate([joystick.schedule(PART, seed, DT) for seed in PART.seeds])
-    single = joystick.schedule(PART, PART.first_seed, DT)
+    commands = np.concatenate([changing.schedule(PART, seed, DT) for seed in PART.seeds])
+    single = changing.schedule(PART, PART.first_seed, DT)
     assert single.shape == (3000, 2)
-    np.testing.assert_array_equal(single, joystick.schedule(PART, PART.first_seed, DT))
+    np.testing.assert_array_equal(single, changing.schedule(PART, PART.first_seed, DT))
     held = np.diff(np.flatnonzero((np.diff(single, axis=0) != 0.0).any(axis=1)))
     assert held.min() >= 25
     # Two commands to stand in a row look like one that is held longer.
@@ -49,7 +49,7 @@ def test_error_is_that_of_the_mean_of_each_stretch_after_the_allowance():
     velocity[255:, 0, 0] += 0.1
     valid = np.ones((500, 1), dtype=bool)
     valid[400:] = False
-    error = joystick.stretch_errors(velocity, command, valid, PART, DT)[:, 0]
+    error = changing.stretch_errors(velocity, command, valid, PART, DT)[:, 0]
     counted = np.isfinite(error[:, 0])
     np.testing.assert_array_equal(np.flatnonzero(counted), [*range(25, 200), *range(255, 400)])
     np.testing.assert_allclose(error[25:200], 0.0, atol=1e-3)
@@ -63,7 +63,7 @@ def test_windows_with_a_fall_or_a_large_error_are_not_met():
     error[500:750, 2] = np.nan
     valid = np.ones((STEPS, 3), dtype=bool)
     valid[760:, 0] = False
-    found = joystick.met_windows(error, valid, PART, DT)
+    found = changing.met_windows(error, valid, PART, DT)
     np.testing.assert_array_equal(found.T, [[1, 0, 1, 0], [1, 1, 1, 1], [1, 1, 0, 1]])
 
 
@@ -71,7 +71,9 @@ def test_falls_per_hour_count_the_time_until_each_fall():
     command = np.repeat(given((STEPS, 0.3, 0.0)), 3, axis=1)
     valid = np.ones((STEPS, 3), dtype=bool)
     valid[500:, 1] = False
-    result = joystick.measures(synthetic_rollout(STEPS, 3, velocity=command.copy(), fell=falls(valid)), command, PART)
+    result = changing.joystick_measures(
+        synthetic_rollout(STEPS, 3, velocity=command.copy(), fell=falls(valid)), command, PART
+    )
     assert (result["falls"], result["robot_hours"]) == (1, pytest.approx(50.0 / 3600.0))
     assert result["falls_per_hour"]["mean"] == pytest.approx(72.0)
     assert result["mean_error"] == pytest.approx([0.0, 0.0], abs=1e-6)
@@ -80,7 +82,7 @@ def test_falls_per_hour_count_the_time_until_each_fall():
 
 def test_standing_meets_no_window_that_counts():
     command = given((500, 0.05, 0.1), (500, 0.3, 0.0))
-    result = joystick.measures(synthetic_rollout(STEPS, velocity=np.zeros((STEPS, 1, 2))), command, PART)
+    result = changing.joystick_measures(synthetic_rollout(STEPS, velocity=np.zeros((STEPS, 1, 2))), command, PART)
     assert (result["windows_met"]["mean"], result["windows_met"]["count"]) == (0.0, 2)
 
 
@@ -92,9 +94,9 @@ def test_robots_get_their_own_commands_when_they_change():
             requested.append(control.requested.copy())
             return super().act(observation, control)
 
-    part = replace(PART, num_seeds=3, seconds=4.0, laws=(Factor("undisturbed"),))
-    result = joystick.run(part, MeasuredController("standing", Recorder(), TaskConfig()))
-    expected = np.stack([joystick.schedule(part, seed, DT) for seed in part.seeds], axis=1)
+    part = replace(PART, num_seeds=3, seconds=4.0, laws=(Disturbance("undisturbed"),))
+    result = changing.run_joystick(part, Candidate("standing", Recorder(), TaskConfig()))
+    expected = np.stack([changing.schedule(part, seed, DT) for seed in part.seeds], axis=1)
     np.testing.assert_array_equal(requested, expected)
     assert result["undisturbed"]["robot_hours"] == pytest.approx(12.0 / 3600.0)
     assert result["undisturbed"]["windows_met"]["count"] == 0

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from synthetic import DT, falls, synthetic_rollout
 
-from quadruped_env.evaluation.suite import pushes
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite import changing
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import PARTS
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import ZeroController
@@ -25,7 +25,7 @@ def pushed_rollout(part, velocity, **changes):
 
 def test_a_robot_that_stands_earns_nothing_under_a_command_to_move():
     part = replace(PART, commands=((0.3, 0.0), (0.0, 0.5), (-0.2, 0.0), (0.0, 0.0)), sizes=(1.0,), num_seeds=3)
-    result = pushes.obeyed(part, pushed_rollout(part, [0.0, 0.0]))
+    result = changing.push_measures(pushed_rollout(part, [0.0, 0.0]), part)
     assert result["survived"]["mean"] == 1.0
     assert [entry["obeyed"][0]["mean"] for entry in result["commands"]] == [0.0, 0.0, 0.0, 1.0]
     assert PARTS["pushes"][1](result, part) == 0.0
@@ -42,7 +42,7 @@ def test_only_the_time_after_the_push_counts_and_a_fall_earns_nothing():
     valid[-1, 3] = False
     joints = rollout.joint_velocity.copy()
     joints[-last:, 5] = 1.0  # marches
-    found = pushes.obeyed(part, replace(rollout, velocity=moving, fell=falls(valid), joint_velocity=joints))
+    found = changing.push_measures(replace(rollout, velocity=moving, fell=falls(valid), joint_velocity=joints), part)
     means = [[size["mean"] for size in entry["obeyed"]] for entry in found["commands"]]
     assert means == [[1.0, 0.5], [0.5, 1.0]]
     assert found["survived"]["mean"] == pytest.approx(7 / 8)
@@ -50,7 +50,7 @@ def test_only_the_time_after_the_push_counts_and_a_fall_earns_nothing():
 
 
 def test_pushes_have_six_components_and_random_times():
-    drawn = [pushes.push_of(PART, seed) for seed in range(2000)]
+    drawn = [changing.push_of(PART, seed) for seed in range(2000)]
     times, scaled = np.array([time for time, _ in drawn]), np.array([push for _, push in drawn]) / PART.unit
     np.testing.assert_allclose(np.linalg.norm(scaled, axis=1), 1.0)
     np.testing.assert_allclose(scaled.mean(axis=0), 0.0, atol=0.04)
@@ -72,12 +72,12 @@ def recorded(monkeypatch):
     return pushed
 
 
-STANDING = MeasuredController("standing", ZeroController(), TaskConfig())
+STANDING = Candidate("standing", ZeroController(), TaskConfig())
 
 
 def test_every_robot_is_pushed_once_by_its_own_push(recorded):
     part = replace(PART, sizes=(0.1, 0.2), num_seeds=2, before=(0.1, 0.4), after=0.2, final=0.1)
-    pushes.run(part, STANDING)
+    changing.run_pushes(part, STANDING)
     ids = np.concatenate([env_ids for env_ids, _ in recorded])
     np.testing.assert_array_equal(np.sort(ids), np.arange(20))
     found = np.concatenate([velocity for _, velocity in recorded])[np.argsort(ids)] / PART.unit

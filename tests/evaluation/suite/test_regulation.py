@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from quadruped_env.evaluation.suite import regulation
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite import steady
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import PARTS
-from quadruped_env.evaluation.suite.suite_definition import Factor, full_suite
+from quadruped_env.evaluation.suite.suite_definition import Disturbance, full_suite
 from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.task import TaskConfig
 
@@ -30,12 +30,12 @@ COMMANDS = np.array(PART.commands)[:, None]
 )
 def test_kept_is_a_fifth_of_the_command_or_the_tolerance_where_it_is_zero(error, expected):
     fallen = np.zeros((3, 1), dtype=bool)
-    np.testing.assert_array_equal(regulation.keeps(PART, COMMANDS + error, fallen)[:, 0], expected)
-    assert not regulation.keeps(PART, COMMANDS + error, ~fallen).any()
+    np.testing.assert_array_equal(steady.keeps(PART, COMMANDS + error, fallen)[:, 0], expected)
+    assert not steady.keeps(PART, COMMANDS + error, ~fallen).any()
 
 
 def test_score_is_the_mean_of_one_disturbance_and_of_all():
-    part = replace(PART, factors=(Factor("a"), Factor("b")))
+    part = replace(PART, factors=(Disturbance("a"), Disturbance("b")))
     result = {
         "a": {"kept": {"mean": 0.2}},
         "b": {"kept": {"mean": 0.6}},
@@ -48,9 +48,9 @@ def test_score_is_the_mean_of_one_disturbance_and_of_all():
 def test_robots_stand_on_an_incline_as_on_its_plane(slope):
     """At rest on friction of 1.2 the tilt against gravity is the slope, nose up or down, and no robot falls."""
     part = replace(PART, num_seeds=2, seconds=2.0)
-    factor = Factor("slope", {"start_heading": 0.0, "friction": (1.2, 1.2)}, slope)
-    standing = MeasuredController("standing", ZeroController(), TaskConfig())
-    rollout = regulation._rollout(part, standing, factor, part.seeds, part.seconds, None)
+    factor = Disturbance("slope", {"start_heading": 0.0, "friction": (1.2, 1.2)}, slope)
+    standing = Candidate("standing", ZeroController(), TaskConfig())
+    rollout = steady.regulated(part, standing, factor, part.seeds, part.seconds)
     assert not rollout.fallen.any()
     pitch = np.degrees(2.0 * np.arctan2(rollout.orientation[-1, :, 2], rollout.orientation[-1, :, 0]))
     np.testing.assert_allclose(pitch, -slope, atol=3.0)
@@ -60,9 +60,11 @@ def test_robots_stand_on_an_incline_as_on_its_plane(slope):
 
 
 def test_measures_hold_the_signed_share_of_each_command():
-    part = replace(PART, num_seeds=2, seconds=4.0, commands=((0.3, 0.0), (-0.2, 0.0)), factors=(Factor("nominal"),))
-    part = replace(part, together=Factor("hard"), together_seeds=1, together_seconds=2.0)
-    result = regulation.run(part, MeasuredController("tuned", GaitController(), TaskConfig()))
+    part = replace(
+        PART, num_seeds=2, seconds=4.0, commands=((0.3, 0.0), (-0.2, 0.0)), factors=(Disturbance("nominal"),)
+    )
+    part = replace(part, together=Disturbance("hard"), together_seeds=1, together_seconds=2.0)
+    result = steady.run_regulation(part, Candidate("tuned", GaitController(), TaskConfig()))
     ahead, back = result["nominal"]["commands"]
     assert ahead["share"][0] == pytest.approx(ahead["velocity"][0] / 0.3)
     assert (ahead["share"][1], back["share"][1]) == (None, None)

@@ -11,21 +11,19 @@ from comparisons import random_policy
 
 from benchmarks.shipping import reference_row
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.suite import suite as suite_module
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.evaluation.suite.suite import (
+from quadruped_env.evaluation.results import (
     COMPONENTS,
-    PARTS,
     check_comparable,
     check_results,
     read_references,
     read_results,
     references_for,
-    run_suite,
     score_table,
-    scores,
     with_zero_action,
 )
+from quadruped_env.evaluation.suite import suite as suite_module
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite import PARTS, run_suite, scores
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import GaitController, ZeroController
@@ -33,7 +31,7 @@ from quadruped_env.robot import MINI_QUADRUPED, MotorConfig
 from quadruped_env.task import TaskConfig, TerminationConfig
 
 QUICK = quick_suite()
-STANDING = MeasuredController("standing", ZeroController(), TaskConfig())
+STANDING = Candidate("standing", ZeroController(), TaskConfig())
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +94,7 @@ def test_the_zero_action_has_results_of_its_own(result):
 
 
 def test_the_zero_action_of_a_residual_policy_is_its_gait():
-    zero = MeasuredController.of_policy(random_policy("residual"), "mine").zero_action()
+    zero = Candidate.of_policy(random_policy("residual"), "mine").zero_action()
     rollout = zero.run([(0.3, 0.0)], range(1_600_000, 1_600_002), 4.0)
     assert rollout.velocity[100:, :, 0].mean() > 0.15
     np.testing.assert_array_equal(zero.config.action.mode, "residual")
@@ -118,7 +116,7 @@ def test_suite_ranks_controllers_in_their_known_order():
     )
     totals = []
     for controller in controllers:
-        measured = MeasuredController(controller.name, controller, TaskConfig())
+        measured = Candidate(controller.name, controller, TaskConfig())
         totals.append(0.0)
         for name in ("commands", "gait", "pushes", "regulation"):
             (run, score), part = PARTS[name], getattr(suite, name)
@@ -207,7 +205,7 @@ def test_gait_scores_the_same_on_the_robot_of_half_the_size():
     scores = []
     for robot in (MINI_QUADRUPED, half_robot.ROBOT):
         controller = GaitController(CommandedGait.preset("sinusoid", robot), "sinusoid")
-        measured = MeasuredController("sinusoid", controller, TaskConfig().for_robot(robot))
+        measured = Candidate("sinusoid", controller, TaskConfig().for_robot(robot))
         part, (run, score) = for_robot(QUICK, robot).gait, PARTS["gait"]
         scores.append(score(run(part, measured, None), part))
     assert scores[0] > 0.3
@@ -215,7 +213,7 @@ def test_gait_scores_the_same_on_the_robot_of_half_the_size():
 
 
 def test_parts_are_measured_and_scored_in_the_units_of_the_robot(monkeypatch):
-    measured = MeasuredController("standing", ZeroController(), TaskConfig().for_robot(half_robot.ROBOT))
+    measured = Candidate("standing", ZeroController(), TaskConfig().for_robot(half_robot.ROBOT))
     seen = []
 
     def run(part, measured, progress):
@@ -255,8 +253,8 @@ def test_task_of_the_suite_does_not_depend_on_how_a_policy_was_trained():
         clock_frequency=3.0,
     )
     hard = replace(policy.config.randomized("hard").on_terrain("rough"))
-    strange = MeasuredController.of_policy(policy, "strange")
-    plain = MeasuredController.of_policy(random_policy("residual", clock_frequency=3.0), "plain")
+    strange = Candidate.of_policy(policy, "strange")
+    plain = Candidate.of_policy(random_policy("residual", clock_frequency=3.0), "plain")
     for measured in (strange, replace(strange, config=hard)):
         assert measured.task([(0.9, 2.0)]) == plain.task([(0.9, 2.0)])
     config = strange.task([(0.9, 2.0)], {"friction": (0.3, 0.3)})

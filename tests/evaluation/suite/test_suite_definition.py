@@ -7,9 +7,9 @@ import pytest
 from half_robot import ROBOT, TIME
 
 from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.evaluation.suite import suite_definition
-from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import TERRAINS
