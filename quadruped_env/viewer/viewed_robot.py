@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.controllers import GaitController
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.trace import CommandedTrace, PerTerm, PositionPerLeg, Scalar, Velocity, measured
+from quadruped_env.evaluation.trace import Array, CommandedTrace, measured
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
@@ -52,13 +52,13 @@ class Offered:
 class ViewedTrace(CommandedTrace):
     """Trace of a viewed robot, arrays (T, ...), or one of its samples, arrays (...)."""
 
-    time: Scalar
+    time: Array
     """Time since the start of the episode, s (T,)"""
-    smooth_velocity: Velocity
+    smooth_velocity: Array
     """Velocity averaged over about one gait cycle, m/s and rad/s (T, 2)"""
-    foot_position: PositionPerLeg
+    foot_position: Array
     """Centre of each foot's sphere in the world frame, m (T, L, 3)"""
-    reward_terms: PerTerm
+    reward_terms: Array
     """Weighted terms of the last step, in the task's order (T, K); zeros at the start"""
 
 
