@@ -8,7 +8,7 @@ import pytest
 from comparisons import TINY
 from synthetic import falls
 
-from quadruped_env.evaluation import failures
+from quadruped_env.evaluation.verdict import WORST_SHOWN, worst_episodes
 
 
 def with_falls(comparison, **ends):
@@ -22,7 +22,7 @@ def with_falls(comparison, **ends):
 
 
 def test_falls_are_the_worst_and_the_earliest_first(comparison):
-    found = failures.worst_episodes(with_falls(comparison, r1=100, r4=50, r5=80))
+    found = worst_episodes(with_falls(comparison, r1=100, r4=50, r5=80))
     assert [failure.row for failure in found[:2]] == [4, 1]
     assert [failure.command for failure in found[:2]] == [TINY[2], TINY[0]]
     assert found[0].fell_at == pytest.approx(51 * 0.02)
@@ -33,9 +33,9 @@ def test_falls_are_the_worst_and_the_earliest_first(comparison):
 def test_without_falls_the_worst_has_the_largest_error(comparison):
     errors = comparison.values["policy"]
     tolerated = np.maximum(errors["forward_velocity_error"] / 0.1, errors["yaw_rate_error"] / 0.2)
-    worst = failures.worst_episodes(with_falls(comparison))
+    worst = worst_episodes(with_falls(comparison))
     assert not any(math.isinf(failure.badness) for failure in worst)
     assert worst[0].badness == pytest.approx(np.nanmax(tolerated))
     assert worst[0].row == int(np.nanargmax(tolerated))
     assert "It did not fall. Errors: " in worst[0].story
-    assert len({failure.command for failure in worst}) == len(worst) == failures.SHOWN
+    assert len({failure.command for failure in worst}) == len(worst) == WORST_SHOWN
