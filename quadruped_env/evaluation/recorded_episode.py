@@ -190,4 +190,4 @@ def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.fl
     if positions is None:
         return np.array([0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance])
     within = positions.clip(robot.joint_position_low, robot.joint_position_high)
-    return np.concatenate([robot.resting_pose(within), within])
+    return np.concatenate([robot.skeleton.resting_pose(within), within])

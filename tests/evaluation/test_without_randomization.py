@@ -9,7 +9,7 @@ from quadruped_env.evaluation.recorded_episode import record
 from quadruped_env.policies import ControllerSpec, PolicyController
 from quadruped_env.task import BUILT_IN, TaskConfig, load_task_file, preset_values
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.viewer_robots import RANDOMIZATIONS
+from quadruped_env.viewer.viewed_robot import RANDOMIZATIONS
 
 OWN = """
 from quadruped_env.task import ModelField, Randomization
