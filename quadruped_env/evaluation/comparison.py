@@ -123,7 +123,7 @@ class Comparison:
         return np.arange(len(self.seeds)) + command * len(self.seeds)
 
     def episode(self, command: int, controller: str = "policy") -> int:
-        """Return the index of the episode that represents a command (index): the first without a fall, or the longest."""
+        """Return the index of the episode that represents a command (index): the first without a fall, or longest."""
         block = self.rows(command)
         return int(block[self.rollouts[controller].valid[:, block].sum(axis=0).argmax()])
 
