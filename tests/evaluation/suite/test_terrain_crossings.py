@@ -1,10 +1,12 @@
 """Crossings of tiles: what counts as one, and the highest level passed."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from settings import settings
+from synthetic import synthetic_rollout
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import steady
@@ -66,9 +68,20 @@ def test_robots_start_on_their_tiles_and_cross_when_they_leave_them():
     assert not steady.crossings(replace(part, seconds=4.5), TUNED, ["slope"], 1)["slope"].any()
 
 
-def test_crossings_are_tried_in_every_world():
-    part = replace(PART, kinds=("rough",), levels=1, terrain_seeds=(1, 2, 3), seconds=0.5)
-    assert steady.crossings(part, TUNED, ["rough"], 1)["rough"].shape == (3, 4)
+def test_a_fall_before_the_edge_is_no_crossing_and_every_world_has_its_own_tiles():
+    part = replace(PART, kinds=("rough",), levels=1, num_seeds=2, terrain_seeds=(1, 2, 3))
+    worlds = []
+
+    def run(commands, seeds, seconds, progress, terrain, tiles):
+        """Both robots leave their tile at the third sample; the second one falls at the second."""
+        worlds.append(terrain.seed)
+        pose, fell = np.zeros((4, 2, 7)), np.zeros((4, 2), dtype=bool)
+        pose[2:, :, 0], fell[1, 1] = 2.1, True
+        return synthetic_rollout(4, 2, base_pose=pose, fell=fell, terrain=terrain)
+
+    crossed = steady.crossings(part, SimpleNamespace(run=run), ["rough"], 1)["rough"]
+    np.testing.assert_array_equal(crossed, [[True, False]] * 3)
+    assert worlds == [1, 2, 3]
 
 
 def tiled_task(envs):
