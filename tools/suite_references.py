@@ -106,7 +106,7 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
             raise QuadrupedError(f"{path}: expected the suite {suite.identity}; found {result['suite']}")
         name = result["name"]
         if name not in SHIPPED or result.get("policy", {}).get("card") != without_suite(load_policy(name).card):
-            raise QuadrupedError(f"{path}: expected a shipped policy's results, as it is now; found {name!r}'s")
+            raise QuadrupedError(f"{path}: expected results of a shipped policy, as it is now; found {name!r}")
         if name not in wanted:
             raise QuadrupedError(
                 f"{path}: the row {name!r} is not measured from the shipped policy; add it to --only, or leave out "

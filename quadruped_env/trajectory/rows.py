@@ -180,5 +180,5 @@ def check_finite(kind: str, values: Floats, names: tuple[str, ...], source: Sour
 
 
 def invalid(kind: str, values: Floats) -> Bools:
-    """Bools of the values that a trajectory cannot have: efforts may be NaN, positions and velocities must be finite."""
+    """Mark the values that a trajectory cannot have: efforts may be NaN, positions and velocities must be finite."""
     return np.isinf(values) if kind == "effort" else ~np.isfinite(values)
