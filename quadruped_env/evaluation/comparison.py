@@ -55,7 +55,7 @@ CONTROLLERS: Final = {
     "article": "Article's gait",
     "zero": "Zero action",
 }
-"""Name -> label, in the order of tables. The zero action is that of the first policy: its gait alone, or the stance."""
+"""Name -> label, in the order of tables. The zero action belongs to the first policy: its gait alone, or the stance."""
 
 
 def error_of(motion: str) -> str:
@@ -193,7 +193,7 @@ def compare(
 ) -> Comparison:
     """Run policies, the searched gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    Each policy runs the task that it was trained for, with a preset in place of its randomization, a user's own
+    Each policy runs the task that it was trained for, with a preset instead of its randomization, a user's own
     included: by default, only the start of an episode is random. The scripted controllers run the first policy's task,
     the searched gait with a clock of its own frequency. Commands may lie outside the training ranges.
 
@@ -204,8 +204,8 @@ def compare(
         seconds: length of an episode, s.
         commands: forward velocity in m/s and yaw rate in rad/s; None: `COMMANDS`, in the units of the robot.
         progress: called with the fraction done.
-        terrain: a terrain, or the name of one of the task's, in place of the tasks' own.
-        randomization: a preset in place of the tasks' own randomization: `none`, `moderate` or `hard`.
+        terrain: a terrain, or the name of one; None: the tasks' own.
+        randomization: a preset, which replaces the tasks' own randomization: `none`, `moderate` or `hard`.
 
     Raises:
         QuadrupedError: if there is no seed or no such terrain or preset, the episodes are too short to measure, a

@@ -165,7 +165,7 @@ def results_of(evaluated: EvaluatedPolicy) -> tuple[CardResults, dict[str, Any] 
         except QuadrupedError as error:
             warnings.warn(str(error), QuadrupedWarning, stacklevel=3)
         else:
-            if known["policy"]["card"] == without_nan(policy.card):
+            if known["policy"].get("card") == without_nan(policy.card):
                 own = {name: value for name, value in known.items() if name not in ("policy", "controllers")}
                 return results, without_nan({**own, **known["controllers"]["policy"]})
             problem = "is the evaluation of another policy, so it is left out; evaluate this one to export its results"

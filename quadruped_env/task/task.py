@@ -224,7 +224,7 @@ class Task:
 
         Args:
             action: actions (N, J), clipped to [-1, 1].
-            restart: mask (N,) of envs that begin a new episode in place of this step. Their actions are ignored, their
+            restart: mask (N,) of envs that begin a new episode instead of this step. Their actions are ignored, their
                 observations are the first of the new episode, and their rewards are zero. None: no env.
 
         Raises:
@@ -290,7 +290,7 @@ class Task:
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def privileged_readings(self) -> PrivilegedReadings:
-        """The privileged readings of the task's definition, which no observation has.
+        """Return the privileged readings of the task's definition, which no observation has.
 
         Raises:
             QuadrupedError: if one of them is not valid.
@@ -299,14 +299,14 @@ class Task:
         return PrivilegedReadings(self.config.definition.privileged, state)
 
     def observe(self) -> NDArray[np.float32]:
-        """Observations (N, width) of all envs in a new array."""
+        """Return the observations (N, width) of all envs in a new array."""
         noise = self._randomizer.observation_noise() if self._noise else None
         sensors = self._randomizer.sensors
         readings = self.simulation.readings if sensors is None else sensors.read(self.steps)
         return self.control.observe(readings, noise)
 
     def get_state(self, env_id: int) -> State:
-        """Complete state of an env: physics, episode, draws and random generator."""
+        """Return the complete state of an env: physics, episode, draws and random generator."""
         return {
             "simulation": self.simulation.get_state(env_id),
             "generator": self.generators[env_id].bit_generator.state,

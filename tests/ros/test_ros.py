@@ -189,11 +189,11 @@ class TestTransforms:
     def test_bytes_are_those_of_rosbags(self, with_base):
         rng = np.random.default_rng(0)
         poses = rng.normal(size=(5, 7)) if with_base else None
-        transforms = MINI_QUADRUPED.joint_transforms(rng.normal(size=(5, 8)), poses)
+        transforms = MINI_QUADRUPED.skeleton.joint_transforms(rng.normal(size=(5, 8)), poses)
         for row, data in enumerate(transform_messages([self.STAMP] * 5, transforms)):
             assert data == cdr.serialize(self.message(transforms, row))
 
     def test_constant_transforms_and_none(self):
-        fixed = MINI_QUADRUPED.fixed_transforms()
+        fixed = MINI_QUADRUPED.skeleton.fixed_transforms()
         for transforms in (fixed, ()):
             assert list(transform_messages([self.STAMP], transforms)) == [cdr.serialize(self.message(transforms, 0))]

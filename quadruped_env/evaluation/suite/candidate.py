@@ -43,7 +43,7 @@ class Candidate:
         terminations are the robot's and the built-in ones, whatever the controller's task has.
 
         Its ranges include the commands. `randomization` holds values of the config's section on top of the preset
-        `none`; masses, forces and lengths are those of the built-in robot, and scaled to another one.
+        `none`; masses, forces and lengths are for the built-in robot, and are scaled to another one.
 
         Raises:
             QuadrupedError: if the controller's task replaces a built-in termination.
@@ -78,7 +78,7 @@ class Candidate:
     ) -> Rollout:
         """Run every command with every seed; `reached` are further commands that `before_step` sets.
 
-        The other arguments are those of `task` and `roll_out`.
+        For the other arguments see `task` and `roll_out`.
         """
         commands = list(commands)
         config = self.task([*commands, *reached], randomization, terrain)

@@ -19,7 +19,6 @@ import time
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
@@ -36,6 +35,7 @@ from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.state_checks import Sources
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 STEPS_PER_STATE: Final = 2
 _PUSH_LOG_PERIOD: Final = 1.0
@@ -143,7 +143,7 @@ class _Commands:
                 self._robot.command(target)
 
 
-def _push_robot(session: Session, robot: SimulatedRobot, velocity: NDArray[np.float64], log: Pace) -> None:
+def _push_robot(session: Session, robot: SimulatedRobot, velocity: Floats, log: Pace) -> None:
     """Push the robot; log a refusal, and a push if the log's pace allows it."""
     try:
         robot.push(velocity)
@@ -154,6 +154,6 @@ def _push_robot(session: Session, robot: SimulatedRobot, velocity: NDArray[np.fl
             session.say(f"pushed by {velocity.tolist()} m/s")
 
 
-def _push(vector: Any) -> NDArray[np.float64]:
+def _push(vector: Any) -> Floats:
     """Return the velocity (3,) of a `/push` message, m/s."""
     return np.array([vector.x, vector.y, vector.z])
