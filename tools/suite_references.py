@@ -77,7 +77,7 @@ def main() -> int:
 
 
 def named_policies(entries: list[str]) -> dict[str, Policy]:
-    """The shipped policies and those that the options name."""
+    """Return the shipped policies and those that the options name."""
     policies = {name: load_policy(name) for name in SHIPPED}
     for entry in entries:
         name, separator, source = entry.partition("=")
@@ -88,7 +88,7 @@ def named_policies(entries: list[str]) -> dict[str, Policy]:
 
 
 def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[str, Mapping[str, Any]]:
-    """Results of shipped policies from `suite.json` of their evaluations, by name.
+    """Return results of shipped policies from `suite.json` of their evaluations, by name.
 
     Args:
         files: the files.

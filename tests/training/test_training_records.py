@@ -396,10 +396,13 @@ def test_run_that_is_resumed_twice_uses_the_budget_of_the_first_once(watched, tm
     np.testing.assert_allclose(column(third, "seconds"), rows, atol=1e-3)
 
 
-def test_rest_of_a_training_that_continues_a_complete_one_is_resumed(run, watched, tmp_path):
+def test_rest_of_a_training_that_continues_a_complete_one_is_resumed(run, watched, tmp_path, monkeypatch):
     """As much again, of which 4 of 12 rollouts are used; the schedules stay at their ends."""
-    parent = Parent.load(run.directory)
+    parent, shown = Parent.load(run.directory), []
+    monkeypatch.setattr(training_recorder.ProgressLine, "__call__", lambda line, share, note: shown.append(share))
     again = watched().train(tmp_path / "again", parent.resumed({}), parent)
+    steps = np.arange(1, ROLLOUTS * N_STEPS + 1) / (ROLLOUTS * N_STEPS)
+    np.testing.assert_allclose(shown, np.minimum(steps, 0.99), err_msg="the share of its own budget")
     assert column(again, "timesteps")[-1] == 2 * ROLLOUTS * SAMPLES
     rest = resume(watched(), again, "00008s", tmp_path / "rest")
     assert len(rest.rewards) == (ROLLOUTS - 4) * N_STEPS
