@@ -27,7 +27,7 @@ import numpy as np
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import GaitController
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import evaluation_task
+from quadruped_env.evaluation.conditions import evaluation_task
 from quadruped_env.evaluation.measures import measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.gait import CommandedGait

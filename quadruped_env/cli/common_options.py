@@ -75,7 +75,7 @@ def add_task_file(parser: argparse.ArgumentParser) -> None:
         help="Python file of the terms or the robot that a run was trained with, if it was, also another version of "
         "it; it is executed (docs/make-it-yours.md)",
     )
-    add_trust_task(group, "execute the copy of that file that the run keeps, in place of --task FILE")
+    add_trust_task(group, "execute the copy of that file that the run keeps instead of --task FILE")
 
 
 def add_trust_task(parser: argparse._ActionsContainer, text: str) -> None:
@@ -201,7 +201,7 @@ _READING: Final[Mapping[str, Mapping[str, Any]]] = {
     },
     "--stamps": {
         "metavar": "header|log|S",
-        "help": "timestamps: those of the headers, the times at which a bag recorded the messages, or none of them but "
+        "help": "timestamps: from the headers, from the times at which a bag recorded the messages, or neither but "
         "this time in s from row to row; default: header",
     },
     "--ignore": {

@@ -86,7 +86,7 @@ class LiveRobot(ViewedRobot):
         self._positions, self._joint_velocities, self._efforts = robot.stance, *np.zeros((2, robot.num_joints))
         self.receives_states = False
         """True once a joint of the robot has been received."""
-        self._pose = robot.resting_pose(robot.stance)
+        self._pose = robot.skeleton.resting_pose(robot.stance)
         self._twist = np.zeros(6)
         self._odometry_at = -_ODOMETRY_TIMEOUT
         self._command = np.zeros(2)
@@ -120,7 +120,7 @@ class LiveRobot(ViewedRobot):
         self._listen(now)
         self._steer(self._command, now)
         if now - self._odometry_at > _ODOMETRY_TIMEOUT:
-            resting = self.robot.resting_pose(self._positions)
+            resting = self.robot.skeleton.resting_pose(self._positions)
             resting[2] += highest_ground(self._simulation, self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1

@@ -16,12 +16,12 @@ TIMEOUT: Final = 10.0
 
 
 def is_on_hub(source: object) -> bool:
-    """True for the address of a policy on the hub."""
+    """Return True for the address of a policy on the hub."""
     return str(source).startswith(SCHEME)
 
 
 def hub_directory(address: str) -> Path:
-    """Directory of the cache with the two files of a policy, which are downloaded if the hub has newer ones.
+    """Return the directory of the cache with the two files of a policy, which are downloaded if the hub has newer ones.
 
     Raises:
         MissingExtraError: if the hub's client is not installed.
@@ -44,7 +44,7 @@ def hub_directory(address: str) -> Path:
         url = hf_hub_url(repository, CARD_FILE, revision=revision or None)
         try:  # once, where the client would try for minutes
             if get_hf_file_metadata(url, timeout=TIMEOUT).commit_hash is None:
-                unreachable = "the answer is not that of a hub"
+                unreachable = "the answer does not come from a hub"
         except named:
             raise
         except errors.OfflineModeIsEnabled:

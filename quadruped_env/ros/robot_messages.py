@@ -1,7 +1,6 @@
 """The messages of which recordings consist: joint states in their several types, and the transforms of the links."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cache
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -37,22 +36,19 @@ def read_joint_state(data: bytes) -> RawJointState:
     return _raw(cdr.deserialize(data, JOINT_STATE), len(data))
 
 
-def read_recorded(
-    data: bytes, type_name: str, time: int, header: bool = True, ros1: bool = False
-) -> list[RawJointState]:
+def read_recorded(data: bytes, type_name: str, time: int, header: bool = True) -> list[RawJointState]:
     """Read the joint states of a message: one, or the points of a `JointTrajectory`.
 
     Args:
-        data: CDR bytes, or ROS 1's.
+        data: CDR bytes.
         type_name: one of `RECORDED_TYPES`.
         time: of recording, ns: the timestamp of a message that has none.
         header: True if the header's timestamp counts, where there is one.
-        ros1: True if the bytes are ROS 1's.
 
     Raises:
         QuadrupedError: if they do not hold such a message.
     """
-    message = _ros1_message(data, type_name) if ros1 else cdr.deserialize(data, type_name)
+    message = cdr.deserialize(data, type_name)
     if type_name == _ARRAY:
         return [RawJointState(time, (), message.data, np.empty(0), np.empty(0))]
     if type_name == JOINT_STATE:
@@ -134,25 +130,6 @@ def transform_messages(stamps: Sequence[int], transforms: Iterable[Any]) -> Iter
             moved = transform(vector(*place[row]), quaternion(*xyz, w))
             found.append(stamped(cdr.header(stamp, one.parent), one.child, moved))
         yield cdr.serialize(types["tf2_msgs/msg/TFMessage"](found))
-
-
-def ros1_digest(type_name: str) -> str:
-    """Return the MD5 digest of ROS 1's definition of a message type."""
-    return str(_ros1_typestore().generate_msgdef(type_name)[1])
-
-
-@cache
-def _ros1_typestore() -> Any:
-    from rosbags.typesys import Stores, get_typestore
-
-    return get_typestore(Stores.ROS1_NOETIC)
-
-
-def _ros1_message(data: bytes, type_name: str) -> Any:
-    try:
-        return _ros1_typestore().deserialize_ros1(data, type_name)
-    except Exception as error:  # rosbags does not document which errors it raises for damaged bytes
-        raise QuadrupedError(f"{len(data)} bytes do not hold a {type_name}: {error}") from error
 
 
 def _raw(message: Any, size: int) -> RawJointState:

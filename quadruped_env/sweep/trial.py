@@ -12,7 +12,7 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import PARTS, run_suite
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.policies import Policy, load_policy
@@ -161,12 +161,12 @@ class RungObserver:
 
 def rung_score(policy: Policy) -> float:
     """Score in [0, 1] of a policy during its training: mean of four parts of the quick suite, on level ground."""
-    measured = MeasuredController.of_policy(policy, "trial")
-    suite = for_robot(quick_suite(), measured.robot)
+    candidate = Candidate.of_policy(policy, "trial")
+    suite = for_robot(quick_suite(), candidate.robot)
     scores = []
     for name in ("commands", "gait", "transients", "pushes"):
         (run, score), part = PARTS[name], getattr(suite, name)
-        scores.append(score(run(part, measured, None), part))
+        scores.append(score(run(part, candidate, None), part))
     return sum(scores) / len(scores)
 
 
@@ -186,7 +186,7 @@ def final_score(run: Path, measure: str, command: str, task_file: Path | None = 
         return None
     evaluated = find_policy(str(run), None, task_file)
     result = run_suite(
-        MeasuredController.of_policy(evaluated.policy, evaluated.name),
+        Candidate.of_policy(evaluated.policy, evaluated.name),
         quick_suite() if measure == "quick" else full_suite(),
     )
     write_results(evaluated, result, command)

@@ -74,7 +74,7 @@ class Recorder(Scheduled):
 
     @property
     def seconds(self) -> float:
-        """Wall clock of learning, with that of the training that this one goes on from."""
+        """Wall clock of learning, s, including the training that this one continues."""
         return self._seconds_before + self.elapsed
 
     def _on_training_start(self) -> None:

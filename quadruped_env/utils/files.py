@@ -20,7 +20,7 @@ PART: Final = ".part"
 LATEST: Final = "latest"
 """Link to the newest run, next to it."""
 _NAME_SHOWN: Final = 50
-"""Characters of a name in that of its hidden directory: names have at most 255 bytes."""
+"""Characters of a name that its hidden directory's name has: names have at most 255 bytes."""
 
 
 @contextmanager
@@ -93,7 +93,7 @@ def check_free(paths: Iterable[Path], overwrite: bool) -> None:
 def shown_path(path: Path) -> str:
     """A path without the directories of this machine, to show to others.
 
-    Relative to the working directory; of a path that lies elsewhere, its name and that of its directory.
+    Relative to the working directory; of a path that lies elsewhere, its name and its directory's name.
     """
     if not path.is_absolute():
         return str(path)

@@ -33,7 +33,7 @@ class ProgressLine:
         self._label = label
         self._first = self._next = 0.0
         """Times of the first call and of the next message, s."""
-        self._begun = self._before = 1.0
+        self._begun, self._before = 1.0, float("inf")
         """Fractions at the first call and at the call before."""
         self._shown = False
 

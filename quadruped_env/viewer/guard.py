@@ -49,7 +49,8 @@ def guarded(host: str, allowed: Sequence[str] = ()) -> Iterator[None]:
         then: Callable[..., Response | None], connection: ServerConnection, request: Request
     ) -> Response | None:
         client, port = connection.remote_address, connection.local_address[1]
-        reason = rules.refusal(port, request.headers.get_all("Host"), request.headers.get_all("Origin"))
+        headers, websocket = request.headers, "Upgrade" in request.headers
+        reason = rules.refusal(port, headers.get_all("Host"), headers.get_all("Origin"), websocket)
         if reason is None:
             response = then(connection, request)
         else:

@@ -13,8 +13,8 @@ from quadruped_env.gait.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.simulation.terrain import LEVELS
 from quadruped_env.viewer.panel_text import KEY_HTML, keys_html, legend_html, status_html, without_directories
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.view_controller import MAX_PUSH, SPEEDS, ViewController
-from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
+from quadruped_env.viewer.view_controller import MAX_PUSH, MAX_ROBOTS, SPEEDS, ViewController
+from quadruped_env.viewer.viewed_robot import RANDOMIZATIONS
 from quadruped_env.viewer.viewer_scene import CONTACT_FORCES, VELOCITIES, Scene
 
 if TYPE_CHECKING:
@@ -191,12 +191,6 @@ class Panel:
         for name, box in self._overlays.items():
             self._on(box, partial(self._show_overlay, name, box))
         follow = gui.add_checkbox("Camera follows", True)
-        abreast = gui.add_checkbox(
-            "Keep robots abreast",
-            True,
-            hint="Draw every robot in its lane next to the others, whatever the distance between them.",
-        )
-        self._on(abreast, lambda: setattr(self._scene, "abreast", abreast.value))
         self._on(follow, lambda: setattr(self._scene, "follow", follow.value))
 
     def _add_keys(self) -> None:

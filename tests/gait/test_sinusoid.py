@@ -56,7 +56,7 @@ def test_feet_swing_forwards_in_the_air_and_push_backwards_on_the_ground():
         for leg, (start, _) in enumerate(LEGS):
             angles = np.linspace(0.0, math.tau, 100, endpoint=False)
             joints = gait.positions(angles - math.tau * start, np.tile((speed, 0.0), (100, 1)))
-            feet = MINI_QUADRUPED.foot_centres(joints)[:, leg]
+            feet = MINI_QUADRUPED.skeleton.foot_centres(joints)[:, leg]
             forwards = np.gradient(feet[:, 0], angles)
             swings = np.sin(angles) > 0.3
             stands = np.sin(angles) < -0.3

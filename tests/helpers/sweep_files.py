@@ -2,7 +2,7 @@
 
 import json
 
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.sweep import Dimension, SweepConfig
 from quadruped_env.sweep.search import Proposals

@@ -278,7 +278,7 @@ def test_viewer_without_odometry_shows_the_robot_on_its_feet(nodes, tmp_path, gr
     show.advance(0.02)
     seen = show.view().robots[0].now
     np.testing.assert_allclose(seen.joint_position, positions)
-    expected = MINI_QUADRUPED.resting_pose(positions)
+    expected = MINI_QUADRUPED.skeleton.resting_pose(positions)
     expected[2] += 0.03 if ground is ramp else 0.0  # 0.3 m uphill, where the grid covers the robot
     np.testing.assert_allclose(seen.base_pose, expected, atol=1e-6)
     show.close()

@@ -68,7 +68,9 @@ def test_echo_yaml_is_that_of_ros():
 
 def test_echo_field_is_chosen_by_its_path():
     values = plain(
-        cdr.deserialize(next(transform_messages([STAMP], MINI_QUADRUPED.joint_transforms(np.zeros(8)))), TF.type_name)
+        cdr.deserialize(
+            next(transform_messages([STAMP], MINI_QUADRUPED.skeleton.joint_transforms(np.zeros(8)))), TF.type_name
+        )
     )
     assert field_at(values, "transforms.0.header.stamp.sec") == 1_700_000_000
     assert as_yaml(field_at(values, "transforms.0.child_frame_id")) == "LF_hip\n---\n"
@@ -90,7 +92,7 @@ def test_listeners_print_and_record_every_message_of_a_reliable_topic(nodes, run
     node, bag = nodes(), tmp_path / "bag"
     states, transforms = node.publish(JOINT_STATES, DEEP), node.publish(TF, DEEP)
     node.publish(ROBOT_DESCRIPTION).send(cdr.message("std_msgs/msg/String", data=MINI_QUADRUPED.urdf))
-    tf_bytes = list(transform_messages(stamps.tolist(), MINI_QUADRUPED.joint_transforms(trajectory.positions)))
+    tf_bytes = list(transform_messages(stamps.tolist(), MINI_QUADRUPED.skeleton.joint_transforms(trajectory.positions)))
     # Without the slash, the name is relative to the node's namespace.
     echo = run_node("echo", "joint_states", "--field", "position")
     listeners = [echo, run_node("hz"), run_node("record", "-o", str(bag))]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.report.pages.sweep_report import write_sweep_report
 from quadruped_env.report.plots import sweep_plots as plots
 

@@ -10,7 +10,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import MOTIONS, compare
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.measures import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.verdict import verdict

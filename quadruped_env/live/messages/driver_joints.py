@@ -13,7 +13,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
 
 if TYPE_CHECKING:
-    from quadruped_env.trajectory.maps import JointMap
+    from quadruped_env.trajectory.joint_map import JointMap
 
 _KINDS: Final = ("position", "velocity", "effort")
 
@@ -53,7 +53,7 @@ class DriverJoints:
 
     @classmethod
     def load(cls, path: Path | None, robot: Robot, commands: bool = True) -> Self:
-        """Load the conversion from a map in a TOML file (`quadruped_env.trajectory.maps`); None: no map.
+        """Load the conversion from a map in a TOML file (`quadruped_env.trajectory.joint_map`); None: no map.
 
         Raises:
             QuadrupedError: if the file is not such a map, or does not fit the robot.
@@ -61,7 +61,7 @@ class DriverJoints:
         if path is None:
             return cls(robot)
         # Here, because a controller without a map does without the code for recordings.
-        from quadruped_env.trajectory.maps import JointMap
+        from quadruped_env.trajectory.joint_map import JointMap
 
         loaded = JointMap.load(path)
         given = sorted(loaded.rules, key=lambda name: (*robot.joint_names, name).index(name))

@@ -3,9 +3,9 @@
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import CLOCK, IMU, JOINT_STATES, ODOMETRY, TF
-from quadruped_env.robot.kinematics import ODOMETRY_FRAME, Transform
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.skeleton import ODOMETRY_FRAME, Transform
 from quadruped_env.ros import cdr
 from quadruped_env.ros.robot_messages import joint_state, transform_messages
 from quadruped_env.utils.arrays import Floats

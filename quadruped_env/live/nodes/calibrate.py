@@ -31,7 +31,7 @@ from quadruped_env.live.session import POLL_PERIOD, Session
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.robot_messages import read_joint_state
-from quadruped_env.trajectory.maps import UNITS, JointMap, JointRule, check_rule
+from quadruped_env.trajectory.joint_map import UNITS, JointMap, JointRule, check_rule
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import check_free, write_whole
 from quadruped_env.utils.interpreter import program_command
@@ -208,7 +208,7 @@ class _Wizard:
                 return angles
 
     def _list_joints(self) -> None:
-        feet = self._robot.foot_centres(
+        feet = self._robot.skeleton.foot_centres(
             np.vstack([np.zeros(self._robot.num_joints), 0.1 * np.eye(self._robot.num_joints)])
         )
         lines = []

@@ -5,13 +5,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.report.pages.page import figure, provenance, write_html
 from quadruped_env.report.pages.suite_section import interval
 from quadruped_env.report.plots import sweep_plots as plots
 from quadruped_env.report.plots.learning_plots import read_progress
 from quadruped_env.report.report_directory import REPORT_FILE, prepare_output
 from quadruped_env.training.run_directory import PROGRESS_FILE
+from quadruped_env.utils.text_table import Table
 
 SHOWN_TRIALS: Final = 200
 """Trials in the table of a page; results.csv has all."""
@@ -34,10 +35,12 @@ def write_sweep_report(folder: Path, results: Mapping[str, Any]) -> Path:
         "name": folder.resolve().name,
         "headline": _headline(results),
         "measure": {"quick": "the quick suite", "suite": "the full suite", "none": "nothing"}[definition["score"]],
-        "components": list(COMPONENTS),
-        "settings": [_setting_row(entry) for entry in scored],
-        "fields": list(definition["space"]),
-        "trials": [_trial_row(trial, definition["space"]) for trial in results["trials"][:SHOWN_TRIALS]],
+        "settings": Table("Scores", ["", "score", *COMPONENTS], [_setting_row(entry) for entry in scored]),
+        "trials": Table(
+            "Trials",
+            ["", "seed", *definition["space"], "state", "score", "training (s)"],
+            [_trial_row(trial, definition["space"]) for trial in results["trials"][:SHOWN_TRIALS]],
+        ),
         "hidden_trials": max(0, len(results["trials"]) - SHOWN_TRIALS),
         "figures": _figures(folder, results, scored),
         "importance_missing": results["importance"]["missing"] if definition["space"] else None,
@@ -66,11 +69,11 @@ def _headline(results: Mapping[str, Any]) -> str:
     )
 
 
-def _setting_row(entry: Mapping[str, Any]) -> dict[str, Any]:
+def _setting_row(entry: Mapping[str, Any]) -> list[str]:
     label = ", ".join(f"{name} {_shown(value)}" for name, value in entry["values"].items()) or "all seeds"
     suite = entry["suite"]
     cells = [_interval(suite["score"], 3), *(_interval(suite["components"][name], 2) for name in COMPONENTS)]
-    return {"label": f"{label} ({entry['finished']} of {len(entry['trials'])} trials)", "cells": cells}
+    return [f"{label} ({entry['finished']} of {len(entry['trials'])} trials)", *cells]
 
 
 def _interval(entry: Mapping[str, Any], digits: int) -> str:
@@ -78,7 +81,7 @@ def _interval(entry: Mapping[str, Any], digits: int) -> str:
     return f"{entry['mean']:.{digits}f}" if entry["low"] is None else interval(entry, digits)
 
 
-def _trial_row(trial: Mapping[str, Any], space: Mapping[str, Any]) -> dict[str, Any]:
+def _trial_row(trial: Mapping[str, Any], space: Mapping[str, Any]) -> list[str]:
     seconds = trial["training_seconds"]
     cells = [
         str(trial["seed"]),
@@ -87,7 +90,7 @@ def _trial_row(trial: Mapping[str, Any], space: Mapping[str, Any]) -> dict[str, 
         "-" if trial["score"] is None else f"{trial['score']:.3f}",
         "-" if seconds is None else f"{seconds:.0f}",
     ]
-    return {"label": f"trial {trial['trial']}", "cells": cells}
+    return [f"trial {trial['trial']}", *cells]
 
 
 def _shown(value: Any) -> str:

@@ -5,7 +5,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import words
+from quadruped_env.evaluation.conditions import words
 from quadruped_env.report.palette import GREY, SERIES
 from quadruped_env.report.plots.canvas import REFERENCE, draw_figure
 

@@ -7,9 +7,9 @@ import pytest
 from half_robot import ROBOT, TIME
 
 from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.evaluation.suite import suite_definition
-from quadruped_env.evaluation.suite.suite import COMPONENTS
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import TERRAINS
@@ -100,12 +100,12 @@ def test_quick_suite_is_marked_and_has_every_part():
 def test_seeds_of_the_parts_are_reserved_and_differ_from_each_other_and_from_other_evaluations():
     seen = set(range(FIRST_SEED, FIRST_SEED + 10_000))
     for part in COMPONENTS:
-        seeds = set(getattr(full_suite(), part).seeds)
-        assert seeds <= set(EVALUATION_SEEDS)
-        assert not seeds & seen
-        seen |= seeds
+        seeds = getattr(full_suite(), part).seeds
+        assert EVALUATION_SEEDS.start <= seeds.start < seeds.stop <= EVALUATION_SEEDS.stop
+        assert not seen.intersection(seeds)
+        seen.update(seeds)
     full = full_suite()
-    assert set(full.terrain.terrain_seeds) <= set(EVALUATION_SEEDS)
+    assert all(seed in EVALUATION_SEEDS for seed in full.terrain.terrain_seeds)
     assert len(full.pushes.sizes) * full.pushes.num_seeds < 10_000
     assert full.regulation.together_seeds < 10_000
 
