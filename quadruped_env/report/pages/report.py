@@ -15,10 +15,9 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.conditions import words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.failures import worst_episodes
 from quadruped_env.evaluation.learning_gain import TABLE_NOTE, LearningGain
 from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW
-from quadruped_env.evaluation.verdict import verdict
+from quadruped_env.evaluation.verdict import verdict, worst_episodes
 from quadruped_env.policies import task_note
 from quadruped_env.report import plots
 from quadruped_env.report.pages import clips, suite_section
