@@ -63,7 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
     if unknown:
         raise QuadrupedError(
             f"--training: there is no setting {short(unknown[0])}; `mini-quadruped train --help` lists them, with "
-            f"_ here in place of -"
+            f"_ here instead of -"
         )
     results = []
     for mode in arguments.action_modes:

@@ -53,7 +53,7 @@ def main(argv: list[str] | None = None) -> int:
         "--friction",
         type=float,
         metavar="MU",
-        help="coefficient of friction in Drake (default: that of the feet in MuJoCo)",
+        help="coefficient of friction in Drake (default: the feet's in MuJoCo)",
     )
     arguments = parser.parse_args(argv)
     return run_program(parser.prog, lambda: run(arguments))

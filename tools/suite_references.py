@@ -5,7 +5,7 @@ tools/suite_references.py --only rough              the other rows stay as they 
 tools/suite_references.py --only flat --result results/<name>/suite.json    of `mini-quadruped evaluate flat --suite`
 tools/suite_references.py --policy mine=runs/<name>
 
-The row of a policy is followed by that of the zero action in its task. The results of a shipped policy also go onto
+The row of a policy is followed by the row of the zero action in its task. The results of a shipped policy also go onto
 its card.
 """
 
@@ -68,7 +68,7 @@ def main() -> int:
         action="extend",
         default=[],
         metavar="FILE",
-        help="results of shipped policies that an evaluation wrote, in place of running the suite",
+        help="results of shipped policies that an evaluation wrote, instead of running the suite",
     )
     parser.add_argument("--quick", action="store_true", help="the quick suite, to try this program")
     parser.add_argument("-o", "--output", type=Path, default=REFERENCE_FILE, help="the file (%(default)s)")
@@ -77,7 +77,7 @@ def main() -> int:
 
 
 def named_policies(entries: list[str]) -> dict[str, Policy]:
-    """The shipped policies and those that the options name."""
+    """Return the shipped policies and those that the options name."""
     policies = {name: load_policy(name) for name in SHIPPED}
     for entry in entries:
         name, separator, source = entry.partition("=")
@@ -88,7 +88,7 @@ def named_policies(entries: list[str]) -> dict[str, Policy]:
 
 
 def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[str, Mapping[str, Any]]:
-    """Results of shipped policies from `suite.json` of their evaluations, by name.
+    """Return results of shipped policies from `suite.json` of their evaluations, by name.
 
     Args:
         files: the files.
@@ -106,7 +106,7 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
             raise QuadrupedError(f"{path}: expected the suite {suite.identity}; found {result['suite']}")
         name = result["name"]
         if name not in SHIPPED or result.get("policy", {}).get("card") != without_suite(load_policy(name).card):
-            raise QuadrupedError(f"{path}: expected results of a shipped policy, as it is now; found those of {name!r}")
+            raise QuadrupedError(f"{path}: expected results of a shipped policy, as it is now; found {name!r}")
         if name not in wanted:
             raise QuadrupedError(
                 f"{path}: the row {name!r} is not measured from the shipped policy; add it to --only, or leave out "

@@ -35,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_evaluation_options(parser, "RUN/evaluation, or results/flat")
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video(parser)
-    add_overwrite(parser, "replace files that exist, such as that of --video")
+    add_overwrite(parser, "replace files that exist, such as the video")
     parser.add_argument(
         "--suite",
         action="store_true",
@@ -106,11 +106,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 def _suite(evaluated: "EvaluatedPolicy", quick: bool) -> dict[str, Any]:
     """Run the suite."""
     from quadruped_env.evaluation.suite.candidate import Candidate
-    from quadruped_env.evaluation.suite.suite import episode_seconds, run_suite
+    from quadruped_env.evaluation.suite.suite import run_suite
     from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 
     suite = quick_suite() if quick else full_suite()
-    hours = 2.0 * sum(episode_seconds(suite).values()) / 3600.0
-    print(f"{suite.label}: up to {hours:.1f} hours of simulated time, with and without the policy's action")
-    measured = Candidate.of_policy(evaluated.policy, evaluated.name)
-    return run_suite(measured, suite, ProgressLine(suite.label), zero_action=True)
+    candidate = Candidate.of_policy(evaluated.policy, evaluated.name)
+    return run_suite(candidate, suite, ProgressLine(suite.label), zero_action=True)

@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         const=True,
         metavar="RECORDING",
-        help="compare the simulated positions, velocities and efforts with those of a recording on the same clock: of "
+        help="compare the simulated positions, velocities and efforts with a recording on the same clock, made by "
         "the robot that received the targets in FILE; without a name, with FILE's own",
     )
     parser.add_argument(

@@ -146,7 +146,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     results = collect(folder, invocation.line)
     numbers, rows = write(folder, results)
     scores = table(results)
-    heading = "score: interquartile mean over the seeds and the parts of the suite [95 % interval]\n"
+    heading = "score: mean over the seeds [95 % interval]\n"
     print(f"\n{heading + scores if scores else 'no trial has a score'}\n")
     extras = _write_report(folder, results)
     print(f"results: {rows} and {numbers}")

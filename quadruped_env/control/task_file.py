@@ -47,7 +47,7 @@ class Terms:
     path: str | None = None
 
     def extended(self, file: TaskFile, module: ModuleType) -> Self:
-        """A copy with the terms and the robot that an executed file defines at its top level.
+        """Return a copy with the terms and the robot that an executed file defines at its top level.
 
         A term replaces a built-in one of the same name; an observation whose name the file sets to None is left out.
 
@@ -67,12 +67,12 @@ class Terms:
 
 
 def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -> Terms:
-    """The built-in robot, observations and commands, extended by a user's file; see `Terms.extended` and `execute`."""
+    """Return the built-in terms and robot, extended by a user's file; see `Terms.extended` and `execute`."""
     return Terms().extended(*execute(path, expected))
 
 
 def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
-    """The user's file that a config's plain values name; None if they name none.
+    """Return the user's file that a config's plain values name; None if they name none.
 
     Args:
         recorded: None, or a dict with `name` and `sha256`.
@@ -89,7 +89,7 @@ def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
 
 
 def recorded_terms(recorded: Mapping[str, Plain]) -> dict[str, list[str]]:
-    """Names of what the user's file that a config names defines, by kind; empty in configs of early versions."""
+    """Return names of what the user's file that a config names defines, by kind; empty in configs of early versions."""
     terms = recorded.get("terms")
     if not isinstance(terms, dict) or not all(isinstance(names, list) for names in terms.values()):
         return {}
@@ -101,7 +101,7 @@ class TaskFileError(QuadrupedError):
 
 
 def needs_file(what: str, file: TaskFile) -> TaskFileError:
-    """The error for something, in words, that needs the code of a user's file."""
+    """Return the error for something, in words, that needs the code of a user's file."""
     return TaskFileError(
         f"{what} from {short(file.name)}, which is not executed automatically: check the file, then name it with "
         f"--task FILE, or task_file=... in Python; --trust-task, or trust_task=True, executes the copy that a run keeps"
@@ -109,12 +109,12 @@ def needs_file(what: str, file: TaskFile) -> TaskFileError:
 
 
 def names_of(term: Plain) -> tuple[str, ...]:
-    """Names of a term; most terms have one."""
+    """Return the names of a term; most terms have one."""
     return tuple(term.names) if hasattr(term, "names") else (term.name,)
 
 
 def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
-    """The built-in terms followed by a user's terms; a user's term replaces a built-in one of the same name.
+    """Return the built-in terms followed by a user's terms; a user's term replaces a built-in one of the same name.
 
     Raises:
         QuadrupedError: if a term would replace only a part of a group of terms that are computed together.
@@ -139,7 +139,7 @@ def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
 
 @functools.cache
 def robot_in(module: ModuleType) -> Robot | None:
-    """The robot of an executed file: a `Robot` or a `QuadrupedDesign` at its top level; None if there is none.
+    """Return the robot of an executed file: a `Robot` or a `QuadrupedDesign` at its top level; None if there is none.
 
     It is built once, so that everything that names the file shares its compiled model.
 
@@ -160,7 +160,7 @@ def robot_in(module: ModuleType) -> Robot | None:
 
 
 def load_robot(path: str | os.PathLike[str] | None) -> Robot:
-    """The robot that a user's file defines, or the built-in one for a file without robots or no file.
+    """Return the robot that a user's file defines, or the built-in one for a file without robots or no file.
 
     The file's code is executed, so load only files that you trust.
 

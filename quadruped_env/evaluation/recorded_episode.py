@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.measures import TILTED, without_fall_in_words
+from quadruped_env.evaluation.measures import TILTED
 from quadruped_env.evaluation.trace import Recorder, Trace
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
@@ -51,12 +51,17 @@ class Recording(Trace):
         return self.fell_at is None and not (tilt(self.orientation) > TILTED).any()
 
     def outcome(self) -> str:
-        """Outcome in one sentence: fall, tilt or neither, and displacement."""
+        """Return the outcome in one sentence: fall, tilt or neither, and displacement."""
         x, y = (self.base_pose[-1, :2] - self.base_pose[0, :2]).round(2)
-        if self.fell_at is None:
-            fate = without_fall_in_words(self.orientation, self.timestep)
-        else:
+        lean = tilt(self.orientation)
+        fate = "stayed on its feet"
+        if self.fell_at is not None:
             fate = f"fell at {self.fell_at:.2f} s"
+        elif not self.stayed_on_its_feet:
+            fate = (
+                f"did not fall, but was tilted by more than {math.degrees(TILTED):.0f} degrees for "
+                f"{(lean > TILTED).sum() * self.timestep:.2f} s (up to {np.degrees(lean.max()):.0f} degrees)"
+            )
         return (
             f"In {self.joints.duration:g} s the robot {fate} and got {abs(x):.2f} m "
             f"{'ahead' if x >= 0 else 'back'} and {abs(y):.2f} m to the {'left' if y >= 0 else 'right'}."
@@ -64,7 +69,7 @@ class Recording(Trace):
 
 
 def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajectory:
-    """Joint targets that a gait publisher sends: positions and velocities at t = 0, 1 / rate, ... up to `seconds`.
+    """Compute the joint targets of a gait publisher: positions and velocities at t = 0, 1 / rate, ... to `seconds`.
 
     Raises:
         QuadrupedError: if `seconds` or `rate` is out of range.
@@ -154,7 +159,7 @@ def record(
     task.place(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
-    recorder = Recorder(Recording, robot, steps + 1)
+    recorder = Recorder(steps + 1)
     observation = task.observe()
     fell_at = None
     recorder.write(task.simulation.readings, contact=task.context.foot_contact)
@@ -168,7 +173,9 @@ def record(
         recorder.write(task.simulation.readings, contact=task.context.foot_contact)
         if progress is not None:
             progress(step / steps)
-    recording = recorder.trace(
+    recording = Recording(
+        robot=robot,
+        **recorder.arrays(),
         controller=controller.name,
         timestep=config.control_timestep,
         terrain=config.ground,
@@ -179,7 +186,7 @@ def record(
 
 
 def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Generalized coordinates (7 + J,) of a robot at rest on its feet."""
+    """Return the generalized coordinates (7 + J,) of a robot at rest on its feet."""
     if positions is None:
         return np.array([0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance])
     within = positions.clip(robot.joint_position_low, robot.joint_position_high)

@@ -5,18 +5,14 @@ can be read as long as they have these.
 """
 
 import math
-import os
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, NotRequired, TypedDict
 
-import numpy as np
-from numpy.typing import ArrayLike
-
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.evaluation.confidence import Estimate, percentile_interval
-from quadruped_env.utils.arrays import Floats
+from quadruped_env.evaluation.confidence import bootstrap_mean
 from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.text_table import text_table
 
@@ -34,11 +30,8 @@ COMPONENTS: Final = {
 }
 """Component of the suite's score, which is a part of the suite -> meaning."""
 ZERO_ACTION: Final = "zero_action"
-"""Field of a policy's results of the suite that holds those of the zero action in its task."""
+"""Field of a policy's suite results that holds the results of the zero action in the same task."""
 _AGAIN: Final = "evaluate the policy with --suite"
-_RESAMPLES: Final = 10_000
-_TRIMMED: Final = 0.25
-"""Share of the values that is left out at each end."""
 
 
 class StoredEstimate(TypedDict):
@@ -48,15 +41,6 @@ class StoredEstimate(TypedDict):
     low: float | None
     high: float | None
     count: NotRequired[int]
-
-
-class StoredPerformance(TypedDict):
-    """Results of the policy, or of the zero action."""
-
-    return_per_second: StoredEstimate
-    commands_met: StoredEstimate
-    falls: StoredEstimate
-    electrical_power: StoredEstimate
 
 
 class StoredMotion(TypedDict):
@@ -76,8 +60,8 @@ class StoredGain(TypedDict):
     seconds: float
     difference: StoredEstimate
     condition: NotRequired[str | None]
-    policy: StoredPerformance
-    zero: StoredPerformance
+    policy: dict[str, StoredEstimate]
+    zero: dict[str, StoredEstimate]
     motions: NotRequired[list[StoredMotion]]
 
 
@@ -102,13 +86,6 @@ class StoredSuite(TypedDict):
     zero_action: NotRequired[Any]
 
 
-class StoredVerdict(TypedDict):
-    """The verdict in words."""
-
-    level: str
-    headline: str
-
-
 class CardResults(TypedDict, total=False):
     """Results on the card of a policy."""
 
@@ -127,19 +104,13 @@ class StoredController(TypedDict):
     by_motion: dict[str, dict[str, StoredEstimate]]
 
 
-class StoredPolicy(TypedDict):
-    """The policy that was evaluated."""
-
-    card: dict[str, Any]
-
-
 class StoredEvaluation(TypedDict):
     """`metrics.json` of an evaluation."""
 
     format_version: int
     command_line: str
-    policy: StoredPolicy
-    verdict: StoredVerdict
+    policy: dict[str, Any]
+    verdict: dict[str, str]
     suite: dict[str, Any] | None
     commands: list[dict[str, Any]]
     seeds: list[int]
@@ -149,7 +120,7 @@ class StoredEvaluation(TypedDict):
 
 
 def card_results(card: Mapping[str, Any], source: str) -> CardResults:
-    """Results on a card; `source` names its file.
+    """Return the results on a card; `source` names its file.
 
     Warns:
         QuadrupedWarning: for each of them that has another form, which is left out.
@@ -164,133 +135,91 @@ def card_results(card: Mapping[str, Any], source: str) -> CardResults:
 
 
 def with_zero_action(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Results, and those of the zero action that they hold, as rows of a table."""
+    """Return the results, and the results of the zero action that they hold, as rows of a table."""
     return [result, result[ZERO_ACTION]] if ZERO_ACTION in result else [result]
 
 
 def read_results(path: Path) -> dict[str, Any]:
-    """Results of the suite from a file, with all parts; a QuadrupedError if it cannot be read or lacks one."""
+    """Return results of the suite from a file, with all parts; a QuadrupedError if it cannot be read or lacks one."""
     document: dict[str, Any] = read_json(path, _AGAIN)
-    check_results(document, str(path), COMPONENTS)
-    return document
-
-
-def check_results(document: Any, where: str, parts: Iterable[str] = ()) -> None:
-    """Raise a QuadrupedError, which names `where`, if a document does not hold the score of the suite, or a part."""
     if not isinstance(document, dict):
-        raise QuadrupedError(f"{where}: expected a table; found {short(document)}; {_AGAIN}")
-    for name in ("suite", "conditions", "name", "score", *parts):
+        raise QuadrupedError(f"{path}: expected a table; found {short(document)}; {_AGAIN}")
+    for name in ("suite", "conditions", "name", "score", *COMPONENTS):
         if name not in document:
-            raise QuadrupedError(f"{where}: {name} is missing; {_AGAIN}")
+            raise QuadrupedError(f"{path}: {name} is missing; {_AGAIN}")
     components = document["score"].get("components") if isinstance(document["score"], dict) else None
     if not isinstance(components, dict) or not components.keys() >= COMPONENTS.keys():
-        raise QuadrupedError(f"{where}: score lacks a component of {', '.join(COMPONENTS)}; {_AGAIN}")
+        raise QuadrupedError(f"{path}: score lacks a component of {', '.join(COMPONENTS)}; {_AGAIN}")
+    return document
 
 
 def check_comparable(documents: Mapping[str, Mapping[str, Any]]) -> None:
     """Raise a QuadrupedError if results (by name) differ in suite, version, definition, robot or physics."""
     (one, a), *others = documents.items()
-    same_version = "evaluate both with the same version of the package"
     fixes = {
-        **dict.fromkeys(("suite.name", "suite.version"), same_version),
-        "suite.quick": "a quick result is never comparable with a full one; evaluate without --quick",
-        "suite.sha256": f"the definitions of the suite differ; {same_version}",
+        "quick": "a quick result is never comparable with a full one; evaluate without --quick",
+        "sha256": "the definitions of the suite differ; evaluate both with the same version of the package",
     }
     for other, b in others:
-        for field in sorted({*a["conditions"], *b["conditions"]}):
-            fixes[f"conditions.{field}"] = f"{same_version}, and on the same robot"
-        for name, fix in fixes.items():
-            section, field = name.split(".")
-            x, y = a[section].get(field), b[section].get(field)
-            if x != y:
-                raise QuadrupedError(
-                    f"{one} and {other} cannot be compared: {name} is {short(x)} in one and {short(y)} in the other; "
-                    f"{fix}"
-                )
-        if a.get("terrain", {}).keys() != b.get("terrain", {}).keys():
-            raise QuadrupedError(f"{one} and {other} cannot be compared: their terrains differ; evaluate both again")
+        for section, same in (("suite", ""), ("conditions", ", and on the same robot")):
+            for field in sorted(a[section].keys() | b[section].keys()):
+                x, y = a[section].get(field), b[section].get(field)
+                if x != y:
+                    fix = fixes.get(field, f"evaluate both with the same version of the package{same}")
+                    raise QuadrupedError(
+                        f"{one} and {other} cannot be compared: {section}.{field} is {short(x)} in one and {short(y)} "
+                        f"in the other; {fix}"
+                    )
 
 
 def ranked(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> list[tuple[str, Mapping[str, Any]]]:
-    """Results by their score, the best first; equal scores keep their order."""
+    """Return the results by their score, the best first; equal scores keep their order."""
     return sorted(documents, key=lambda entry: -entry[1]["score"]["total"])
 
 
 def read_references(path: Path = REFERENCE_FILE) -> list[dict[str, Any]]:
-    """All reference rows; none if the file does not exist, a QuadrupedError if it is damaged."""
-    if not os.path.lexists(path):
+    """Return all reference rows; none if the file does not exist, a QuadrupedError if it is damaged."""
+    if not path.exists():
         return []
-    fix = "write it again with tools/suite_references.py"
-    document = read_json(path, fix)
-    rows = document.get("rows") if isinstance(document, dict) else None
-    if not isinstance(rows, list):
-        raise QuadrupedError(f"{path}: expected a list 'rows'; found {short(rows)}; {fix}")
-    for i, row in enumerate(rows):
-        check_results(row, f"{path.name}: row {i + 1}")
+    rows: list[dict[str, Any]] = read_json(path, "write it again with tools/suite_references.py")["rows"]
     return rows
 
 
 def references_for(result: Mapping[str, Any], rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Reference rows that may be compared with a result: the same suite, robot and physics."""
+    """Return the reference rows that may be compared with a result: the same suite, robot and physics."""
     return [row for row in rows if row["suite"] == result["suite"] and row["conditions"] == result["conditions"]]
 
 
 def score_table(results: list[Mapping[str, Any]]) -> str:
-    """Scores and their components of several results as plain text, in the given order."""
+    """Return the scores and their components of several results as plain text, in the given order."""
     scores = (result["score"] for result in results)
     numbers = [[f"{score['total']:.3f}", *(f"{score['components'][c]:.2f}" for c in COMPONENTS)] for score in scores]
     rows = [[result["name"], *cells] for result, cells in zip(results, numbers, strict=True)]
     return text_table([["", "score", *COMPONENTS], *rows])
 
 
-def interquartile_mean(values: ArrayLike) -> Floats:
-    """Mean of the middle half of the values along the last axis (..., K).
-
-    A quarter of the values, rounded down, is left out at each end, as by `scipy.stats.trim_mean` and in rliable.
-    """
-    ordered = np.sort(np.asarray(values, dtype=np.float64), axis=-1)
-    out = int(_TRIMMED * ordered.shape[-1])
-    return np.asarray(ordered[..., out : ordered.shape[-1] - out].mean(axis=-1))
-
-
-def stratified_interquartile_mean(scores: ArrayLike) -> Estimate:
-    """Interquartile mean of scores (runs, tasks), with its percentile bootstrap interval.
-
-    Agarwal et al. 2021, Deep Reinforcement Learning at the Edge of the Statistical Precipice,
-    https://arxiv.org/abs/2108.13264: the components of the score are the tasks, the training seeds the runs.
-
-    Each resample draws the runs of every task with replacement, independently of the other tasks. The interval is NaN
-    for a single run, which says nothing about the others.
-    """
-    values = np.asarray(scores, dtype=np.float64)
-    runs, tasks = values.shape
-    middle = float(interquartile_mean(values.ravel()))
-    if runs == 1:
-        return Estimate(middle, math.nan, math.nan, 1)
-    chosen = np.random.default_rng(0).integers(0, runs, (_RESAMPLES, runs, tasks))
-    resampled = interquartile_mean(values[chosen, np.arange(tasks)].reshape(_RESAMPLES, runs * tasks))
-    return Estimate(middle, *percentile_interval(resampled), runs)
-
-
 def aggregate(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """Aggregate of the results of one recipe over its training seeds, as plain values.
+    """Return the aggregate of the results of one recipe over its training seeds, as plain values.
 
     Returns:
-        `runs`, the name, total score and components of each run; `score`, the interquartile mean over runs and
-        components; `components`, the interquartile mean of each over the runs; and `terrain`, the highest level of each
-        kind that all runs pass.
+        `runs`, the name, total score and components of each run; `score` and `components`, means over the runs with
+        bootstrap intervals, which one run does not have; and `terrain`, the highest level of each kind that all runs
+        pass.
 
     Raises:
         QuadrupedError: if the results cannot be compared.
     """
     check_comparable({f"{document['name']} ({i + 1})": document for i, document in enumerate(documents)})
-    scores = np.array([[document["score"]["components"][name] for name in COMPONENTS] for document in documents])
+    scores = [document["score"] for document in documents]
+
+    def mean(values: list[float]) -> dict[str, float | int | None]:
+        found = bootstrap_mean(values)
+        return (replace(found, low=math.nan, high=math.nan) if len(values) == 1 else found).to_dict()
+
     return {
         "runs": [{"name": document["name"], **document["score"]} for document in documents],
-        "score": stratified_interquartile_mean(scores).to_dict(),
-        "components": {
-            name: stratified_interquartile_mean(scores[:, [i]]).to_dict() for i, name in enumerate(COMPONENTS)
-        },
+        "score": mean([score["total"] for score in scores]),
+        "components": {name: mean([score["components"][name] for score in scores]) for name in COMPONENTS},
         "terrain": {
             kind: min(document["terrain"][kind]["highest_level"] for document in documents)
             for kind in documents[0]["terrain"]

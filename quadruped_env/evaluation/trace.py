@@ -1,13 +1,10 @@
-"""`Trace`: a robot over time. Rollouts, recordings, films and the viewer hold their samples in it.
-
-A quantity is declared once, as an annotated field of `Trace` or of a subclass, and every trace is checked against it.
-"""
+"""`Trace`: a robot over time. Rollouts, recordings, films and the viewer hold their samples in it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, Generic, Self, TypeVar, get_args
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -19,18 +16,7 @@ from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.trajectory import JointTrajectory
 
-_Floats = NDArray[np.floating[Any]]
-# An annotation is the shape of a quantity of one env at one time: `joints` and `legs` are the robot's numbers of them,
-# `terms` is any number.
-Scalar = Annotated[_Floats, ()]
-Velocity = Annotated[_Floats, (2,)]
-Pose = Annotated[_Floats, (7,)]
-PerJoint = Annotated[_Floats, ("joints",)]
-PerLeg = Annotated[_Floats, ("legs",)]
-PositionPerLeg = Annotated[_Floats, ("legs", 3)]
-PerTerm = Annotated[_Floats, ("terms",)]
-Flag = Annotated[NDArray[np.bool_], ()]
-FlagPerLeg = Annotated[NDArray[np.bool_], ("legs",)]
+Array = NDArray[Any]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -41,25 +27,25 @@ class Trace:
     stands for a quantity that is not known.
 
     Raises:
-        QuadrupedError: if an array does not have the shape of its quantity.
+        QuadrupedError: if arrays differ in the axes of time and envs, or in the number of joints from the robot.
     """
 
     robot: Robot
     timestep: float
     """Time between samples, s"""
-    base_pose: Pose
+    base_pose: Array
     """Position in m and quaternion wxyz of the base in the world (T, N, 7)"""
-    joint_position: PerJoint
+    joint_position: Array
     """Joint positions, rad (T, N, J)"""
-    joint_velocity: PerJoint | None = None
+    joint_velocity: Array | None = None
     """Joint velocities, rad/s (T, N, J)"""
-    joint_torque: PerJoint | None = None
+    joint_torque: Array | None = None
     """Motor torques in the last physics step of each control step, N m (T, N, J)"""
-    velocity: Velocity | None = None
+    velocity: Array | None = None
     """Forward velocity in m/s and yaw rate in rad/s, in the body frame (T, N, 2)"""
-    command: Velocity | None = None
+    command: Array | None = None
     """Velocity command in the same units (T, N, 2); None for a controller that follows none"""
-    contact: FlagPerLeg | None = None
+    contact: NDArray[np.bool_] | None = None
     """True for each foot on the ground (T, N, L)"""
     terrain: Terrain = flat
     """Ground below the robot"""
@@ -67,26 +53,17 @@ class Trace:
     """Timestamp of the first sample, ns"""
 
     def __post_init__(self) -> None:
-        axes = np.shape(self.base_pose)[:-1]
-        lengths: dict[int | str, Any] = {"joints": self.robot.num_joints, "legs": self.robot.num_legs, "terms": "any"}
-        for name, shape in self.quantities().items():
-            array = getattr(self, name)
-            if array is None:
-                continue
-            found, expected = np.shape(array), (*axes, *(lengths.get(axis, axis) for axis in shape))
-            if len(found) != len(expected) or any(b not in (a, "any") for a, b in zip(found, expected, strict=True)):
-                raise QuadrupedError(f"trace: {name} must have shape ({', '.join(map(str, expected))}); found {found}")
+        axes, joints = np.shape(self.base_pose)[:-1], self.robot.num_joints
+        for name, array in self.quantities().items():
+            if array.shape[: len(axes)] != axes:
+                raise QuadrupedError(f"trace: {name} must have the axes {axes} of base_pose first; found {array.shape}")
+            if name.startswith("joint_") and array.shape != (*axes, joints):
+                raise QuadrupedError(f"trace: {name} must have shape {(*axes, joints)}; found {array.shape}")
 
-    @classmethod
-    @cache
-    def quantities(cls) -> dict[str, tuple[int | str, ...]]:
-        """Declared quantities: name -> shape, as annotated."""
-        return {
-            declared.name: note
-            for declared in fields(cls)
-            for part in (declared.type, *get_args(declared.type))
-            for note in getattr(part, "__metadata__", ())
-        }
+    def quantities(self) -> dict[str, Array]:
+        """Return known arrays by name."""
+        values = {declared.name: getattr(self, declared.name) for declared in fields(self)}
+        return {name: value for name, value in values.items() if isinstance(value, np.ndarray)}
 
     def __len__(self) -> int:
         return len(self.base_pose)
@@ -97,42 +74,41 @@ class Trace:
         return len(self) * self.timestep
 
     @property
-    def base_position(self) -> _Floats:
+    def base_position(self) -> Array:
         """Position of the base in the world, m (T, N, 3)."""
         return self.base_pose[..., :3]
 
     @property
-    def orientation(self) -> _Floats:
+    def orientation(self) -> Array:
         """Quaternion wxyz of the base (T, N, 4)."""
         return self.base_pose[..., 3:]
 
     def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
-        """Copy of some of the envs, by indices or mask (N,); an index alone is `env`."""
+        """Copy some of the envs, by indices or mask (N,); an index alone is `env`."""
         return self._view((slice(None), envs))
 
     def env(self, index: int) -> Self:
-        """Trace of one env. It shares the arrays."""
+        """Return the trace of one env. It shares the arrays."""
         return self.select(index)
 
     def window(self, start: int = 0, stop: int | None = None) -> Self:
-        """The samples from index `start` up to, but without, `stop`; None is the end. It shares the arrays."""
+        """Return the samples from index `start` up to, but without, `stop`; None is the end. They share the arrays."""
         first, *_ = slice(start, stop).indices(len(self))
         return self._view(slice(start, stop), first_stamp=self.first_stamp + int(self._stamps(np.array(first))))
 
     def _view(self, index: Any, **changes: Any) -> Self:
-        arrays: dict[str, Any] = {name: getattr(self, name) for name in self.quantities()}
-        views = {name: array[index] for name, array in arrays.items() if array is not None}
-        return replace(self, **views, **changes)
+        return replace(self, **{name: array[index] for name, array in self.quantities().items()}, **changes)
 
     @classmethod
     def stack(cls, samples: Sequence[Self], every: int = 1) -> Self:
-        """Trace of single samples (one or more, in order) of one env, arrays (...), whose first axis is time (T, ...).
+        """Join single samples (one or more, in order) of one env, arrays (...), to a trace (T, ...).
 
-        Of them every n-th is kept, and the last one.
+        Every n-th sample is kept, counted backwards from the last one.
         """
         kept = samples[::-1][::every][::-1]
-        known = [name for name in cls.quantities() if getattr(kept[0], name) is not None]
-        arrays: dict[str, Any] = {name: np.array([getattr(sample, name) for sample in kept]) for name in known}
+        arrays: dict[str, Any] = {
+            name: np.array([getattr(sample, name) for sample in kept]) for name in kept[0].quantities()
+        }
         return replace(kept[0], **arrays, timestep=every * kept[0].timestep)
 
     @cached_property
@@ -160,7 +136,7 @@ class Trace:
         self.joints.save(path, overwrite, base_pose=self.base_pose, robot=self.robot)
 
     def _stamps(self, samples: NDArray[np.intp]) -> NDArray[np.int64]:
-        """Timestamps of samples (indices) from the first one, ns."""
+        """Return the timestamps of samples (indices) from the first one, ns."""
         return np.rint(samples * self.timestep * NS_PER_SECOND).astype(np.int64)
 
 
@@ -168,15 +144,15 @@ class Trace:
 class CommandedTrace(Trace):
     """Trace in which the optional quantities of `Trace` are always known."""
 
-    joint_velocity: PerJoint = field()
-    joint_torque: PerJoint = field()
-    velocity: Velocity = field()
-    command: Velocity = field()
-    contact: FlagPerLeg = field()
+    joint_velocity: Array = field()
+    joint_torque: Array = field()
+    velocity: Array = field()
+    command: Array = field()
+    contact: NDArray[np.bool_] = field()
 
 
 def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:
-    """Quantities of a `Trace` that readings of N envs state: name -> (N, ...), in part live views."""
+    """Return the quantities of a `Trace` that readings of N envs hold: name -> (N, ...), in part live views."""
     return {
         "base_pose": np.concatenate([readings.base_position, readings.orientation], axis=1),
         "joint_position": readings.joint_position,
@@ -186,27 +162,22 @@ def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:
     }
 
 
-TraceT = TypeVar("TraceT", bound=Trace)
-
-
-class Recorder(Generic[TraceT]):
-    """Records samples of N envs, one per control step, for a kind of trace.
+class Recorder:
+    """Records samples of N envs, one per control step.
 
     Args:
-        kind: `Trace` or a subclass.
-        robot: robot of the trace.
         steps: number of samples T. Samples that are never written are zero.
         dtype: type of the floating-point quantities.
     """
 
-    def __init__(self, kind: type[TraceT], robot: Robot, steps: int, dtype: DTypeLike = np.float64) -> None:
-        self._kind, self._robot, self._steps, self._dtype = kind, robot, steps, dtype
+    def __init__(self, steps: int, dtype: DTypeLike = np.float64) -> None:
+        self._steps, self._dtype = steps, dtype
         self._arrays: dict[str, Any] = {}
         self.written = 0
         """Number of samples written."""
 
-    def write(self, readings: Readings, **values: NDArray[Any]) -> None:
-        """Write the next sample: the readings of N envs, and further quantities (N, ...) of the kind of trace."""
+    def write(self, readings: Readings, **values: Array) -> None:
+        """Write the next sample: the readings of N envs, and further quantities (N, ...)."""
         sample = {**measured(readings), **values}
         if not self._arrays:
             for name, value in sample.items():
@@ -216,8 +187,8 @@ class Recorder(Generic[TraceT]):
             self._arrays[name][self.written] = value
         self.written += 1
 
-    def trace(self, **values: Any) -> TraceT:
-        """The trace of all T samples, read-only, which ends the recording; `values` are its fields not recorded."""
+    def arrays(self) -> dict[str, Any]:
+        """Return all T samples by name, read-only, as fields of a trace; this ends the recording."""
         for array in self._arrays.values():
             array.flags.writeable = False
-        return self._kind(robot=self._robot, **self._arrays, **values)
+        return self._arrays

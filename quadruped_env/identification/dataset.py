@@ -52,12 +52,12 @@ class Recorded:
         return tuple(name for name in SIGNALS if np.isfinite(self.measured[:, self.columns(name)]).any())
 
     def columns(self, signal: str) -> slice:
-        """Columns of a signal in an array (T, S)."""
+        """Return columns of a signal in an array (T, S)."""
         return columns(signal, self.robot.num_joints)
 
 
 def whole(trajectory: JointTrajectory, robot: Robot, without: Sequence[str], rest: Floats) -> JointTrajectory:
-    """A trajectory in the order of a robot's joints; those that are left out may be missing, and are at rest.
+    """Return a trajectory in the order of a robot's joints; those that are left out may be missing, and are at rest.
 
     Args:
         trajectory: measurements or joint targets.
@@ -89,7 +89,7 @@ def whole(trajectory: JointTrajectory, robot: Robot, without: Sequence[str], res
 
 
 def columns(signal: str, num_joints: int) -> slice:
-    """Columns of a signal in an array (T, 3 J) of all signals of J joints."""
+    """Return columns of a signal in an array (T, 3 J) of all signals of J joints."""
     start = SIGNALS.index(signal) * num_joints
     return slice(start, start + num_joints)
 
@@ -156,7 +156,7 @@ def align(
 
 
 def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory) -> tuple[str, ...]:
-    """Remarks on the quality of a recording, in sentences."""
+    """Return remarks on the quality of a recording, in sentences."""
     found = [*measured.source.notes, *(note for note in commands.source.notes if note not in measured.source.notes)]
     gaps = (measured.gaps_in_words("the measurements"), commands.gaps_in_words("the commands"))
     found += [f"{one}." for one in gaps if one]
@@ -172,7 +172,7 @@ def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajec
 
 
 def held(times: Floats, values: Floats, edges: NDArray[Any]) -> Floats:
-    """Means (K, J) over the intervals between edges (K + 1,) of values (T, J) with zero-order hold at times (T,)."""
+    """Return the means (K, J) between edges (K + 1,) of values (T, J) with zero-order hold at times (T,)."""
     # The integral of a piecewise constant function is piecewise linear.
     corners = np.concatenate([[min(times[0], edges[0]) - 1.0], times, [max(times[-1], edges[-1]) + 1.0]])
     heights = np.concatenate([values[:1], values])

@@ -111,12 +111,12 @@ class MotorFit:
         return with_values(self.start, values)
 
     def predict(self, motors: MotorConfig) -> Floats:
-        """Simulated signals over the whole recording, at the times of the measurements, (T, S)."""
+        """Return simulated signals over the whole recording, at the times of the measurements, (T, S)."""
         (signals,) = self._simulate([motors], self.recorded.times)
         return signals
 
     def mismatch(self) -> float:
-        """Smallest error over a grid of delays with all other parameters at the start.
+        """Return the smallest error over a grid of delays with all other parameters at the start.
 
         Computed from positions and, if measured, efforts over the first seconds of the fit, relative to the motion
         itself. Velocities are not used because they hardly depend on the load.
@@ -133,7 +133,7 @@ class MotorFit:
         return float(np.exp(np.mean([np.log(np.nanmean(left[:, part] ** 2)) / 2.0 for part in parts])))
 
     def _find_delay(self, values: dict[str, float]) -> dict[str, float]:
-        """Values fitted at the best of many fixed delays.
+        """Return values fitted at the best of many fixed delays.
 
         A delay that is free from the start gets stuck between two physics steps, where the motion has a kink.
         """
@@ -158,7 +158,7 @@ class MotorFit:
         return values
 
     def _scan_delay(self, values: dict[str, float]) -> float:
-        """The best of a grid of delays, with all other parameters at the start."""
+        """Return the best of a grid of delays, with all other parameters at the start."""
         residuals, start, _, _ = self._problem(values)
         candidates = np.arange(0.0, 0.5 * MAX_FIT_DELAY, max(self.recorded.timestep, _FINEST_DELAY))
         points = np.tile(start, (len(candidates), 1))
@@ -167,12 +167,12 @@ class MotorFit:
         return float(candidates[np.argmin((residuals(points) ** 2).sum(axis=(1, 2)))])
 
     def _search(self, values: Mapping[str, float]) -> dict[str, float]:
-        """The best values near a solution, which may be a local minimum of the rough error."""
+        """Return the best values near a solution, which may be a local minimum of the rough error."""
         found = search(*self._problem(values), self._tell)
         return from_coordinates(dict(zip(values, found.tolist(), strict=True)))
 
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
-        """The smallest error at a fixed delay, and its values."""
+        """Return the smallest error at a fixed delay, and its values."""
         free = {name: value for name, value in values.items() if name != DELAY}
         found = self._solve(free, _ITERATIONS_PER_DELAY, {DELAY: delay})
         residuals, point, _, _ = self._problem(found, {DELAY: delay})
@@ -185,7 +185,7 @@ class MotorFit:
         iterations: int = _ITERATIONS,
         fixed: Mapping[str, float] = {},
     ) -> dict[str, float]:
-        """Values at a local optimum, which may be due to the roughness of the error."""
+        """Return values at a local optimum, which may be due to the roughness of the error."""
         if not values:
             return {}
         residuals, start, low, high = self._problem(values, fixed)
@@ -193,7 +193,7 @@ class MotorFit:
         margin = 2e-3 * (high - low)
 
         def columns(points: Floats) -> Floats:
-            """Residuals (M, n) of points (P, n)."""
+            """Return residuals (M, n) of points (P, n)."""
             found = residuals(points.reshape(len(values), -1).T)
             return found.reshape(len(found), -1).T
 
@@ -215,7 +215,7 @@ class MotorFit:
         values: Mapping[str, float],
         fixed: Mapping[str, float] = {},
     ) -> tuple[Callable[[Floats], Floats], Any, Any, Any]:
-        """Weighted residuals (n, T, S) as a function of coordinates (n, P), those of the values, and their bounds."""
+        """Return the weighted residuals (n, T, S) as a function of coordinates (n, P), the start, and both bounds."""
         rows = self._rows()
         measured = self.recorded.measured[rows]
 
@@ -240,7 +240,7 @@ class MotorFit:
             self._progress(self._iterations / max(_EXPECTED_ITERATIONS, 1.25 * self._iterations))
 
     def _intervals(self, values: Mapping[str, float]) -> dict[str, float]:
-        """Half-widths of the 95 % intervals of the values that are determined.
+        """Return half-widths of the 95 % intervals of the values that are determined.
 
         The others are removed one after another, the least certain first: if the recording determines only the sum of
         two parameters, fixing one determines the other.
@@ -267,7 +267,7 @@ class MotorFit:
         return {}
 
     def _inverse_spread(self, values: Floats) -> Floats:
-        """Weights (S,): the inverse RMS of each signal in values (T, S); 0 for missing signals."""
+        """Return weights (S,): the inverse RMS of each signal in values (T, S); 0 for missing signals."""
         weights = np.zeros(values.shape[1])
         for name in self.recorded.signals:
             part = self.recorded.columns(name)
@@ -275,7 +275,7 @@ class MotorFit:
         return weights
 
     def _rows(self) -> Bools:
-        """Bools of the measurements that the fit uses (T,)."""
+        """Return the mask of the measurements that the fit uses (T,)."""
         times = self.recorded.times
         return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
 
@@ -285,7 +285,7 @@ class MotorFit:
         return spec.compile()
 
     def _simulate(self, motors: Sequence[MotorConfig], times: Floats) -> Iterator[Floats]:
-        """Simulated signals with each of these motors, at times (T,) in s from the start of the recording, (T, S)."""
+        """Yield the signals (T, S) simulated with each of these motors, at times (T,) from the start in s."""
         recorded, joints = self.recorded, self.recorded.robot.num_joints
         data = mujoco.MjData(model := self._model(self.start))
         positions, velocities = recorded.start
@@ -312,7 +312,7 @@ class MotorFit:
                 yield self._at(times, np.concatenate(parts, axis=1))
 
     def _at(self, times: Floats, signals: Floats) -> Floats:
-        """Signals (K, S) after each physics step, at times (T,) in s; linear in between."""
+        """Return signals (K, S) after each physics step, at times (T,) in s; linear in between."""
         place = np.clip(times / self.recorded.timestep - 1.0, 0.0, len(signals) - 1.0)
         whole = np.rint(place)
         place = np.where(np.abs(place - whole) < 1e-6, whole, place)
@@ -323,7 +323,7 @@ class MotorFit:
 
 
 def joint_spec(robot: Robot, timestep: float, on_ground: bool = False) -> mujoco.MjSpec:
-    """A robot with its joint sensors only, on a stand or on the ground."""
+    """Return a robot with its joint sensors only, on a stand or on the ground."""
     spec = scene(robot)
     spec.option.timestep = timestep
     wanted = {
@@ -347,6 +347,6 @@ def joint_spec(robot: Robot, timestep: float, on_ground: bool = False) -> mujoco
 
 
 def _centered(values: Floats) -> Floats:
-    """Values (T, S) less the mean of each column, NaN aside."""
+    """Return values (T, S) less the mean of each column, NaN aside."""
     count = np.isfinite(values).sum(axis=0)
     return values - np.nansum(values, axis=0) / np.maximum(count, 1)

@@ -21,7 +21,7 @@ NUMBERS_FILE: Final = "identification.json"
 
 
 def identification_files(directory: Path) -> list[Path]:
-    """Files that are written into a directory."""
+    """Return files that are written into a directory."""
     return [directory / name for name in (MOTORS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 

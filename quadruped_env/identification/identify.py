@@ -74,14 +74,14 @@ class Identification:
         return tuple(found)
 
     def condition(self) -> str:
-        """The condition of the estimates in a sentence."""
+        """Return the condition of the estimates in a sentence."""
         return (
-            f"Estimates and intervals hold only if the motors' other values are right, which are those of the start: "
+            f"Estimates and intervals hold only if the motors' other values are right, which keep their start values: "
             f"{', '.join(self.assumed)}."
         )
 
     def errors(self, after: bool, held_out: bool = True) -> dict[str, Floats]:
-        """Root mean square error (J,) of every measured signal, over the held-out time or the fit's.
+        """Return the root mean square error (J,) of every measured signal, over the held-out time or the fit's.
 
         NaN for a joint whose signal was not measured.
         """
@@ -93,7 +93,7 @@ class Identification:
         return {name: rms[self.recorded.columns(name)] for name in self.recorded.signals}
 
     def verdict(self) -> str:
-        """Verdict on the fit, from the position error on held-out time."""
+        """Return the verdict on the fit, from the position error on held-out time."""
         before, after = self._held_out()
         change = f"from {before:.4f} to {after:.4f} rad"
         if self.helps:
@@ -107,11 +107,11 @@ class Identification:
         return after < before
 
     def _held_out(self) -> tuple[float, float]:
-        """Position error on held-out time before and after, rad."""
+        """Return the position error on held-out time before and after, rad."""
         return pooled(self.errors(after=False)["position"]), pooled(self.errors(after=True)["position"])
 
     def report(self) -> dict[str, Any]:
-        """The identification as JSON-serializable values."""
+        """Return the identification as JSON-serializable values."""
         times = self.recorded.times
         return {
             "recording": shown_argument(self.source),
@@ -138,11 +138,11 @@ class Identification:
         }
 
     def config(self) -> dict[str, Any]:
-        """The motors as a part of the environment's `config`."""
+        """Return the motors as a part of the environment's `config`."""
         return {"motor": asdict(self.after)}
 
     def tables(self) -> list[Table]:
-        """Motors and errors before and after the fit, for a terminal and for a page."""
+        """Return the motors and errors before and after the fit, for a terminal and for a page."""
         rows = []
         for estimate in self.estimates:
             interval = "not determined: stays"
@@ -178,7 +178,7 @@ class Identification:
         return [motors, errors]
 
     def text(self) -> str:
-        """The tables, the remarks and the verdict as plain text."""
+        """Return the tables, the remarks and the verdict as plain text."""
         return "\n".join([*(f"{table.text()}\n" for table in self.tables()), *self.remarks, self.verdict()])
 
 
@@ -253,7 +253,7 @@ def identify(
 
 
 def pooled(rms: Floats) -> float:
-    """RMS over the joints of their RMS values (J,), without NaN."""
+    """Return RMS over the joints of their RMS values (J,), without NaN."""
     return float(np.sqrt(np.nanmean(rms**2)))
 
 

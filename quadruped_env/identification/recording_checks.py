@@ -77,19 +77,19 @@ def check_stand(recorded: Recorded, start: MotorConfig) -> None:
 
 
 def _read_twice(measured: JointTrajectory, commands: JointTrajectory) -> list[str]:
-    """The problem with targets that are the measurements: the same columns of the same file, as a rule."""
+    """Return the problem with targets that are the measurements: the same columns of the same file, as a rule."""
     pairs = (measured.stamps, commands.stamps), (measured.positions, commands.positions)
     if not all(np.array_equal(*pair) for pair in pairs):
         return []
     return [
         f"all positions are the joint targets of {commands.source.name}, number for number at the same times: the same "
-        f"columns were read twice; name those of the targets (--commands-columns; in a bag, --commands-topic). If the "
+        f"columns were read twice; name the targets' columns (--commands-columns; in a bag, --commands-topic). If the "
         f"log itself holds both, it repeats its targets as positions ({_NO_FEEDBACK})"
     ]
 
 
 def _echoes(measured: JointTrajectory, commands: JointTrajectory, without: Sequence[str]) -> list[str]:
-    """The problem with servos that report no position: their driver repeats the target as the position, maybe later."""
+    """Return the problem with servos without feedback, whose driver repeats the target as the position, maybe later."""
     ages = {}
     for name, positions, targets in zip(measured.names, measured.positions.T, commands.positions.T, strict=True):
         age = _age_of_echo(measured.stamps, positions, commands.stamps, targets)
@@ -112,7 +112,7 @@ def _age_of_echo(
     command_stamps: NDArray[np.int64],
     targets: Floats,
 ) -> float | None:
-    """Age in s of the targets that a joint's positions (T,) repeat; None if they are no targets."""
+    """Return the age in s of the targets that a joint's positions (T,) repeat; None if they are no targets."""
     common = (stamps >= command_stamps[0]) & (stamps <= command_stamps[-1])
     rows = np.flatnonzero(common[1:] & (np.abs(np.diff(positions)) > _ECHO_TOLERANCE))[: _ECHO_ROWS[1]] + 1
     if len(rows) < _ECHO_ROWS[0]:
@@ -126,7 +126,7 @@ def _age_of_echo(
 
 
 def _implausible(one: JointTrajectory, other: JointTrajectory, without: Sequence[str], commands_too: bool) -> list[str]:
-    """Findings in the time that a recording has in common with another."""
+    """Return findings in the time that a recording has in common with another."""
     source = one.source
     inside = np.flatnonzero((one.stamps >= other.stamps[0]) & (one.stamps <= other.stamps[-1]))
     place = f"commands {source.name}: " if commands_too else ""
@@ -139,7 +139,7 @@ def _implausible(one: JointTrajectory, other: JointTrajectory, without: Sequence
 
 
 def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
-    """Contradictions between measurements and commands, in sentences."""
+    """Return contradictions between measurements and commands, in sentences."""
     names, step = recorded.robot.joint_names, recorded.timestep
     times = np.arange(len(recorded.control)) * step
     times = times[times <= recorded.times[-1]]
@@ -181,7 +181,7 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
         if own.max() < 0.5 and own[:early].min() < -0.7:
             reasons.append("moves against its command: its sign is wrong (sign = -1 in a map)")
         if own.max() < 0.5 and others[follows] > 0.9:
-            reasons.append(f"follows that of {names[follows]}: joints are swapped (source or columns in a map)")
+            reasons.append(f"follows the command of {names[follows]}: joints are swapped (source or columns in a map)")
         if reasons:
             problems.append(f"{names[i]} {', or it '.join(reasons)}")
         if own.max() >= 0.8 and gain > _MAX_GAIN:
@@ -203,7 +203,7 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
 
 
 def _correlation(one: Floats, other: Floats) -> float:
-    """Correlation where both are known; 0 if one does not change."""
+    """Return the correlation where both are known; 0 if one does not change."""
     known = np.isfinite(one) & np.isfinite(other)
     if known.sum() < 20 or not np.ptp(one[known]) or not np.ptp(other[known]):
         return 0.0
@@ -211,14 +211,14 @@ def _correlation(one: Floats, other: Floats) -> float:
 
 
 def _correlations(command: Floats, position: Floats, delay: int) -> Floats:
-    """Correlation of each joint's position with each joint's command some steps earlier (J, J)."""
+    """Return the correlation of each joint's position with each joint's command some steps earlier (J, J)."""
     target, reached = command[: len(command) - delay], position[delay:]
     with np.errstate(all="ignore"):
         return np.nan_to_num(np.corrcoef(reached.T, target.T)[: len(command.T), len(command.T) :], nan=0.0)
 
 
 def _clock_offset(command: Floats, position: Floats, step: float) -> tuple[float, float, float]:
-    """Time in s by which all positions together follow their commands best, its correlation, and that of servos."""
+    """Return the delay, s, at which positions follow their commands best, its correlation, and a servo's best one."""
     target, reached = command - command.mean(axis=0), position - position.mean(axis=0)
     target, reached = target / target.std(axis=0), reached / reached.std(axis=0)
     count = len(target)

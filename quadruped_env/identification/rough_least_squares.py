@@ -77,7 +77,7 @@ def search(residuals: Residuals, start: Floats, low: Floats, high: Floats, tell:
 
 
 def derivatives(residuals: Residuals, point: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Derivatives (T, S, P) of the residuals at a point, robust against nearby jumps, and the residuals (T, S)."""
+    """Return the derivatives (T, S, P) of the residuals at a point, robust against jumps, and the residuals (T, S)."""
     places = np.arange(-_FINE_STEPS, _FINE_STEPS + 1)
     columns = []
     step = _FINE_STEP * np.maximum(np.abs(point), _LEAST)
@@ -94,7 +94,7 @@ def derivatives(residuals: Residuals, point: Floats, low: Floats, high: Floats) 
 
 
 def half_widths(jacobian: Floats, left: Floats, times: Floats, joints: int, kinds: int) -> tuple[Floats, Floats]:
-    """Half-widths (P,) of 95 % intervals under white noise, and of robust 95 % intervals.
+    """Return half-widths (P,) of 95 % intervals under white noise, and of robust 95 % intervals.
 
     The first show which parameters the recording determines: they are infinite for a parameter without influence. Real
     residuals are not white noise: they are correlated over time, between the signals of a joint and between joints,
@@ -140,7 +140,7 @@ def half_widths(jacobian: Floats, left: Floats, times: Floats, joints: int, kind
 
 
 def _clustered(inverse: Floats, sums: Floats, degrees: int) -> Floats:
-    """Half-widths from the sums of scores (G, P) over mutually independent groups."""
+    """Return half-widths from the sums of scores (G, P) over mutually independent groups."""
     from scipy.stats import t as student
 
     spread = sums @ inverse
@@ -149,7 +149,7 @@ def _clustered(inverse: Floats, sums: Floats, degrees: int) -> Floats:
 
 
 def _newton(jacobian: Floats, left: Floats) -> tuple[Floats, Any]:
-    """A Gauss-Newton step (P,), and a root (P, P) of the inverse of the squared Jacobian."""
+    """Return a Gauss-Newton step (P,), and a root (P, P) of the inverse of the squared Jacobian."""
     scale = np.maximum(np.linalg.norm(jacobian, axis=0), 1e-12)
     values, vectors = np.linalg.eigh((jacobian / scale).T @ (jacobian / scale))
     values = np.maximum(values, 1e-9 * values[-1])

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import Target
 from quadruped_env.control.live_controller import LiveController, Measurement
@@ -25,6 +24,7 @@ from quadruped_env.live.state_checks import FrozenJoints, ImuRepetition, Sources
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 _STATES_QOS: Final = Qos(depth=50, reliable=False)
 """As for sensor data, but deep enough for states that come as one message per joint."""
@@ -54,7 +54,7 @@ class Measurements:
         robot: Robot,
         driver: DriverJoints,
         velocities: bool,
-        mount: NDArray[np.float64] | None,
+        mount: Floats | None,
     ) -> None:
         node = session.node
         self._session = session

@@ -6,7 +6,6 @@ import time
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
@@ -26,6 +25,7 @@ from quadruped_env.live.middleware.topics import (
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import rotate
 from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, ViewedTrace, heading, sample, world_vector
 
@@ -202,7 +202,7 @@ class LiveRobot(ViewedRobot):
         self._efforts = np.where(found, efforts, self._efforts)
         self.receives_states |= bool(found.any())
 
-    def _steer(self, command: NDArray[np.float64], now: float) -> None:
+    def _steer(self, command: Floats, now: float) -> None:
         """Send the viewer's command while it is not zero, and zero for a moment afterwards."""
         if command.any():
             self._commanded_at = now
@@ -212,7 +212,7 @@ class LiveRobot(ViewedRobot):
         self._velocities.send(velocity_message((command[0], command[1])))
 
 
-def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _read_odometry(odometry: Any) -> tuple[Floats, Floats]:
     """Read base pose (7,) and velocity (6,) of an `/odom` message, in MuJoCo's conventions.
 
     Raises:

@@ -4,7 +4,6 @@ import math
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.live.middleware.topics import PUSH
@@ -13,6 +12,7 @@ from quadruped_env.robot.motors import servo_target
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.simulation.push_limit import PushLimit
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import from_yaw, yaw
 
 TIMESTEP: Final = 0.005
@@ -40,7 +40,8 @@ class SimulatedRobot:
         self._simulation = SingleSimulation(build_model(TIMESTEP, terrain=terrain, robot=robot), robot)
         self.state = self._simulation.readings
         self._generator = np.random.default_rng(seed)
-        self._target = robot.stance.copy()
+        self.target = robot.stance.copy()
+        """Joint targets, within the joints' range, rad (J,)."""
         self._servo_errors = robot.motors.servo_errors(robot.joint_kinds)
         self._play = robot.stance[None].copy()
         self.limp = False
@@ -57,14 +58,14 @@ class SimulatedRobot:
         start = np.zeros(2)
         self.put(np.concatenate([start, [self._standing_height(start)], heading, self.robot.stance]))
 
-    def put(self, qpos: NDArray[np.float64]) -> None:
+    def put(self, qpos: Floats) -> None:
         """Set the robot's pose, at rest, with motors enabled as at the start.
 
         Args:
             qpos: base position in m, base quaternion wxyz, and joint positions in rad (7 + J,).
         """
         self._simulation.reset(_ROW, qpos[None], np.zeros((1, self.robot.num_velocities)))
-        self._target = qpos[7:].copy()
+        self.target = qpos[7:].copy()
         self._play[:] = qpos[7:]
         self._commanded_for = None
         self.limp = False
@@ -75,7 +76,7 @@ class SimulatedRobot:
         if target is LIMP:
             self.limp = True
             return
-        self._target = np.clip(target, self.robot.joint_position_low, self.robot.joint_position_high)
+        self.target = np.clip(target, self.robot.joint_position_low, self.robot.joint_position_high)
         self.limp = False
 
     def pick_up(self) -> None:
@@ -83,11 +84,11 @@ class SimulatedRobot:
         place, heading = self.state.base_position[0, :2], from_yaw(yaw(self.state.orientation[0]))
         self.put(np.concatenate([place, [self._standing_height(place)], heading, self.robot.stance]))
 
-    def _standing_height(self, place: NDArray[np.float64]) -> float:
+    def _standing_height(self, place: Floats) -> float:
         """Return the height of the base's centre in the stance, over the highest ground around a position (2,), m."""
         return self.robot.stance_height + float(highest_ground(self._simulation, place))
 
-    def push(self, velocity: NDArray[np.float64]) -> None:
+    def push(self, velocity: Floats) -> None:
         """Add a velocity (3,) in the world frame, m/s, to the base's velocity.
 
         Raises:
@@ -109,7 +110,7 @@ class SimulatedRobot:
         if self.limp:
             self._play[:] = position
         # With its own position as target, a position servo applies only its damping.
-        pursued = position if self.limp else servo_target(self._target, position, self._play, *self._servo_errors)
+        pursued = position if self.limp else servo_target(self.target, position, self._play, *self._servo_errors)
         self._simulation.step(pursued, 1)
         return watchdog_tripped
 

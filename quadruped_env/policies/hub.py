@@ -16,12 +16,12 @@ TIMEOUT: Final = 10.0
 
 
 def is_on_hub(source: object) -> bool:
-    """True for the address of a policy on the hub."""
+    """Return True for the address of a policy on the hub."""
     return str(source).startswith(SCHEME)
 
 
 def hub_directory(address: str) -> Path:
-    """Directory of the cache with the two files of a policy, which are downloaded if the hub has newer ones.
+    """Return the directory of the cache with the two files of a policy, which are downloaded if the hub has newer ones.
 
     Raises:
         MissingExtraError: if the hub's client is not installed.

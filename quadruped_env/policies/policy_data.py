@@ -56,7 +56,7 @@ class PolicyData:
     source: str = CARD_FILE
 
     def with_card(self, card: dict[str, Any]) -> Self:
-        """The same policy with another card."""
+        """Return the same policy with another card."""
         return replace(self, card=card)
 
     @property
@@ -73,7 +73,7 @@ class PolicyData:
         """Called before `predict` where an episode begins in some envs, a mask (N,); a network has no memory."""
 
     def predict(self, observation: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Actions (..., 8) in [-1, 1] for observations (..., obs).
+        """Return the actions (..., 8) in [-1, 1] for observations (..., obs).
 
         Raises:
             QuadrupedError: if the last axis has another length than an observation.
@@ -168,7 +168,7 @@ class PolicyData:
         write_whole({directory / name: content for name, content in files.items()})
 
     def files(self) -> dict[str, bytes]:
-        """Contents of the files that `save` writes, by name; the card is last.
+        """Return the contents of the files that `save` writes, by name; the card is last.
 
         Raises:
             QuadrupedError: as `check_is_data`.
@@ -197,11 +197,11 @@ class PolicyData:
 
 
 def config_hash(config: Any) -> str:
-    """SHA-256 of a task's config, independent of the layout of the JSON."""
+    """Return the SHA-256 of a task's config, independent of the layout of the JSON."""
     return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
 def gait_document(control: ControlConfig, robot: Robot) -> dict[str, Any] | None:
-    """Scripted gait of a residual policy as JSON values; None for other policies."""
+    """Return the scripted gait of a residual policy as JSON values; None for other policies."""
     gait = control.action.scripted_gait(robot, control.clock_frequency)
     return None if gait is None else gait.parameters()

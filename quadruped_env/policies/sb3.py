@@ -49,11 +49,11 @@ PROTOCOL: Final = (
     "(docs/training.md#your-own-algorithm)"
 )
 
-NORMALIZED_ENV: Final = "env=VecNormalize.load(FILE, make_sb3_vec_env(1)), where FILE is that of VecNormalize.save"
+NORMALIZED_ENV: Final = "env=VecNormalize.load(FILE, make_sb3_vec_env(1)), where FILE was written by VecNormalize.save"
 
 
 def refused(reason: str) -> QuadrupedError:
-    """The error for a model that a policy's file cannot hold."""
+    """Return the error for a model that a policy's file cannot hold."""
     return QuadrupedError(
         f"Policy.from_sb3: {reason}; a policy's file holds linear layers with one activation function between them "
         f"({', '.join(MODULES)}, with their default arguments), for the export and for a robot's controller: {PROTOCOL}"
@@ -105,7 +105,7 @@ class Actor:
         return cls(model, config, network, normalization)
 
     def check(self, predict: Callable[[NDArray[np.float32]], NDArray[np.float32]]) -> None:
-        """Refuse a policy whose actions differ from the model's, such as that of a subclass with its own `forward`."""
+        """Refuse a policy whose actions differ from the model's, as for a subclass with its own `forward`."""
         inputs = len(self.network.layers[0][0])
         limit = 2.0 if self.normalization is None else min(2.0, self.normalization.clip)
         seen = np.random.default_rng(0).uniform(-limit, limit, (SAMPLES, inputs)).astype(np.float32)
@@ -120,7 +120,7 @@ class Actor:
 
 
 def was_normalized(model: Any) -> bool:
-    """True if a model is known to have been trained in a `VecNormalize`, which its zip does not hold.
+    """Return True if a model is known to have been trained in a `VecNormalize`, which its zip does not hold.
 
     The on-policy algorithms of Stable-Baselines3 keep an observation before its normalization, and in other envs none.
     Those with a replay buffer keep one in any env.
@@ -129,7 +129,7 @@ def was_normalized(model: Any) -> bool:
 
 
 def _task_of(venv: Any) -> TaskConfig:
-    """Config of the task of SB3's vector env, whose wrappers may change neither observations nor actions."""
+    """Return the config of the task of SB3's vector env, whose wrappers may change neither observations nor actions."""
     inner, wrappers = venv, []
     while hasattr(inner, "venv"):
         wrappers.append(inner)
@@ -164,7 +164,7 @@ def _task_of(venv: Any) -> TaskConfig:
 
 
 def actor_network(policy: Any) -> Network:
-    """The network of an SB3 policy's actor.
+    """Return the network of an SB3 policy's actor.
 
     Raises:
         QuadrupedError: if a policy's file cannot hold it.
@@ -204,7 +204,7 @@ def _parts(module: Any) -> list[Any]:
 
 
 def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
-    """Weights and biases of a perceptron's layers, and the activation function between them.
+    """Return the weights and biases of a perceptron's layers, and the activation function between them.
 
     A batch renormalization before a layer, which in use is an affine function of its inputs, becomes a part of it.
 
@@ -239,7 +239,7 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
 
 
 def _clipped(layers: list[Layer], activation: str, limit: float) -> list[Layer]:
-    """Layers whose values are those of `layers`, clipped to +-limit: relu(x + limit) - relu(x - limit) - limit."""
+    """Return layers that give the values of `layers` clipped to +-limit: relu(x + limit) - relu(x - limit) - limit."""
     if activation != "relu":
         raise refused(f"its actor explores with gSDE and clips its mean (clip_mean={limit:g}), and is no ReLU network")
     *inner, (weight, bias) = layers
@@ -256,7 +256,7 @@ def _array(tensor: Any) -> NDArray[np.float32]:
 
 
 def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
-    """The symmetric policy over a plain network as one plain network of twice the width: f and its mirror, averaged."""
+    """Return one network of twice the width that is symmetric: the average of a network and its mirror image."""
     (first, first_bias), *inner, (last, last_bias) = layers
     half = np.float32(0.5)
     mirrored = (first * mirror.observation_sign[:, None])[np.argsort(mirror.observation_order)]
@@ -276,7 +276,7 @@ class _Normalization(NamedTuple):
 
     @classmethod
     def of(cls, model: Any, inputs: int) -> Self | None:
-        """Normalization by the model's `VecNormalize`; None without one."""
+        """Return the normalization by the model's `VecNormalize`; None without one."""
         normalize = model.get_vec_normalize_env()
         if normalize is None or not normalize.norm_obs:
             return None

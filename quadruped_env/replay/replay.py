@@ -64,7 +64,7 @@ class Replay:
     """Recording of the real robot on the same clock, for the comparison; None compares with `recorded`"""
 
     def link_poses(self) -> dict[str, Pose]:
-        """Link name -> (position in m (T, 3), quaternion wxyz (T, 4)).
+        """Return link name -> (position in m (T, 3), quaternion wxyz (T, 4)).
 
         In the world in dynamic mode, and in the frame of the base in kinematic mode.
         """
@@ -72,7 +72,7 @@ class Replay:
         return self.robot.forward_kinematics(self.played.positions, base_pose)
 
     def tracking_error(self) -> Floats:
-        """Played minus recorded position at the same time, rad (T, J)."""
+        """Return played minus recorded position at the same time, rad (T, J)."""
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
     @cached_property
@@ -90,7 +90,7 @@ class Replay:
         return side_by_side(self.measured or self.recorded, self.played)
 
     def film(self) -> Clip:
-        """Clip for a film. In a kinematic replay the base stays level and the lowest foot is on the ground."""
+        """Return the clip for a film; in a kinematic replay the base is level and the lowest foot on the ground."""
         name = Path(self.recorded.source.name).name
         if self.motion is not None:
             return Clip(name, self.motion)
@@ -175,7 +175,7 @@ class Replay:
         return found
 
     def tables(self, compare: bool = False) -> list[Table]:
-        """The report's tables, for a terminal and for a page; `compare` adds the comparison's."""
+        """Return the report's tables, for a terminal and for a page; `compare` adds the comparison's."""
         report, recorded, ranges = self.report, self.recorded, []
         for low, high in zip(recorded.positions.min(axis=0), recorded.positions.max(axis=0), strict=True):
             # Adding 0.0 turns a rounded -0.0 into 0.0.
@@ -229,11 +229,11 @@ class Replay:
         ]
 
     def text(self, compare: bool = False) -> str:
-        """The tables and remarks as plain text."""
+        """Return the tables and remarks as plain text."""
         return "\n".join([*(f"{table.text()}\n" for table in self.tables(compare)), *self.remarks()])
 
     def remarks(self) -> list[str]:
-        """Remarks on the recording and the replay, in sentences."""
+        """Return remarks on the recording and the replay, in sentences."""
         remarks = list(self.recorded.source.notes)
         if self.clipped.any():
             names = ", ".join(name for name, count in zip(self.robot.joint_names, self.clipped, strict=True) if count)
@@ -321,12 +321,12 @@ def replay(
 
 
 def replay_files(directory: Path) -> list[Path]:
-    """Files that a replay may write into a directory."""
+    """Return files that a replay may write into a directory."""
     return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
 def _within_limits(robot: Robot, trajectory: JointTrajectory) -> tuple[JointTrajectory, NDArray[np.intp]]:
-    """The trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
+    """Return the trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
     positions, low, high = trajectory.positions, robot.joint_position_low, robot.joint_position_high
     excess = np.maximum(low - positions, positions - high)
     beyond = excess > LIMIT_TOLERANCE

@@ -87,7 +87,7 @@ def comparison_table(report: dict[str, Any], source: str) -> Table:
 def saturation(
     targets: JointTrajectory, played: JointTrajectory, motors: MotorConfig, kinds: Sequence[str]
 ) -> tuple[Floats, Floats]:
-    """Torques that the controllers requested, and their part beyond the motors' limits, N m, each (T, J).
+    """Return torques that the controllers requested, and their part beyond the motors' limits, N m, each (T, J).
 
     Args:
         targets: joint targets.
@@ -114,7 +114,7 @@ def saturation(
 
 
 def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
-    """Lag of each joint behind its target, s.
+    """Return the lag of each joint behind its target, s.
 
     The lag is the first time shift, up to `MAX_LAG`, with about the smallest error: a motion that repeats fits again
     after a period. None for a joint that hardly moves. Both trajectories have the same joints in the same order.
@@ -136,7 +136,7 @@ def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
 
 
 def _first_minimum(error: Floats) -> int:
-    """Index of the first minimum of an error (K,) that is about as small as the smallest."""
+    """Return the index of the first minimum of an error (K,) that is about as small as the smallest."""
     height = (error - error.min()) / max(float(np.ptp(error)), 1e-300)
     # Noise has minima within a valley, so valleys are parted by a clear rise.
     valleys = np.split(np.arange(len(error)), np.flatnonzero(np.diff(height > _RISE)) + 1)

@@ -4,12 +4,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros import cdr
 from quadruped_env.ros.message_types import typestore
 from quadruped_env.ros.timestamps import NS_PER_SECOND, read_stamp
+from quadruped_env.utils.arrays import Floats
 
 JOINT_STATE = "sensor_msgs/msg/JointState"
 _DYNAMIC = "control_msgs/msg/DynamicJointState"
@@ -25,9 +26,9 @@ class RawJointState(NamedTuple):
     stamp: int
     """ns"""
     names: tuple[str, ...]
-    position: NDArray[np.float64]
-    velocity: NDArray[np.float64]
-    effort: NDArray[np.float64]
+    position: Floats
+    velocity: Floats
+    effort: Floats
 
 
 def read_joint_state(data: bytes) -> RawJointState:

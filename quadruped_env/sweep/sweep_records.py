@@ -28,7 +28,7 @@ from quadruped_env.evaluation.results import read_results
 from quadruped_env.sweep.sweep_definition import FORMAT_VERSION, SweepConfig, known
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import CONFIG_FILE
-from quadruped_env.training.train_config import field_rule
+from quadruped_env.training.train_config import check_fields
 from quadruped_env.utils.documents import check_regular, read_json
 from quadruped_env.utils.files import free_path, unwritable, whole, write_json, write_whole
 from quadruped_env.utils.parameters import is_quantity
@@ -160,11 +160,11 @@ class TrialFolder:
         space = {dimension.field: dimension for dimension in self.config.space}
 
         def sound(found: dict[str, Any]) -> bool:
+            check_fields(known(found["training"]))
             return (
                 {name: found[name] for name in place} == place
                 and found["values"].keys() == space.keys()
                 and all(space[name].holds(value) for name, value in found["values"].items())
-                and all(field_rule(name, value) is None for name, value in known(found["training"]).items())
             )
 
         return self._read(TRIAL_FILE, sound)

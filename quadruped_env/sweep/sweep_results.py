@@ -12,7 +12,7 @@ import numpy as np
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.results import RESULTS_FILE as SUITE_FILE
-from quadruped_env.evaluation.results import aggregate, interquartile_mean, read_results
+from quadruped_env.evaluation.results import aggregate, read_results
 from quadruped_env.sweep.search import add_trial, optuna_module
 from quadruped_env.sweep.search_space import shown
 from quadruped_env.sweep.sweep_definition import SweepConfig
@@ -32,7 +32,7 @@ def collect(folder: SweepFolder, command: str) -> dict[str, Any]:
     """All results of a sweep so far, as plain values.
 
     Returns:
-        `trials`, one entry for every trial that has begun; `settings`, with the interquartile mean over the seeds;
+        `trials`, one entry for every trial that has begun; `settings`, with the mean over the seeds;
         `importance` of the fields that vary; `best`, the best trial and its run directory, and provenance.
 
     Raises:
@@ -123,8 +123,8 @@ def _settings(folder: SweepFolder, trials: Sequence[Mapping[str, Any]]) -> list[
 
 
 def score_of_setting(scores: Sequence[float]) -> float | None:
-    """Score of a setting for a search: interquartile mean of those of its seeds; None without one."""
-    return float(interquartile_mean(scores)) if len(scores) else None
+    """Score of a setting for a search: mean over its seeds; None without one."""
+    return float(np.mean(scores)) if len(scores) else None
 
 
 def importance(config: SweepConfig, settings: Sequence[Mapping[str, Any]]) -> dict[str, Any]:

@@ -53,7 +53,7 @@ class CommandSampler:
         self._low, self._high = ranges[:, 0], ranges[:, 1]
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:
-        """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
+        """Return commands (R, C) and times until the next ones (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
         kind, config = draws[:, 0], self._config
         interval = between(config.resample_interval, draws[:, -1])
         command = self._low + (self._high - self._low) * draws[:, 1:-1]

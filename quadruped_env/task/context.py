@@ -138,11 +138,11 @@ class TaskContext:
         self._airborne[:] = airborne[-1]
 
     def ground_height(self, positions: Floats) -> Floats:
-        """Height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""
+        """Return the height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""
         if self._height_field is None:
             return np.zeros_like(positions[..., 0])
         return self._height_field.at(positions)
 
     def command_of(self, name: str) -> Floats:
-        """One component of the command by name, (N,)."""
+        """Return one component of the command by name, (N,)."""
         return self.control.command_of(name)

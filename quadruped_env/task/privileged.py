@@ -36,7 +36,7 @@ class TrueState:
     """Errors of the sensors; None if they have none."""
 
     def model_values(self, field: str) -> Floats:
-        """A field of MuJoCo's model in each env (N, ...), with what randomizations have changed; read-only."""
+        """Return a field of MuJoCo's model in each env (N, ...), with what randomizations have changed; read-only."""
         values = self.simulation.field_values(field)
         return np.broadcast_to(values, (self.simulation.num_envs, *values.shape[1:]))
 
@@ -102,7 +102,7 @@ def friction(state: TrueState) -> Floats:
 
 @privileged(unit="kg", mirror=(1.0,), scale=lambda robot: 4.0 / robot.total_mass, bound=4.0)
 def added_mass(state: TrueState) -> Floats:
-    """Mass of the whole robot relative to that of its model: payload and masses of the links."""
+    """Mass of the whole robot minus its model's: payload and masses of the links."""
     own = state.simulation.compiled_field("body_mass")
     return (state.model_values("body_mass") - own).sum(axis=1, keepdims=True)
 
@@ -153,7 +153,7 @@ class PrivilegedReadings:
             checked(f"privileged reading {field.name}", shape, functools.partial(field.read, state))
 
     def values(self) -> NDArray[np.float32]:
-        """Scaled readings (N, layout.width) in a new array.
+        """Return the scaled readings (N, layout.width) in a new array.
 
         Raises:
             QuadrupedError: if one of them is not finite.

@@ -38,7 +38,7 @@ class tracking:  # noqa: N801  named like the other terms
         self._std = np.array([forward_velocity_std, yaw_rate_std])
 
     def __call__(self, context: TaskContext) -> Floats:
-        """Values (N, 2)."""
+        """Return the values (N, 2)."""
         return np.exp(-((context.tracking_error / self._std) ** 2))
 
 
@@ -98,7 +98,7 @@ class electrical_power:  # noqa: N801
         self._heat = context.motors.joule_coefficients(context.robot.joint_kinds)
 
     def __call__(self, context: TaskContext) -> Floats:
-        """Values (N,)."""
+        """Return the values (N,)."""
         substeps = context.substeps
         power = quantities.electrical_power(substeps.joint_torque, substeps.joint_velocity, self._heat)
         return quantities.mean_over_steps(power)

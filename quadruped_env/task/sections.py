@@ -43,7 +43,7 @@ Own = tuple[str, Any, Plain]
 
 
 def section_of(base: type[SectionKind], definition: TaskDefinition, values: Plain) -> SectionKind:
-    """One of the `SECTIONS` with nested plain values; missing fields have their defaults.
+    """Return one of the `SECTIONS` with nested plain values; missing fields have their defaults.
 
     Raises:
         QuadrupedError: if a field is unknown or a value is not valid; the message names the field.
@@ -54,13 +54,13 @@ def section_of(base: type[SectionKind], definition: TaskDefinition, values: Plai
 
 
 def section_type(base: type[SectionKind], definition: TaskDefinition, values: Plain) -> type[SectionKind]:
-    """The dataclass of a section; that of `terrain` depends on the terrain and the level that its values name."""
+    """Return the dataclass of a section; for `terrain` it depends on the terrain and the level that the values name."""
     found: Any = terrain_type(definition, values) if issubclass(base, TerrainSection) else _types(definition)[base]
     return found
 
 
 def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
-    """Nested values of a config for the built-in robot and its terms, as plain values for another robot.
+    """Return the nested values of a config for the built-in robot and its terms, as plain values for another robot.
 
     Numbers follow its size by their units; a preset is replaced by its values.
 
@@ -79,7 +79,7 @@ def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
 
 @functools.cache
 def _types(definition: TaskDefinition) -> dict[type[Section], type[Section]]:
-    """The dataclass of every section but `terrain`."""
+    """Return the dataclass of every section but `terrain`."""
     robot = definition.robot
     command = [
         (entry.name, Annotated[Range, Parameter(entry.unit)], entry.range)
@@ -104,7 +104,7 @@ def _types(definition: TaskDefinition) -> dict[type[Section], type[Section]]:
 
 
 def _type(base: type[Section], own: Iterable[Own], definition: TaskDefinition) -> type[Section]:
-    """A section with the fields of terms, and with the defaults of its own ones for the robot."""
+    """Return a section with the fields of terms, and with the defaults of its own ones for the robot."""
     fields: dict[str, tuple[Any, Plain]] = {}
     for name, hint in hints_of(base).items():
         default = getattr(base, name, None)
@@ -121,7 +121,7 @@ def _type(base: type[Section], own: Iterable[Own], definition: TaskDefinition) -
 
 
 def _nested(base: type[Section], own: Iterable[Own]) -> Own:
-    """A section within a section, as its field."""
+    """Return a section within a section, as its field."""
     section = extended(base, {name: (hint, default) for name, hint, default in own})
     return base.path.rpartition(".")[2], section, section()
 
@@ -133,7 +133,7 @@ def _parameters(terms: Iterable[RewardTerm | Termination], definition: TaskDefin
 
 
 def _settings(definition: TaskDefinition) -> Iterator[Own]:
-    """Range, interval and duration of every randomization."""
+    """Return the range, interval and duration of every randomization."""
     for entry in definition.randomizations:
         factor, valid = definition.scale(entry, entry.unit), entry.valid
         if valid.unit != "s":  # a limit of the simulation

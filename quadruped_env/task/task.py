@@ -224,7 +224,7 @@ class Task:
 
         Args:
             action: actions (N, J), clipped to [-1, 1].
-            restart: mask (N,) of envs that begin a new episode in place of this step. Their actions are ignored, their
+            restart: mask (N,) of envs that begin a new episode instead of this step. Their actions are ignored, their
                 observations are the first of the new episode, and their rewards are zero. None: no env.
 
         Raises:
@@ -277,7 +277,7 @@ class Task:
         reward = np.add.reduce(terms, axis=0) if self.num_envs > 1 else np.add.accumulate(terms, axis=0)[-1]
         if self._own_terms and not np.isfinite(reward).all():
             self._refuse_reward(terms)
-        self._resample_commands(running)
+        self._randomizer.resample_commands(self._fixed, running)
         self.control.approach_requested()
         self._randomizer.within_episodes(running)
         if restart is not None:
@@ -290,7 +290,7 @@ class Task:
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def privileged_readings(self) -> PrivilegedReadings:
-        """The privileged readings of the task's definition, which no observation has.
+        """Return the privileged readings of the task's definition, which no observation has.
 
         Raises:
             QuadrupedError: if one of them is not valid.
@@ -299,14 +299,14 @@ class Task:
         return PrivilegedReadings(self.config.definition.privileged, state)
 
     def observe(self) -> NDArray[np.float32]:
-        """Observations (N, width) of all envs in a new array."""
+        """Return the observations (N, width) of all envs in a new array."""
         noise = self._randomizer.observation_noise() if self._noise else None
         sensors = self._randomizer.sensors
         readings = self.simulation.readings if sensors is None else sensors.read(self.steps)
         return self.control.observe(readings, noise)
 
     def get_state(self, env_id: int) -> State:
-        """Complete state of an env: physics, episode, draws and random generator."""
+        """Return the complete state of an env: physics, episode, draws and random generator."""
         return {
             "simulation": self.simulation.get_state(env_id),
             "generator": self.generators[env_id].bit_generator.state,
@@ -375,11 +375,3 @@ class Task:
             f"reward {self.term_names[term]}: {terms[term, env_id]} in env {env_id}, step {self.steps[env_id]}; return "
             f"finite numbers"
         )
-
-    def _resample_commands(self, running: EnvIds | None) -> None:
-        due = (self.control.steps >= self._randomizer.command_due) & ~self._fixed
-        if np.count_nonzero(due):
-            env_ids = np.flatnonzero(due)
-            if running is not None:
-                env_ids = np.intersect1d(env_ids, running)
-            self.control.set_command(env_ids, self._randomizer.next_command(env_ids))

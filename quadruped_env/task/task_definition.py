@@ -61,7 +61,7 @@ class TaskDefinition(Terms):
         }
 
     def scale(self, term: object, unit: str) -> float:
-        """Factor on the numbers of a term in a unit, which are the built-in robot's if the term is built in.
+        """Return the factor on the numbers of a term in a unit, which are the built-in robot's if the term is built in.
 
         Those of a user's file are as the user gave them: 1.
         """
@@ -69,7 +69,7 @@ class TaskDefinition(Terms):
         return scale_of(unit, self.robot) if built_in else 1.0
 
     def own_terms(self) -> dict[str, list[str]]:
-        """Names of what the user's file defines or leaves out, by kind, as in the lists above."""
+        """Return the names of what the user's file defines or leaves out, by kind, as in the lists above."""
         own = {
             kind: [
                 name
@@ -101,11 +101,11 @@ class TaskDefinition(Terms):
         return self
 
     def with_robot(self, robot: Robot) -> Self:
-        """A copy for another robot."""
+        """Return a copy for another robot."""
         return dataclasses.replace(self, robot=robot)
 
     def with_terrain(self, terrain: Terrain) -> Self:
-        """A copy with one more terrain, which replaces one of the same name, without its seed, level and parameters.
+        """Return a copy with one more terrain, or another of the same name, without its seed, level and parameters.
 
         Tiles add their kinds.
         """
@@ -128,7 +128,7 @@ BUILT_IN: Final = TaskDefinition()
 
 
 def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = None) -> TaskDefinition:
-    """The built-in task, extended by the terms and the robot that a Python file defines at its top level.
+    """Return the built-in task, extended by the terms and the robot that a Python file defines at its top level.
 
     A built-in observation whose name the file sets to None is left out.
 
@@ -147,7 +147,7 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
 
 @functools.cache
 def _defined(file: TaskFile, module: ModuleType) -> TaskDefinition:
-    """The built-in task, extended by what an executed file defines."""
+    """Return the built-in task, extended by what an executed file defines."""
     definition = BUILT_IN.extended(file, module)
     if definition.robot is BUILT_IN.robot and not any(definition.own_terms().values()):
         raise QuadrupedError(
@@ -161,7 +161,7 @@ def _defined(file: TaskFile, module: ModuleType) -> TaskDefinition:
 def _again(
     path: str | None, file: TaskFile | None, robot: Robot, added_terrains: tuple[Terrain, ...]
 ) -> TaskDefinition:
-    """Definition from the arguments that were pickled."""
+    """Return the definition from the arguments that were pickled."""
     definition = BUILT_IN if path is None or file is None else load_task_file(path, file)
     for terrain in added_terrains:
         definition = definition.with_terrain(terrain)

@@ -44,7 +44,7 @@ class RewardTerm:
         return tuple(self.weights)
 
     def described(self, name: str) -> str:
-        """Description of one of the terms: its line `name: ...` in the docstring, or else the first line."""
+        """Return the description of one of the terms: its line `name: ...` in the docstring, or else the first line."""
         lines = [line.strip() for line in (self.function.__doc__ or "").splitlines()]
         own = [line.partition(": ")[2] for line in lines if line.startswith(f"{name}: ")]
         return own[0] if own else self.description
@@ -64,15 +64,15 @@ class Termination:
     description: str
 
     def __call__(self, *args: object, **kwargs: object) -> Bools | Callable[[TaskContext], Bools]:
-        """Mask (N,) of the envs whose episode ends, or an instance of the class."""
+        """Return the mask (N,) of the envs whose episode ends, or an instance of the class."""
         return self.function(*args, **kwargs)
 
 
 def reward(weight: float, unit: str = "1") -> Callable[[Term], RewardTerm]:
     """Decorator: a function (context) -> (N,) becomes a reward term of the same name.
 
-    Arguments with a default, after the context, are parameters that the config can change. A class in place of a
-    function is instantiated once per task with the context, and then called with it at every step. It must keep its
+    Arguments with a default, after the context, are parameters that the config can change. A class instead of
+    a function is instantiated once per task with the context, and then called with it at every step. It must keep its
     state in arrays of `context.memory`.
 
     Args:

@@ -30,12 +30,12 @@ class Mirrored:
 
     @classmethod
     def pairs(cls, width: int) -> Self:
-        """Of an even number of hidden units, of which the second half mirrors the first."""
+        """Return the mirror of an even number of hidden units, of which the second half mirrors the first."""
         return cls(np.roll(np.arange(width), width // 2), np.ones(width, dtype=np.float32))
 
     @classmethod
     def same(cls, width: int) -> Self:
-        """Of what does not change."""
+        """Return the mirror of values that do not change."""
         return cls(np.arange(width), np.ones(width, dtype=np.float32))
 
 
@@ -48,7 +48,7 @@ class Projection(NamedTuple):
     """Half of the sign of the mirror image, of the values' shape"""
 
     def __call__(self, values: torch.Tensor) -> torch.Tensor:
-        """Projected values, of the same shape."""
+        """Return projected values, of the same shape."""
         return torch.take(values, self.order).mul_(self.half).add_(values, alpha=0.5)
 
 
@@ -57,12 +57,12 @@ Tied = tuple[torch.nn.Parameter, Projection]
 
 
 def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection:
-    """Projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
+    """Return the projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
 
     Projected gradients keep weights projected, because the two entries of a pair take the same steps, up to their sign.
     """
     order, sign = torch.as_tensor(outputs.order), torch.as_tensor(outputs.sign)
-    # One gather over the flat array: the mirror image of entry (o, i) is that of the mirrored output and input.
+    # One gather over the flat array: entry (o, i) has its mirror image at the mirrored output and input.
     if inputs is not None:
         order = order[:, None] * len(inputs.order) + torch.as_tensor(inputs.order)
         sign = sign[:, None] * torch.as_tensor(inputs.sign)
@@ -70,7 +70,7 @@ def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection
 
 
 def _tied(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> list[Tied]:
-    """Parameters of a layer whose output is the mirror image when its input is."""
+    """Return parameters of a layer whose output is the mirror image when its input is."""
     return [(layer.weight, _projection(outputs, inputs)), (layer.bias, _projection(outputs))]
 
 
@@ -162,7 +162,7 @@ def _observations(mirror: MirrorMap) -> Mirrored:
 
 
 def mirrors(env: MiniQuadrupedSB3VecEnv) -> tuple[MirrorMap, MirrorMap]:
-    """Mirror of an env's observations and actions, and the same with its privileged readings."""
+    """Return the mirror of an env's observations and actions, and the same with its privileged readings."""
     own = MirrorMap.of(env.task.control.layout)
     if env.privileged is None:
         return own, own

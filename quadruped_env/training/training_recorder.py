@@ -74,7 +74,7 @@ class Recorder(Scheduled):
 
     @property
     def seconds(self) -> float:
-        """Wall clock of learning, with that of the training that this one goes on from."""
+        """Wall clock of learning, s, including the training that this one continues."""
         return self._seconds_before + self.elapsed
 
     def _on_training_start(self) -> None:
@@ -184,7 +184,7 @@ class Recorder(Scheduled):
                 (part / name).write_bytes(content)
 
     def _files(self, ending: Mapping[str, Any] = NO_FIELDS) -> dict[str, bytes]:
-        """Name -> content; the policy's card, which marks a directory as complete, is the last."""
+        """Return name -> content of the files; the policy's card, which marks a directory as complete, is the last."""
         archive = io.BytesIO()
         self.model.save(archive)
         return {RESUME_FILE: archive.getvalue(), **self._policy(ending).files()}

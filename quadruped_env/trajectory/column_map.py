@@ -3,7 +3,7 @@
     [columns]
     stamp = "time_start"                    # the column of the timestamp
     stamp_unit = "s"                        # s, ms, us or ns; default: "s"
-    period = 0.02                           # in place of stamp: the time from row to row, s, without such a column
+    period = 0.02                           # instead of stamp: the time from row to row, s
     positions = ["flarm", "flfoot"]         # the columns of the positions, which also name the joints ...
     velocities = { flarm = "w3" }           # ... or joint = "column"; optional
     efforts = { flarm = "i3" }              # optional
@@ -72,7 +72,7 @@ class ColumnMap:
         expected = {
             "stamp": (column, self.stamp is None or _is_column(self.stamp)),
             "period": (
-                "a time of 1e-6 to 1e6 s, in place of stamp",
+                "a time of 1e-6 to 1e6 s, instead of stamp",
                 self.period is None or (self.stamp is None and 1e-6 <= self.period <= 1e6),
             ),
             "separator": ("one character", len(self.separator) == 1 and self.separator not in '"\n\r'),
@@ -92,7 +92,7 @@ class ColumnMap:
         for kind, columns in self.columns.items():
             given = getattr(self, ARRAYS[kind])
             once = set(given) == set(self.joints) and len(set(given)) == len(given) > 0
-            wanted = f"each joint once, those of the positions, and as a column {column}"
+            wanted = f"each joint of the positions once, and as a column {column}"
             expected[ARRAYS[kind]] = wanted, once and all(map(_is_column, columns.values()))
         check_values(self.name, self, expected)
         named = next((column for column in self.used if isinstance(column, str)), None)
@@ -139,7 +139,7 @@ class ColumnMap:
 
     @classmethod
     def of(cls, given: "ColumnMap | str | Path") -> "ColumnMap":
-        """A map as it is given: itself, or the path of its TOML file."""
+        """Return a map as it is given: itself, or the path of its TOML file."""
         return given if isinstance(given, ColumnMap) else cls.load(given)
 
     @classmethod

@@ -16,7 +16,7 @@ _ROWS_PER_FIT: Final = 65536
 
 
 def interpolate(stamps: Floats, values: Floats, times: Floats) -> Floats:
-    """Linear interpolation, constant before the first row and after the last.
+    """Return the linear interpolation, constant before the first row and after the last.
 
     At the time of a row the result is bit-identical to the values of the row.
 
@@ -37,7 +37,7 @@ def interpolate(stamps: Floats, values: Floats, times: Floats) -> Floats:
 
 
 def nanoseconds_of(seconds: Floats, last: float) -> Floats:
-    """Times (...,) in s as ns, within a recording from 0 to `last` ns.
+    """Return times (...,) in s as ns, within a recording from 0 to `last` ns.
 
     In floating point, k times a period in s is rarely a whole number of ns, but is meant to be: such times are rounded.
     """
@@ -47,14 +47,14 @@ def nanoseconds_of(seconds: Floats, last: float) -> Floats:
 
 
 def even_stamps(stamps: NDArray[np.int64], rate: float) -> NDArray[np.int64]:
-    """Timestamps in ns at a rate in Hz, from the first of increasing timestamps (T,) on and up to the last."""
+    """Return timestamps in ns at a rate in Hz, from the first of increasing timestamps (T,) on and up to the last."""
     count = int(float(stamps[-1] - stamps[0]) * rate / NS_PER_SECOND + 1e-6) + 1
     nanoseconds = np.rint(np.arange(count) * (NS_PER_SECOND / rate)).astype(np.int64)
     return np.minimum(stamps[0] + nanoseconds, stamps[-1])
 
 
 def derivative(seconds: Floats, values: Floats, window: float) -> Floats:
-    """Rate of change, filtered without delay; exact for parabolas.
+    """Return the rate of change, filtered without delay; exact for parabolas.
 
     A parabola is fitted by least squares to the rows of a window around each row, and its slope taken at the row; near
     an end the window stops at the end. A window has the same odd number of rows everywhere, three or more: as many as
@@ -100,7 +100,7 @@ class Gap:
 
 
 def find_gaps(stamps: NDArray[np.int64], factor: float = 3.0) -> tuple[Gap, ...]:
-    """The gaps between increasing timestamps (T,) in ns: steps longer than `factor` times the median step."""
+    """Return the gaps between increasing timestamps (T,) in ns: steps longer than `factor` times the median step."""
     steps = np.diff(stamps)
     if not len(steps):
         return ()

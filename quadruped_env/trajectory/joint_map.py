@@ -16,13 +16,13 @@
 Scale and gear hold for position and velocity, so a unit is no scale: with `scale = 6.2832` for turns, a velocity in rpm
 would be 2 pi times too large.
 
-A joint that several motors move, as in five-bar legs, has their factors in place of `source`:
+A joint that several motors move, as in five-bar legs, has their factors instead of `source`:
 
     [joints.LF_hip_joint]
     sources = { m0 = 0.5, m1 = -0.5 }     # position = sign * scale / gear * (0.5 * m0 - 0.5 * m1) + offset
 
-Velocities are combined in the same way, and efforts so that the power stays the same: that of a joint with one source
-is the source's divided by `sign * scale / gear`. The map is for files (`retarget`) and for single messages
+Velocities are combined in the same way, and efforts so that the power stays the same: the effort of a joint with
+one source is the source's divided by `sign * scale / gear`. The map is for files (`retarget`) and for single messages
 (`JointMap.to_joints`), as of live nodes, and back: `JointMap.to_sources` gives the sources that bring joints to their
 targets.
 """
@@ -67,7 +67,7 @@ class JointRule:
     effort_scale: float = 1.0
     """N m per unit of the source's effort"""
     sources: dict[str, float] | None = None
-    """The other robot's joints -> their factors, in place of `source`"""
+    """The other robot's joints -> their factors, instead of `source`"""
     gear: float = 1.0
     """Turns of the source per turn of the joint"""
     ticks_per_turn: float | None = None
@@ -124,7 +124,7 @@ class JointMap:
 
     @classmethod
     def of(cls, given: "JointMap | str | Path") -> "JointMap":
-        """A map as it is given: itself, or the path of its TOML file."""
+        """Return a map as it is given: itself, or the path of its TOML file."""
         return given if isinstance(given, JointMap) else cls.load(given)
 
     @classmethod
@@ -152,7 +152,7 @@ class JointMap:
         return np.array([factors[name][0] / factors[name][1] for name in self.sources])
 
     def limits(self, largest: float) -> dict[str, Floats]:
-        """Kind -> magnitude of each source, in its unit, beyond which a joint is certainly beyond `largest` (sources,).
+        """Return kind -> magnitude (sources,) of each source, in its unit, beyond which a joint is beyond `largest`.
 
         Args:
             largest: magnitude of the joints' positions and velocities, rad and rad/s.
@@ -169,7 +169,7 @@ class JointMap:
 
     @cached_property
     def _matrices(self) -> dict[str, Floats]:
-        """Kind -> matrix (joints, sources) by which values of the sources become those of the joints."""
+        """Kind -> matrix (joints, sources) that turns values of the sources into values of the joints."""
         gears = np.array([[rule.gears.get(name, 0.0) for name in self.sources] for rule in self.rules.values()])
 
         def factors(of: Callable[[JointRule], float]) -> Floats:
@@ -201,7 +201,7 @@ class JointMap:
     def to_joints(
         self, names: Sequence[str], values: Mapping[str, Floats], recording: str = "the message"
     ) -> dict[str, Floats]:
-        """Values of this robot's joints, from those of the other robot's.
+        """Return the values of this robot's joints from the other robot's.
 
         Args:
             names: of the other robot's joints, in the order of the columns; they may be more than the sources.
@@ -232,11 +232,11 @@ class JointMap:
         return found
 
     def retarget(self, rows: Rows, recording: str) -> Rows:
-        """Another robot's rows on the joints of the map; see `to_joints`."""
+        """Return another robot's rows on the joints of the map; see `to_joints`."""
         return replace(rows, names=tuple(self.rules), values=self.to_joints(rows.names, rows.values, recording))
 
     def to_sources(self, values: Mapping[str, Floats]) -> dict[str, Floats]:
-        """Values of the other robot's joints, from those of this robot's: the inverse of `to_joints`.
+        """Return the values of the other robot's joints from this robot's: the inverse of `to_joints`.
 
         Args:
             values: kind -> array (..., joints), in the order of `rules`.
@@ -251,7 +251,7 @@ class JointMap:
         return {kind: _combined(self._inverses[kind], array, np.nan) for kind, array in moved.items()}
 
     def text(self) -> str:
-        """The map as TOML, which `load` reads."""
+        """Return the map as TOML, which `load` reads."""
         lines = []
         for joint, rule in self.rules.items():
             lines.append(f"[joints.{json.dumps(joint)}]")
@@ -267,7 +267,7 @@ class JointMap:
 
 
 def _combined(matrix: Floats, values: Floats, missing: float) -> Floats:
-    """A matrix (m, n) times values (..., n); `missing` for rows of zeros. A factor of 0 hides NaN."""
+    """Return a matrix (m, n) times values (..., n); `missing` for rows of zeros. A factor of 0 hides NaN."""
     if values.ndim == 1:
         # A single message, ten times faster than by rows.
         products = np.multiply(matrix, values, out=np.zeros_like(matrix), where=matrix != 0.0)
@@ -280,7 +280,7 @@ def _combined(matrix: Floats, values: Floats, missing: float) -> Floats:
 
 
 def _inverse(matrix: Floats) -> Floats:
-    """The inverse of a matrix (m, n), by least squares where it has none; zeros for rows and columns of zeros.
+    """Return the inverse of a matrix (m, n), by least squares where it has none; zeros for rows and columns of zeros.
 
     A row and a column that have a single number in common are inverted by division, without an error of rounding.
     """
@@ -303,7 +303,7 @@ def check_rule(where: str, rule: JointRule) -> None:
     expected = {
         "source": ("the name of a joint", rule.source != ""),
         "sources": (
-            "a table joint = factor, with factors other than 0, in place of source",
+            "a table joint = factor, with factors other than 0, instead of source",
             weights is None or (rule.source is None and weights and all(name and w for name, w in weights.items())),
         ),
         "effort_scale": ("a number other than 0", rule.effort_scale),

@@ -20,7 +20,7 @@ MAX_PLAUSIBLE: Final = 4.0 * np.pi
 
 
 def read(reading: Reading) -> tuple[Rows, Source]:
-    """The rows of a recording, validated and converted as the options say, and their origin with all remarks.
+    """Return the rows of a recording, validated and converted as the options say, and their origin with all remarks.
 
     Raises:
         QuadrupedError: if the file is missing or something in it is wrong.
@@ -53,7 +53,7 @@ def read(reading: Reading) -> tuple[Rows, Source]:
 
 
 def _usable(rows: Rows, reading: Reading) -> Rows:
-    """The rows, or without those that cannot be used if the options ask to drop them.
+    """Return the rows, or without those that cannot be used if the options ask to drop them.
 
     Raises:
         QuadrupedError: if a row has efforts and no position, and is not to be dropped.
@@ -81,7 +81,7 @@ def _usable(rows: Rows, reading: Reading) -> Rows:
 
 
 def _converted(rows: Rows, reading: Reading) -> Rows:
-    """The rows in rad, on the joints of the map if there is one.
+    """Return the rows in rad, on the joints of the map if there is one.
 
     Raises:
         QuadrupedError: if the recording lacks a source of the map, or if the positions look like degrees and the
@@ -109,7 +109,7 @@ def _converted(rows: Rows, reading: Reading) -> Rows:
 
 
 def _repaired(rows: Rows, reading: Reading) -> Rows:
-    """The rows without spikes and without wraps, as the options say."""
+    """Return the rows without spikes and without wraps, as the options say."""
     period = reading.options.unwrap
     if reading.repairs("despike") and len(rows) > 2:
         bad = Steps(rows, (period or TURN,)).spikes.any(axis=1)

@@ -110,7 +110,7 @@ class _Check:
         return np.add.reduceat(values[: self._edges[-1]], self._edges[:-1], axis=0)
 
     def _rms(self, sums: Floats) -> Floats:
-        """Root mean square (J,) of sums within the windows (W, J)."""
+        """Return the root mean square (J,) of sums within the windows (W, J)."""
         return np.sqrt((sums**2).sum(axis=0) / np.maximum(self._whole.sum(axis=0), 1))
 
     def findings(self) -> Iterator[Finding]:
@@ -234,7 +234,7 @@ class _Check:
                 problem = "have the opposite sign of the rate at which the positions change"
             elif own[i] < 0.8 and others[best] > 0.95:
                 swapped = swapped or f"{self._names[best]} for {self._names[i]}"
-                problem = f"do not fit their positions, and those of other joints do ({swapped}): swapped or copied"
+                problem = f"fit the positions of other joints and not their own ({swapped}): swapped or copied"
             elif own[i] < 0.3 and sampled:
                 problem = "have nothing to do with the rate at which the positions change"
             else:
@@ -287,6 +287,6 @@ class _Check:
         return place if events.count == 1 else f"first {place}, {events.count} times"
 
     def _some(self, columns: Iterable[int]) -> str:
-        """Names of a few joints, and how many more there are."""
+        """Return names of a few joints, and how many more there are."""
         names = [self._names[int(i)] for i in columns]
         return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")

@@ -124,11 +124,11 @@ class Reading:
         self.name = self.name or str(self.path)
 
     def repairs(self, repair: str) -> bool:
-        """True if the options ask for a repair."""
+        """Return True if the options ask for a repair."""
         return repair in self.options.repair
 
     def error(self, row: int | None, problem: str) -> QuadrupedError:
-        """The error for a problem in one row, or with the whole file without a row."""
+        """Return the error for a problem in one row, or with the whole file without a row."""
         place = "" if row is None else f" {self.row_name} {row}:"
         return QuadrupedError(f"{self.name}:{place} {problem}")
 
@@ -150,7 +150,7 @@ class Reading:
         self.note(text)
 
     def remarks(self) -> tuple[str, ...]:
-        """All remarks: the notes, and the counts of values and of rows that were left out."""
+        """Return all remarks: the notes, and the counts of values and of rows that were left out."""
         unchecked = (
             f"salvaged without a checksum, so that damage in their numbers would not show: {self.unchecked} of "
             f"{self.rows} {self.row_name}s"
@@ -161,7 +161,7 @@ class Reading:
 
 
 def salvaged(items: Iterator[_Item], reading: Reading, is_text: bool) -> Iterator[_Item]:
-    """The rows before the damage, with a remark on it, if the options ask to salvage; otherwise all rows.
+    """Yield the rows before the damage, with a remark on it, if the options ask to salvage; otherwise all rows.
 
     Args:
         items: rows of a damaged file, whose iterator raises a QuadrupedError at the damage.

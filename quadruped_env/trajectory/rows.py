@@ -50,7 +50,7 @@ class Source:
     """Remarks on the numbers: rows that were left out, damage, what is not plausible"""
 
     def row(self, index: int) -> str:
-        """Name of a row, for error messages."""
+        """Return the name of a row, for error messages."""
         return f"{self.name}: {self.row_name} {index if self.numbers is None else int(self.numbers[index])}"
 
 
@@ -71,7 +71,7 @@ class Rows:
         return len(self.stamps)
 
     def take(self, index: Any) -> "Rows":
-        """The rows that a NumPy index, mask or slice selects."""
+        """Return the rows that a NumPy index, mask or slice selects."""
         values = {kind: array[index] for kind, array in self.values.items()}
         return Rows(self.numbers[index], self.stamps[index], self.names, values)
 
@@ -89,13 +89,13 @@ IN_MEMORY: Final = Source()
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """The same array, made read-only."""
+    """Return the same array, made read-only."""
     array.flags.writeable = False
     return array
 
 
 def validate(rows: Rows, source: Source) -> None:
-    """Raise a QuadrupedError unless the rows can be those of a trajectory; the message names the row and the field."""
+    """Raise a QuadrupedError unless the rows can become a trajectory; the message names the row and the field."""
     checked_names(rows.names, source)
     _check_order(rows.stamps, source)
     for kind, values in rows.values.items():
@@ -103,7 +103,7 @@ def validate(rows: Rows, source: Source) -> None:
 
 
 def checked_names(names: Sequence[str], source: Source) -> tuple[str, ...]:
-    """Joint names, each once. Raises a QuadrupedError if a name is empty or repeated, or there is none."""
+    """Return joint names, each once. Raises a QuadrupedError if a name is empty or repeated, or there is none."""
     if isinstance(names, str) or not all(isinstance(name, str) and name for name in names) or not len(names):
         raise QuadrupedError(f"{source.name}: names must be joint names, one per column; found {names!r}")
     for i, name in enumerate(names):
@@ -113,7 +113,7 @@ def checked_names(names: Sequence[str], source: Source) -> tuple[str, ...]:
 
 
 def checked_stamps(stamps: ArrayLike, source: Source) -> NDArray[np.int64]:
-    """Timestamps (T,) in ns, increasing, not negative, read-only; T is 1 or more.
+    """Return timestamps (T,) in ns, increasing, not negative, read-only; T is 1 or more.
 
     Raises:
         QuadrupedError: if they have another shape or type, are negative or do not increase.
@@ -148,7 +148,7 @@ def _check_order(stamps: NDArray[np.int64], source: Source) -> None:
 
 
 def checked_values(name: str, values: ArrayLike, shape: tuple[int, int], source: Source) -> Floats:
-    """Numbers of a shape, finite or not, read-only.
+    """Return numbers of a shape, finite or not, read-only.
 
     Raises:
         QuadrupedError: if they are not numbers or have another shape.
@@ -180,5 +180,5 @@ def check_finite(kind: str, values: Floats, names: tuple[str, ...], source: Sour
 
 
 def invalid(kind: str, values: Floats) -> Bools:
-    """Bools of the values that a trajectory cannot have: efforts may be NaN, positions and velocities must be finite."""
+    """Return the mask of invalid values: positions and velocities must be finite, and efforts may be NaN."""
     return np.isinf(values) if kind == "effort" else ~np.isfinite(values)

@@ -37,7 +37,7 @@ def check(path: Path, overwrite: bool, storage: str | None = None) -> None:
 
 
 def _storage(path: Path, given: str | None) -> str:
-    """Storage of a bag, from the ending of its path and the one that was given."""
+    """Return the storage of a bag, from the ending of its path and the one that was given."""
     suffixes = {suffix: storage for storage, suffix in STORAGES.items()}
     if path.suffix and path.suffix not in suffixes:
         raise QuadrupedError(

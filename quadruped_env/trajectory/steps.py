@@ -1,6 +1,6 @@
 """Steps between the rows of a recording: those that wrap, jump, go away and come back, freeze, or are gaps.
 
-A step is held against what a joint can do, whatever the steps around it are.
+A step is compared with what a joint can do, whatever the steps around it are.
 """
 
 from collections.abc import Sequence
@@ -78,10 +78,10 @@ class Steps:
         fastest = np.max([padded[k : k + len(moved)] for k in range(5)], axis=0)
         false = self.speeds - fastest > MAX_SPEED
         self.false_speeds = false & (false.mean(axis=0) <= MAX_SHARE)
-        """Single velocities far beyond those of the positions around them, of the first rows of steps (n - 1, J)"""
+        """Single velocities far beyond the rates of the positions around them, of the first rows of steps (n - 1, J)"""
 
     def _spikes(self, too_fast: Bools) -> Bools:
-        """Bools (n, J) of positions to which an impossible step leads, and from which the joint comes back soon."""
+        """Return the mask (n, J) of positions after an impossible step, from which the joint comes back soon."""
         size = np.abs(self.change)
         spikes = np.zeros((len(size) + 1, size.shape[1]), dtype=np.bool_)
         for count in range(1, min(MAX_AWAY, len(size) - 1) + 1):
@@ -96,7 +96,7 @@ class Steps:
 
 
 def _held(change: Floats) -> Floats:
-    """Rows (J,) for which a value is held, as in a log that is faster than the measurements; 1 where it is not."""
+    """Return the rows (J,) for which a value is held, as in a log faster than the measurements; 1 where it is not."""
     changes = np.count_nonzero(change, axis=0)
     return np.where(
         (2 * changes < len(change)) & (40 * changes >= len(change)), len(change) / np.maximum(changes, 1), 1.0
@@ -104,9 +104,10 @@ def _held(change: Floats) -> Floats:
 
 
 def frozen(rows: Rows, steps: Steps) -> tuple[Bools, Floats]:
-    """Bools (n - 1, J) of the first steps of runs of equal positions while the velocity says that the joint moves.
+    """Return where positions freeze while the velocity says that the joint moves.
 
-    The second result is the duration of each run at its first step, s (n - 1, J).
+    The first result is the mask (n - 1, J) of the first steps of such runs of equal positions, the second the duration
+    of each run at its first step, s (n - 1, J).
     """
     found, length = np.zeros(steps.change.shape, dtype=np.bool_), np.zeros(steps.change.shape)
     for j, speed in enumerate(np.abs(rows.values["velocity"]).T if "velocity" in rows.values else ()):
@@ -121,7 +122,7 @@ def frozen(rows: Rows, steps: Steps) -> tuple[Bools, Floats]:
 
 
 def clock_jumps(steps: Steps) -> tuple[Bools, Floats]:
-    """Bools (n - 1, 1) of steps of time that are too long for what the joints do in them, and all durations, s."""
+    """Return the mask (n - 1, 1) of steps that are too long for what the joints do in them, and all durations, s."""
     found = np.zeros((len(steps.gap), 1), dtype=np.bool_)
     for i in np.flatnonzero((steps.duration > 10.0 * steps.period) & (steps.duration > 0.2)):
         near = np.abs(np.concatenate([steps.change[max(i - 3, 0) : i], steps.change[i + 1 : i + 4]]))

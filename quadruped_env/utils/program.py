@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 import signal
 import sys
 import textwrap
@@ -25,7 +26,7 @@ STOPPING: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 def stopped_status(number: int = signal.SIGINT) -> int:
-    """Exit status after a signal, as shells have it: 130 after Ctrl-C, 143 after SIGTERM."""
+    """Return the exit status after a signal, as shells have it: 130 after Ctrl-C, 143 after SIGTERM."""
     return 128 + number
 
 
@@ -43,10 +44,10 @@ class ArgumentParser(argparse.ArgumentParser):
         return found, unknown
 
     def in_options(self, message: str) -> str:
-        """A message with the option in place of the field's name with which it begins, if it begins with one."""
-        name = message.partition(":")[0]
-        option = f"--{name.replace('_', '-')}"
-        return f"{option}{message.removeprefix(name)}" if option in self._option_string_actions else message
+        """Return a message with the name of an option where it begins with the field of a training, if there is one."""
+        begin = re.match(r"training\.(\w+)", message)
+        option = f"--{begin[1].replace('_', '-')}" if begin else ""
+        return f"{option}{message[begin.end() :]}" if begin and option in self._option_string_actions else message
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         try:

@@ -36,7 +36,7 @@ _HEADERS: Final = {
 
 @contextmanager
 def guarded(host: str, allowed: Sequence[str] = ()) -> Iterator[None]:
-    """A context in which a server that viser starts on a host is guarded; arguments as of `AccessRules`.
+    """Return a context in which a server that viser starts on a host is guarded; arguments as of `AccessRules`.
 
     Raises:
         QuadrupedError: if viser did not start its server through `websockets.asyncio.server.serve`.
@@ -49,7 +49,8 @@ def guarded(host: str, allowed: Sequence[str] = ()) -> Iterator[None]:
         then: Callable[..., Response | None], connection: ServerConnection, request: Request
     ) -> Response | None:
         client, port = connection.remote_address, connection.local_address[1]
-        reason = rules.refusal(port, request.headers.get_all("Host"), request.headers.get_all("Origin"))
+        headers, websocket = request.headers, "Upgrade" in request.headers
+        reason = rules.refusal(port, headers.get_all("Host"), headers.get_all("Origin"), websocket)
         if reason is None:
             response = then(connection, request)
         else:

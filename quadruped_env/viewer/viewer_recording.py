@@ -4,7 +4,7 @@ import queue
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Final
 
@@ -40,12 +40,12 @@ class ViewerRecording:
         return (len(self.samples) - 1) * self.samples[0].timestep
 
     def clip(self) -> Clip:
-        """The recording as a clip of a film, which shows the command if the robot follows it."""
+        """Return the recording as a clip of a film, which shows the command if the robot follows it."""
         trace: Trace = ViewedTrace.stack(self.samples)
         unknown = (() if self.follows_command else ("command",)) + (() if self.motion else ("velocity", "contact"))
         if unknown:
-            known = {name: getattr(trace, name) for name in Trace.quantities() if name not in unknown}
-            trace = Trace(robot=trace.robot, timestep=trace.timestep, terrain=trace.terrain, **known)
+            known = {one.name: getattr(trace, one.name) for one in fields(Trace) if one.name not in unknown}
+            trace = Trace(**known)
         return Clip(self.title, trace)
 
 

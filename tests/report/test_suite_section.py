@@ -45,7 +45,7 @@ def test_report_holds_the_suite_and_its_numbers(
     text = text_of(page)
     for words in (
         "mq-eval 2 (quick)",
-        "never comparable with those of the full suite",
+        "never comparable with the numbers of the full suite",
         "Every command",
         "Gait at every speed",
         "Changes of the command",
@@ -155,7 +155,7 @@ def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
     page, numbers = write_comparison(found, several, tmp_path / "out", ranked=suite_section.ranking(found))
     text = text_of(page)
     assert "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250." in text
-    assert "2 training seeds of one recipe (one and two): interquartile mean 0.375" in text
+    assert "2 training seeds of one recipe (one and two): mean 0.375" in text
     assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
 
 

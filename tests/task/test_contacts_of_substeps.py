@@ -81,7 +81,7 @@ def test_landing_is_the_first_contact_after_a_physics_step_in_the_air():
 
 
 def test_copy_steps_when_no_env_does():
-    """All envs begin an episode in place of the first step after the task was pickled."""
+    """All envs begin an episode instead of the first step after the task was pickled."""
     import pickle
 
     task = make_task(2, termination=NEVER_FALLS)

@@ -22,7 +22,7 @@ PAGES = "".join((ROOT / "docs" / f"{name}.md").read_text() for name in ("make-it
 EXAMPLES = [
     example
     for example in re.findall(r"```python\n(.*?)```", PAGES, re.S)
-    if "gymnasium" not in example and "dog.xml" not in example  # that of tests/robot/test_robot_model.py
+    if "gymnasium" not in example and "dog.xml" not in example  # tests/robot/test_robot_model.py runs it
 ]
 SERVOS = next(example for example in EXAMPLES if "hobby_servo" in example)
 """A whole task file, with a robot of its own."""

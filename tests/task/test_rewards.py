@@ -4,7 +4,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from built_in import FOOT_RADIUS
 from tasks import Terms, make_task, random_readings
 
 from quadruped_env.robot.motors import JointMotor, MotorConfig
@@ -63,42 +62,10 @@ def test_progress_pays_small_commands_in_proportion():
     np.testing.assert_array_equal(turning["forward_progress"], 0.0)
 
 
-def test_clock_agreement_is_full_when_the_swinging_feet_are_up():
-    sine = np.array([[1.0, -1.0, -1.0, 1.0]] * 3)
-    lift = np.array([[1, -1, -1, 1], [-1, 1, 1, -1], [0] * 4])
-    np.testing.assert_allclose(quantities.clock_agreement(lift, sine), [1.0, -1.0, 0.0])
-    one = quantities.clock_agreement(np.array([[1.0, 1.0, -1.0, -1.0]]), np.array([[0.5, -0.25, 1.0, 0.0]]))
-    assert one == pytest.approx((0.5 - 0.25 - 1.0) / 4)
-
-
 def test_foot_lift_rises_from_the_ground_to_a_full_lift_and_falls_beyond():
     height = np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.03, 0.04], [0.025, 0.035, 0.041, 1.0]])
     expected = [[-1, -1, -0.125, 1], [0.5, 0.875, 0.5, -1], [0.875, -0.125, -1, -1]]
     np.testing.assert_allclose(quantities.foot_lift(height, 0.02), expected, atol=1e-12)
-
-
-def test_mechanical_power_counts_driving_and_not_braking():
-    power = quantities.mechanical_power(
-        np.array([[2.0, -3.0, 1.0], [1.0, 1.0, 1.0]]), np.array([[3.0, -1.0, -5.0]] * 2)
-    )
-    np.testing.assert_array_equal(power, [9.0, 3.0])
-
-
-def test_electrical_power_adds_the_heat_of_every_motor():
-    torque, velocity = np.array([[2.0, -3.0, 1.0], [0.0, 4.0, 0.0]]), np.array([[3.0, -1.0, -5.0], [9.0, 0.0, 1.0]])
-    power = quantities.electrical_power(torque, velocity, np.array([0.5, 0.5, 2.0]))
-    np.testing.assert_allclose(power, [9.0 + 2.0 + 4.5 + 2.0, 8.0], rtol=1e-15)
-
-
-def test_sliding_is_that_of_each_foots_lowest_point():
-    velocity, spin = np.zeros((4, 4, 3)), np.zeros((4, 4, 3))
-    velocity[0, 0] = (0.3, 0.4, 9.0)  # slides; its vertical motion is no slip
-    velocity[1, 2] = (5.0, 0.0, 0.0)
-    velocity[2, 0, 0], spin[2, 0, 1] = 0.2, 0.2 / FOOT_RADIUS  # rolls forwards
-    velocity[3, 1, 1], spin[3, 1, 0] = 0.2, -0.2 / FOOT_RADIUS  # rolls sideways
-    expected = np.zeros((4, 4))
-    expected[0, 0], expected[1, 2] = 0.25, 25.0
-    np.testing.assert_allclose(quantities.sliding_squared(velocity, spin, FOOT_RADIUS), expected, atol=1e-12)
 
 
 # --- rewards, for any batch ---

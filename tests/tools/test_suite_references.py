@@ -41,7 +41,7 @@ def result_of(measured, suite, progress=None, zero_action=False):
 
 @pytest.fixture(autouse=True)
 def shipped_policies(monkeypatch):
-    """Policies with random weights in place of the shipped ones."""
+    """Policies with random weights instead of the shipped ones."""
 
     def load(name):
         return random_policy("position") if name in SHIPPED else load_policy(name)
@@ -133,7 +133,7 @@ def finished(directory, **changes):
 def test_finished_results_give_the_row_and_go_onto_the_card(shipped, monkeypatch):
     path = finished(shipped)
     monkeypatch.setattr(suite_references, "run_suite", lambda *_: pytest.fail("the suite ran again"))
-    for _ in range(2):  # the results are still those of the policy when they are on its card
+    for _ in range(2):  # the results still belong to the policy when they are on its card
         assert suite_references.run(asked(shipped.parent, only=["flat"], result=[path])) == 0
     row, zero = read_references(shipped.parent / "references.json")
     result = json.loads(path.read_text())

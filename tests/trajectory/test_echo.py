@@ -314,8 +314,14 @@ class TestColumns:
         ("text", "message"),
         [
             ("[columns]\n", r"\[columns\]: positions is missing; add it"),
-            ("[columns]\nstamp = 'a'\npositions = []\n", r"positions: expected each joint once, .*; found \[\]"),
-            ("[columns]\nstamp = 'a'\npositions = ['b', 'b']\n", r"positions: expected each joint once"),
+            (
+                "[columns]\nstamp = 'a'\npositions = []\n",
+                r"positions: expected each joint of the positions once, .*; found \[\]",
+            ),
+            (
+                "[columns]\nstamp = 'a'\npositions = ['b', 'b']\n",
+                r"positions: expected each joint of the positions once",
+            ),
             (
                 "[columns]\nstamp = 0\npositions = ['b']\n",
                 r"stamp: expected a name, or a number from 1 on; found 0",

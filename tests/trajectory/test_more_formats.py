@@ -253,7 +253,7 @@ class TestTitles:
         by_map, without = ColumnMap(None, joints, period=0.02), ColumnMap(None, joints)
         for options in ({"stamps": 0.02}, {"columns": by_map}, {"columns": without, "stamps": "0.02"}):
             assert self.load(tmp_path, text, **options).stamps.tolist() == [0, 20_000_000]
-        with pytest.raises(QuadrupedError, match=r"period: expected .* 1e-6 to 1e6 s, in place of stamp; found 0\.02"):
+        with pytest.raises(QuadrupedError, match=r"period: expected .* 1e-6 to 1e6 s, instead of stamp; found 0\.02"):
             ColumnMap("t", ["a"], period=0.02)
 
 

@@ -70,7 +70,7 @@ LIES = {
     "degrees/s": ("v *= 180 / np.pi", "velocity", r"are 57\.\d.* times .*degrees/s.*velocity_unit"),
     "flipped": ("q[:, 6] *= -1", "velocity", r"of RH_hip_joint have the opposite sign"),
     "swapped": ("v[:, [1, 2]] = v[:, [2, 1]]", "velocity",
-                r"of LF_knee_joint, RF_hip_joint do not fit .* other joints do \(RF_hip_joint for LF_knee_joint\)"),
+                r"of LF_knee_joint, RF_hip_joint fit the positions of other joints .* \(RF_hip_joint for LF_knee"),
     "no velocity": ("v[:] = 0.0", "velocity", r"LF_hip_joint, LF_knee_joint, RF_hip_joint and 5 more are 0 while"),
     "velocity spikes": ("v[[200, 600], 7] = 186.0, -150.0", "velocity",
                         r"186 rad/s in RH_knee_joint, first at 2\.000 s \(line 200\), 2 times; .*--ignore velocity"),

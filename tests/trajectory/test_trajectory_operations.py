@@ -207,7 +207,7 @@ class TestRetarget:
                 "[joints.a]\nsource = 'b'\nscale = 6.2832\nvelocity_unit = 'rpm'",
                 r"\[joints\.a\] scale: 6\.2832 is the unit turn in rad, .* velocity in rpm, too; give unit = \"turn\"",
             ),
-            ("[joints.a]\nsource = 'b'\nsources = {c = 1}", r"\[joints\.a\] sources: expected .* in place of source"),
+            ("[joints.a]\nsource = 'b'\nsources = {c = 1}", r"\[joints\.a\] sources: expected .* instead of source"),
             ("[joints.a]\nsources = {c = 0}", r"\[joints\.a\] sources: expected .* factors other than 0"),
             ("[joints.a]\nsources = {}", r"\[joints\.a\] sources: expected a table joint = factor"),
             ("[joints.a]\nsource = 'b'\neffort_scale = 0", r"\[joints\.a\] effort_scale: expected .* other than 0"),

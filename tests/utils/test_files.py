@@ -200,7 +200,7 @@ WRITERS = {
     "a.webp": draw,
     "policy": save_policy,
 }
-"""Name -> function that writes a file or directory of that name, of over `LIMIT` bytes, in place of an older one."""
+"""Name -> function that writes a file or directory of that name, of over `LIMIT` bytes, which replaces an older one."""
 LIMIT = 9000
 
 

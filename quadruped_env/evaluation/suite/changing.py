@@ -1,6 +1,5 @@
 """Parts of the suite in which something changes while the robot moves: joystick commands, steps of them, and pushes."""
 
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -14,7 +13,6 @@ from quadruped_env.evaluation.suite.suite_definition import Change, Joystick, Pu
 from quadruped_env.task import Task
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.progress import Progress, part_of
-from quadruped_env.utils.rotations import yaw
 
 Mask = NDArray[np.bool_]
 
@@ -43,7 +41,7 @@ def run_joystick(part: Joystick, candidate: Candidate, progress: Progress | None
 
 
 def schedule(part: Joystick, seed: int, dt: float) -> Floats:
-    """Command in each control step of `dt` seconds (T, 2) of the episode of a seed."""
+    """Return the command in each control step of `dt` seconds (T, 2) of the episode of a seed."""
     generator = np.random.default_rng(seed)
     low, high = np.array(part.rectangle)
     steps, command, now = round(part.seconds / dt), np.zeros(2), 0
@@ -69,7 +67,7 @@ def schedule(part: Joystick, seed: int, dt: float) -> Floats:
 
 
 def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict[str, Any]:
-    """Falls per hour until each robot's fall, errors, and the share of met windows, as plain values.
+    """Return falls per hour until each robot's fall, errors, and the share of met windows, as plain values.
 
     `command` (T, N, 2) are the commands that were given, whatever the task makes of them.
     """
@@ -86,13 +84,12 @@ def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict
         "falls": int(rollout.fallen.sum()),
         "falls_per_hour": poisson_rate(int(rollout.fallen.sum()), hours).to_dict(),
         "mean_error": mean_of(np.abs(counted)) if len(counted) else [None, None],
-        "rms_error": np.sqrt((counted**2).mean(axis=0)).tolist() if len(counted) else [None, None],
         "windows_met": proportion(windows[~trivial]).to_dict(),
     }
 
 
 def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Mask, part: Joystick, dt: float) -> Floats:
-    """Error of the mean velocity of the stretch of one command to which each sample belongs (T, N, 2).
+    """Return the error of the mean velocity over the stretch of one command that each sample belongs to (T, N, 2).
 
     A stretch begins `allowance` after a change of the command, and ends at the next change or a fall. NaN outside
     stretches, and in those shorter than `shortest`.
@@ -112,7 +109,7 @@ def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Mask, part: J
 
 
 def met_windows(error: Floats, valid: Mask, part: Joystick, dt: float) -> Mask:
-    """True for each whole window without a fall and with mean absolute errors in the tolerance (windows, N).
+    """Return True for each whole window without a fall and with mean absolute errors in the tolerance (windows, N).
 
     A window without a counted sample is not met.
     """
@@ -150,9 +147,9 @@ def run_transients(part: Transients, candidate: Candidate, progress: Progress | 
 
 
 def step_measures(rollout: Rollout, change: Change, part: Transients) -> dict[str, Any]:
-    """Measures of the episodes of one step of the command, as plain values.
+    """Measure the episodes of one step of the command; plain values.
 
-    An episode that falls or does not follow the change counts with the longest settling time, that of the episode.
+    An episode that falls or does not follow the change counts with the longest settling time, `part.after`.
     """
     dt = rollout.timestep
     wanted = np.subtract(change.then, change.first)
@@ -161,43 +158,26 @@ def step_measures(rollout: Rollout, change: Change, part: Transients) -> dict[st
         for column in range(len(wanted))
         if wanted[column]
     ]
-    followed = np.all([answer.followed for answer in answers], axis=0) & ~rollout.fallen
-    settling = np.where(followed, np.max([answer.settling_time for answer in answers], axis=0), part.after)
-    overshoot = np.where(followed, np.max([answer.overshoot for answer in answers], axis=0), np.nan)
-    result = {
+    followed = np.all([followed for _, followed in answers], axis=0) & ~rollout.fallen
+    settling = np.where(followed, np.max([settling for settling, _ in answers], axis=0), part.after)
+    return {
         "first": list(change.first),
         "then": list(change.then),
         "falls": proportion(rollout.fallen).to_dict(),
         "followed": proportion(followed).to_dict(),
         "settling_time": bootstrap_mean(settling).to_dict(),
-        "overshoot": bootstrap_mean(overshoot).to_dict(),
         "score": float(np.where(followed, 1.0 - settling / part.after, 0.0).mean()),
     }
-    if not any(change.then):
-        distance = np.where(rollout.fallen, np.nan, stopping_distance(rollout, part))
-        result["stopping_distance"] = bootstrap_mean(distance).to_dict()
-    return result
-
-
-@dataclass(frozen=True)
-class StepResponse:
-    """Measures of one velocity after a step of its command, for N episodes."""
-
-    settling_time: Floats
-    """Time from the change after which the velocity stays in the band around its final value, s (N,)"""
-    overshoot: Floats
-    """Largest excess over the final value, relative to the commanded change (N,)"""
-    followed: Mask
-    """True if the velocity changed by at least `followed_share` of the commanded change (N,)"""
 
 
 def step_response(
     velocity: NDArray[Any], wanted: float, part: Transients, dt: float, narrowest: float = 0.0
-) -> StepResponse:
-    """Settling time and overshoot of a velocity (T, N) after a commanded change (`wanted`), in the same unit.
+) -> tuple[Floats, Mask]:
+    """Return the settling time (s) of a velocity (T, N) after a commanded change, and True where it followed, (N,).
 
-    The velocity is from `part.before` before the change to `part.after` after it, every `dt` seconds; the last half
-    window counts only within the means before it. `narrowest` is the least half width of the band.
+    The settling time is from the change until the velocity stays in the band around its final value. The velocity is
+    from `part.before` before the change to `part.after` after it, every `dt` seconds; the last half window counts only
+    within the means before it. `narrowest` is the least half width of the band, in the unit of the velocity.
     """
     change, half, tail = (round(seconds / dt) for seconds in (part.before, 0.5 * part.window, part.final))
     smooth = centred_mean(velocity, half)
@@ -209,24 +189,15 @@ def step_response(
     # Sample i is the velocity (i + 1) control steps after the change.
     last = len(outside) - outside[::-1].argmax(axis=0)
     settling = np.where(outside[-1], part.after, np.where(outside.any(axis=0), last, 0) * dt)
-    overshoot = np.maximum(((after - final) * np.sign(wanted)).max(axis=0), 0.0) / abs(wanted)
-    return StepResponse(settling, overshoot, (final - before) * np.sign(wanted) >= part.followed_share * abs(wanted))
+    return settling, (final - before) * np.sign(wanted) >= part.followed_share * abs(wanted)
 
 
 def centred_mean(values: NDArray[Any], half: int) -> Floats:
-    """Means (T, N) over each sample, `half` samples before and `half` after it; shorter windows at both ends."""
+    """Return means (T, N) over each sample, `half` samples before and `half` after it; shorter windows at both ends."""
     total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0, dtype=np.float64)])
     index = np.arange(len(values))
     low, high = np.maximum(index - half, 0), np.minimum(index + half + 1, len(values))
     return (total[high] - total[low]) / (high - low).reshape(-1, *(1,) * (values.ndim - 1))
-
-
-def stopping_distance(rollout: Rollout, part: Transients) -> Floats:
-    """Displacement from the change of the command to the end, along the heading at the change, m (N,)."""
-    change = round(part.before / rollout.timestep) - 1
-    heading = yaw(rollout.orientation[change])
-    x, y = np.moveaxis((rollout.base_position[-1] - rollout.base_position[change]).astype(np.float64)[..., :2], -1, 0)
-    return x * np.cos(heading) + y * np.sin(heading)
 
 
 def run_pushes(part: Pushes, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
@@ -247,14 +218,14 @@ def run_pushes(part: Pushes, candidate: Candidate, progress: Progress | None = N
 
 
 def push_of(part: Pushes, seed: int) -> tuple[float, Floats]:
-    """Time in s and direction of the push in the episode of a seed: (6,) in the units of `part.unit`."""
+    """Return the time in s and direction of the push in the episode of a seed: (6,) in the units of `part.unit`."""
     generator = np.random.default_rng(seed)
     direction = generator.standard_normal(6)
     return generator.uniform(*part.before), direction / np.linalg.norm(direction) * part.unit
 
 
 def push_measures(rollout: Rollout, part: Pushes) -> dict[str, Any]:
-    """Shares of the episodes that follow their command after the push, and that do not fall, as plain values.
+    """Return the shares of the episodes that follow their command after the push and that do not fall, plain values.
 
     Without a fall, the mean velocities over the last `final` seconds must be close to the command; under a command
     to stand, the robot must also stand still.

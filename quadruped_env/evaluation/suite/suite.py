@@ -15,9 +15,9 @@ from quadruped_env.evaluation.suite.steady import (
     run_command_map,
     run_gait,
     run_regulation,
+    run_terrain,
 )
 from quadruped_env.evaluation.suite.suite_definition import Suite, TerrainPart, for_robot, full_suite
-from quadruped_env.evaluation.suite.terrains import run_terrain
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.utils.progress import Progress, part_of
 
@@ -26,7 +26,7 @@ _STANDING_WEIGHT: Final = 0.2
 
 
 def moving_and_standing(result: Mapping[str, Any], part: object) -> float:
-    """Score in [0, 1] from the shares of commands to move and to stand that are met.
+    """Score in [0, 1] the shares of commands to move and to stand that are met.
 
     Standing alone earns nothing; a robot that moves as commanded, and never stands still, loses a fifth.
     """
@@ -57,27 +57,16 @@ PARTS: Final[dict[str, tuple[_Run, _Score]]] = {
     "terrain": (run_terrain, _terrain_score),
 }
 """Component -> function that runs the part, and the component in [0, 1] of its result."""
-_TERRAIN_COST: Final = 1.6
-"""Time of an episode on tiles relative to that on a plane."""
-
-
-def episode_seconds(suite: Suite) -> dict[str, float]:
-    """Simulated seconds of each part, summed over its episodes: name -> s. On tiles, an upper bound."""
-    s = suite
-    commands = len(s.commands.drawn) + sum(map(len, s.commands.axes.values()))
-    pushes = len(s.pushes.commands) * len(s.pushes.sizes) * s.pushes.num_seeds
-    alone = len(s.regulation.factors) * s.regulation.num_seeds * s.regulation.seconds
-    together = s.regulation.together_seeds * s.regulation.together_seconds
-    crossings = len(s.terrain.kinds) * s.terrain.levels * len(s.terrain.terrain_seeds) * s.terrain.num_seeds
-    return {
-        "commands": commands * s.commands.num_seeds * s.commands.seconds,
-        "joystick": len(s.joystick.laws) * s.joystick.num_seeds * s.joystick.seconds,
-        "gait": len(s.gait.commands) * s.gait.num_seeds * s.gait.seconds,
-        "transients": len(s.transients.changes) * s.transients.num_seeds * (s.transients.before + s.transients.after),
-        "pushes": pushes * (s.pushes.before[1] + s.pushes.after),
-        "regulation": len(s.regulation.commands) * (alone + together),
-        "terrain": crossings * s.terrain.seconds,
-    }
+_COSTS: Final = {
+    "commands": 6,
+    "joystick": 8,
+    "gait": 1,
+    "transients": 2,
+    "pushes": 2,
+    "regulation": 8,
+    "terrain": 10,
+}
+"""Component -> time that the full suite takes for it, in some unit."""
 
 
 def run_suite(
@@ -111,14 +100,12 @@ def run_suite(
 
 
 def _results(candidate: Candidate, suite: Suite, progress: Progress | None) -> dict[str, Any]:
-    own, weights = for_robot(suite, candidate.robot), episode_seconds(suite)
-    weights["terrain"] *= _TERRAIN_COST
-    total, done, began = sum(weights.values()), 0.0, time.perf_counter()
+    own, total, done, began = for_robot(suite, candidate.robot), sum(_COSTS.values()), 0, time.perf_counter()
     parts: dict[str, Any] = {}
     for name, (run, _) in PARTS.items():
-        part = part_of(progress, done / total, (done + weights[name]) / total)
+        part = part_of(progress, done / total, (done + _COSTS[name]) / total)
         parts[name] = run(getattr(own, name), candidate, part)
-        done += weights[name]
+        done += _COSTS[name]
     if progress is not None:
         progress(1.0)
     return {
@@ -132,7 +119,7 @@ def _results(candidate: Candidate, suite: Suite, progress: Progress | None) -> d
 
 
 def _physics(candidate: Candidate) -> dict[str, Any]:
-    """Robot and physics of a controller's task, which must be the same in results that are compared."""
+    """Return the robot and physics of a controller's task, which must be the same in results that are compared."""
     config = candidate.task([(0.0, 0.0)])
     model = config.compiled_model()
     option = model.opt
@@ -149,6 +136,6 @@ def _physics(candidate: Candidate) -> dict[str, Any]:
 
 
 def scores(suite: Suite, parts: Mapping[str, Any]) -> dict[str, Any]:
-    """Score in [0, 1]: `total`, the mean of the components, and `components`."""
+    """Return the score in [0, 1]: `total`, the mean of the components, and `components`."""
     components = {name: score(parts[name], getattr(suite, name)) for name, (_, score) in PARTS.items()}
     return {"total": sum(components.values()) / len(components), "components": components}

@@ -1,7 +1,7 @@
 """Definition of the suite `mq-eval`: its parts as data, its version, and its hash. docs/suite.md explains the measures.
 
-All numbers are in SI units and for the built-in robot, angles of directions and tilts in degrees; `for_robot` gives
-those of another one. A change of a number changes the hash. A change of a formula must change `VERSION`.
+All numbers are in SI units and for the built-in robot, slopes in degrees; `for_robot` scales them to another one. A
+change of a number changes the hash. A change of a formula must change `VERSION`.
 """
 
 import dataclasses
@@ -28,17 +28,17 @@ NAME: Final = "mq-eval"
 VERSION: Final = 2
 
 _FIRST_SEED: Final = EVALUATION_SEEDS.start + 500_000
-"""First seed of the suite; the seeds before it are those of the other evaluations."""
+"""First seed of the suite; the seeds before it belong to the other evaluations."""
 _SEEDS_PER_PART: Final = 10_000
 
 RECTANGLE: Final[tuple[Command, Command]] = ((-0.3, -0.8), (0.6, 0.8))
-"""Least and largest commands that are drawn, those of the task; not in the hash."""
+"""Ranges of the commands that are drawn, as in the task; not in the hash."""
 _R2: Final = np.array([0.7548776662466927, 0.5698402909980532])
 """Steps of the sequence R2: 1 / g and 1 / g^2, where g^3 = g + 1."""
 
 
 def _steps(first: int, last: int, step: int, unit: float) -> tuple[float, ...]:
-    """Multiples of `unit`: `first`, `first` + `step`, ... up to `last`, rounded to their decimal values."""
+    """Return the multiples of `unit`: `first`, `first` + `step`, ... up to `last`, rounded to their decimal values."""
     return tuple(round(i * unit, 6) for i in range(first, last + 1, step))
 
 
@@ -126,7 +126,7 @@ class Joystick(Part):
     allowance: float = 0.5
     """Time after a change that does not count, s."""
     shortest: float = 0.25
-    """Time after the allowance from which a held command counts, s: that of a stride."""
+    """Time after the allowance from which a held command counts, s: a stride."""
     window: float = 5.0
     """Length of the windows of the score, s."""
     tolerance: tuple[float, float] = ROUGH
@@ -207,7 +207,7 @@ class Pushes(Part):
     unit: tuple[float, ...] = (1.0, 1.0, 0.5, 2.0, 2.0, 2.0)
     """Factors on a direction drawn on the sphere in six dimensions: m/s in the world frame, rad/s in the body frame."""
     tolerance: tuple[float, float] = ROUGH
-    """Errors of the mean velocities after a push up to which the episode does what was asked, m/s and rad/s."""
+    """Errors of the mean velocities after a push up to which the episode follows its command, m/s and rad/s."""
     final: float = 2.0
     """Time at the end over which these means are, s."""
     before: tuple[float, float] = (3.0, 4.0)
@@ -217,7 +217,7 @@ class Pushes(Part):
 
 
 def _factors() -> tuple[Disturbance, ...]:
-    """Friction, payload, encoder offsets and slopes, one at a time."""
+    """List the disturbances: friction, payload, encoder offsets and slopes, one at a time."""
     return (
         Disturbance("nominal"),
         *(Disturbance(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
@@ -298,7 +298,7 @@ class Suite:
     terrain: TerrainPart = TerrainPart(16, _FIRST_SEED + 6 * _SEEDS_PER_PART)
 
     def to_dict(self) -> dict[str, Any]:
-        """The definition as plain values."""
+        """Return the definition as plain values."""
         values = dataclasses.asdict(self)
         del values["commands"]["rectangle"], values["joystick"]["rectangle"]
         return {"name": NAME, "version": VERSION, **plain(values)}
@@ -333,7 +333,7 @@ for all."""
 
 
 def for_robot(suite: Suite, robot: Robot) -> Suite:
-    """The suite in the units of a robot: its commands, tolerances, pushes, and the heights and speeds of its scores."""
+    """Scale the suite to a robot: commands, tolerances, pushes, and the heights and speeds of the scores."""
     scaled_suite: Suite = _scaled(suite, robot)
     return scaled_suite
 
@@ -352,13 +352,13 @@ def _scaled(value: Any, robot: Robot, unit: str | tuple[str, ...] | None = None)
 
 @functools.cache
 def full_suite() -> Suite:
-    """Version `VERSION` of the suite."""
+    """Return version `VERSION` of the suite."""
     return Suite()
 
 
 @functools.cache
 def quick_suite() -> Suite:
-    """The quick version: few conditions and episodes of every part, never comparable with the full one."""
+    """Return the quick version: few conditions and episodes of every part, never comparable with the full one."""
     full = full_suite()
     factors = {factor.name: factor for factor in full.regulation.factors}
     axes = {name: commands[1:3] for name, commands in full.commands.axes.items()}

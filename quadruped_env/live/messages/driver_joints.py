@@ -5,12 +5,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, MAX_MEASURED, MAX_TARGET, Target
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.messages.joint_messages import Joints
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import Floats
 
 if TYPE_CHECKING:
     from quadruped_env.trajectory.joint_map import JointMap
@@ -116,7 +116,7 @@ class DriverJoints:
         """Convert a target for the robot's joints (J,) to the driver's (D,); `LIMP` stays `LIMP`."""
         return LIMP if target is LIMP else self.to_driver(target)[0]
 
-    def to_driver(self, *values: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
+    def to_driver(self, *values: Floats) -> tuple[Floats, ...]:
         """Convert positions, velocities and efforts of the robot's joints (J,), as far as given, to the driver (D,)."""
         if self._map is None:
             return values

@@ -3,11 +3,11 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import MAX_MEASURED
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.ros.timestamps import read_stamp
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import inverse, multiply, rotate
 
 _NORM_ERROR = 0.05
@@ -18,9 +18,9 @@ class Imu(NamedTuple):
 
     stamp: int
     """Timestamp, ns."""
-    orientation: NDArray[np.float64]
+    orientation: Floats
     """Unit quaternion wxyz of the sensor (4,)."""
-    angular_velocity: NDArray[np.float64]
+    angular_velocity: Floats
     """Angular velocity in the sensor's frame (3,), rad/s."""
     frame: str
     """The sensor's frame; empty if the message names none."""
@@ -56,7 +56,7 @@ def read_imu(message: Any) -> Imu:
     return Imu(stamp, orientation / norm, angular_velocity, message.header.frame_id, content)
 
 
-def in_base(imu: Imu, base: str, mount: NDArray[np.float64] | None) -> Imu:
+def in_base(imu: Imu, base: str, mount: Floats | None) -> Imu:
     """Convert the measurement of an IMU to the base frame.
 
     Args:

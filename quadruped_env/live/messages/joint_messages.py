@@ -15,6 +15,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 _REMEMBERED: Final = 16
 """Number of lists of names whose order is remembered."""
@@ -45,11 +46,11 @@ class Joints(NamedTuple):
 
     stamp: int
     """Timestamp, ns."""
-    positions: NDArray[np.float64] | None
+    positions: Floats | None
     """Joint positions (J,), rad; NaN for joints that are not in the message."""
-    velocities: NDArray[np.float64] | None
+    velocities: Floats | None
     """Joint velocities (J,), rad/s; NaN means unknown."""
-    efforts: NDArray[np.float64] | None
+    efforts: Floats | None
     """Joint torques (J,), N m; NaN means unknown."""
     others: tuple[str, ...] = ()
     """Names in the message that are not joints of the robot."""
@@ -99,9 +100,7 @@ class JointReader:
             raise QuadrupedError("the timestamp is empty; have the publisher fill header.stamp")
         return joints
 
-    def _values(
-        self, raw: RawJointState, field: str, columns: "_Columns", nan: bool = False
-    ) -> NDArray[np.float64] | None:
+    def _values(self, raw: RawJointState, field: str, columns: "_Columns", nan: bool = False) -> Floats | None:
         given = getattr(raw, field)
         if not len(given):
             return None
@@ -139,7 +138,7 @@ class JointMerger:
         robot: Jointed,
         velocities: bool,
         say: Callable[[str], None] = lambda text: None,
-        rates: NDArray[np.float64] | float = 1.0,
+        rates: Floats | float = 1.0,
     ) -> None:
         self.period = Period()
         """Period of complete states."""
@@ -189,7 +188,7 @@ class JointMerger:
             return ""
         return f"{self._names[oldest]} on {JOINT_STATES.name}: {lag:.2f} s older than {self._names[newest]}"
 
-    def _differentiated(self, joints: Joints) -> NDArray[np.float64]:
+    def _differentiated(self, joints: Joints) -> Floats:
         """Compute velocities (J,) from the last positions and a message, through a first-order low-pass filter."""
         if not self.computes_velocities:
             self.computes_velocities = True

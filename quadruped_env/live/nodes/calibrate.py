@@ -21,7 +21,6 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.keyboard import Keyboard
@@ -33,6 +32,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.robot_messages import read_joint_state
 from quadruped_env.trajectory.joint_map import UNITS, JointMap, JointRule, check_rule
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import check_free, write_whole
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.program import CLEAR_LINE
@@ -153,7 +153,7 @@ class _Wizard:
         references, positions = np.zeros((2, self._robot.num_joints))
         for joints in map(list, self._robot.leg_joints):
             references[joints] = self._angles(joints)
-            # All motors; a leg's joints use those of this leg.
+            # All motors; a leg's joints use this leg's motors.
             measured = self._swing.positions()
             combined = _map(self._robot, answers, self._unit).to_joints(self._motors, {"position": measured})
             positions[joints] = combined["position"][joints]
@@ -192,7 +192,7 @@ class _Wizard:
             if all(name in self._motors for name in chosen) and (chosen or not required):
                 return chosen
 
-    def _angles(self, joints: list[int]) -> NDArray[np.float64]:
+    def _angles(self, joints: list[int]) -> Floats:
         """Ask for the angles at which the user holds a leg's joints, rad."""
         names = ", ".join(self._robot.joint_names[joint] for joint in joints)
         while True:
@@ -279,7 +279,7 @@ def _problem(robot: Robot, answers: Answers, unit: JointRule) -> str:
     return ""
 
 
-def _map(robot: Robot, answers: Answers, unit: JointRule, offsets: NDArray[np.float64] | None = None) -> JointMap:
+def _map(robot: Robot, answers: Answers, unit: JointRule, offsets: Floats | None = None) -> JointMap:
     """Return the map of the answers.
 
     Args:

@@ -25,7 +25,6 @@ import functools
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import JointCommand, LiveController, Mode
@@ -43,6 +42,7 @@ from quadruped_env.live.session import Session, add_realtime_argument
 from quadruped_env.policies.by_name import find_controller
 from quadruped_env.policies.files import DEFAULT, SHIPPED, kept_file, read_policy
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
 _POLL_PERIOD: Final = 0.01
@@ -87,7 +87,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--sim-time",
         action="store_true",
-        help=f"the time is that of {CLOCK.name}, or of the states' timestamps where nothing publishes it: for a "
+        help=f"the time comes from {CLOCK.name}, or from the states' timestamps where nothing publishes it: for a "
         "simulator that does not run at real time, or starts again (ROS's use_sim_time)",
     )
     parser.add_argument(
@@ -199,7 +199,7 @@ def _terms(arguments: argparse.Namespace) -> Terms:
     return Terms() if kept is None else load_terms(*kept)
 
 
-def _mount(arguments: argparse.Namespace) -> NDArray[np.float64] | None:
+def _mount(arguments: argparse.Namespace) -> Floats | None:
     """Return the quaternion of `--imu-mount`."""
     angles = arguments.imu_mount
     if angles is None:

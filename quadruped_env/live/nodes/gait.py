@@ -17,7 +17,6 @@ import time
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.gait import PRESETS, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
@@ -32,6 +31,7 @@ from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros.robot_messages import joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 PERIOD: Final = 0.05
 """Time between joint states, as in the tutorial, s."""
@@ -90,10 +90,10 @@ class AdjustableGait:
         self.settings = settings
         self.current = edited(self._preset, settings)
 
-    def positions(self, t: float) -> NDArray[np.float64]:
+    def positions(self, t: float) -> Floats:
         """Joint positions at time `t` (s), rad (J,)."""
         return self.current.positions(t + self._time_offset)
 
-    def velocities(self, t: float) -> NDArray[np.float64]:
+    def velocities(self, t: float) -> Floats:
         """Joint velocities at time `t` (s), rad/s (J,)."""
         return self.current.velocities(t + self._time_offset)

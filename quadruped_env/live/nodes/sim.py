@@ -19,7 +19,6 @@ import time
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.errors import QuadrupedError
@@ -36,6 +35,7 @@ from quadruped_env.live.simulated import TIMESTEP, SimulatedRobot
 from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.live.state_checks import Sources
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 STEPS_PER_STATE: Final = 2
 _PUSH_LOG_PERIOD: Final = 1.0
@@ -76,7 +76,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         raise QuadrupedError(f"--real-time-factor: expected {_SLOWEST:g} to {_FASTEST:g}; found {factor:g}")
     SinglePublisherGuard(session)
     sensors = Sensors(session.node, robot.robot, driver)
-    commands = _Commands(session, robot, driver)
+    commands = Commands(session, robot, driver)
     pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
     # Exclude the existing objects from garbage collection, to avoid pauses in the real-time loop.
     gc.collect()
@@ -110,7 +110,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     return 0
 
 
-class _Commands:
+class Commands:
     """Forwards validated commands to the robot, in order and from one publisher at a time."""
 
     def __init__(self, session: Session, robot: SimulatedRobot, driver: DriverJoints) -> None:
@@ -143,7 +143,7 @@ class _Commands:
                 self._robot.command(target)
 
 
-def _push_robot(session: Session, robot: SimulatedRobot, velocity: NDArray[np.float64], log: Pace) -> None:
+def _push_robot(session: Session, robot: SimulatedRobot, velocity: Floats, log: Pace) -> None:
     """Push the robot; log a refusal, and a push if the log's pace allows it."""
     try:
         robot.push(velocity)
@@ -154,6 +154,6 @@ def _push_robot(session: Session, robot: SimulatedRobot, velocity: NDArray[np.fl
             session.say(f"pushed by {velocity.tolist()} m/s")
 
 
-def _push(vector: Any) -> NDArray[np.float64]:
+def _push(vector: Any) -> Floats:
     """Return the velocity (3,) of a `/push` message, m/s."""
     return np.array([vector.x, vector.y, vector.z])

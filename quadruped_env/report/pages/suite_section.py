@@ -47,7 +47,7 @@ def results_of(evaluated: EvaluatedPolicy) -> dict[str, Any]:
     """Return a policy's results of the suite, from the default directory of its evaluation.
 
     Raises:
-        QuadrupedError: if there are no results, or they are those of another policy.
+        QuadrupedError: if there are no results, or they belong to another policy.
     """
     path = evaluated.evaluation / RESULTS_FILE
     fix = f"evaluate it first: mini-quadruped evaluate {evaluated.source} --suite"
@@ -95,12 +95,12 @@ def ranking_in_words(found: Mapping[str, Any]) -> str:
 
 
 def ranking_table(found: Mapping[str, Any]) -> Table:
-    """Return the scores of a ranking, with a row for the interquartile mean of each recipe."""
+    """Return the scores of a ranking, with a row for the mean of each recipe."""
     rows = [_scores(entry["name"], entry) for entry in found["policies"]]
     for recipe in found["recipes"]:
         names = listed([run["name"] for run in recipe["runs"]])
         parts = (interval(recipe["components"][name], 2) for name in COMPONENTS)
-        label = f"{len(recipe['runs'])} training seeds of one recipe ({names}): interquartile mean"
+        label = f"{len(recipe['runs'])} training seeds of one recipe ({names}): mean"
         rows.append([label, interval(recipe["score"], 3), *parts])
     return Table("Ranking", _SCORES, rows, ranking_in_words(found))
 
@@ -182,12 +182,10 @@ def _transients(result: Mapping[str, Any]) -> Table:
             f"{name.replace('_', ' ')}\n{' to '.join(map(_command, (entry['first'], entry['then'])))}",
             percent(entry["followed"]),
             interval(entry["settling_time"], 2),
-            interval(entry["overshoot"], 0, 100.0),
-            interval(entry["stopping_distance"], 2) if "stopping_distance" in entry else "-",
         ]
         for name, entry in result["transients"].items()
     ]
-    head = ("", "followed", "settling time (s)", "overshoot (%)", "stopping distance (m)")
+    head = ("", "followed", "settling time (s)")
     return Table("Changes of the command", head, rows)
 
 

@@ -70,7 +70,7 @@ class Draws:
         self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
 
     def uniform(self, purposes: Purposes, env_ids: NDArray[np.intp] | slice, step: NDArray[np.int64]) -> Floats:
-        """Numbers in [0, 1) for some envs at a step of their episodes.
+        """Return the numbers in [0, 1) for some envs at a step of their episodes.
 
         Args:
             purposes: purposes to draw for.

@@ -74,9 +74,8 @@ class ModelField:
         target = simulation.model_field(self.field)
         where = rows if self.column is None else (*rows, self.column)
         compiled = simulation.compiled_field(self.field)[ids]
-        old = (
-            target[where] if event.at_start else (compiled if self.column is None else compiled[..., self.column])[None]
-        )
+        model_file = compiled if self.column is None else compiled[..., self.column]
+        old = target[where] if event.at_start else model_file[None]
         shaped = values[:, None] if by_column else values.reshape(*values.shape, *([1] * (old.ndim - 2)))
         target[where] = new = self.changed(old, shaped)
         if self.field == "body_mass":
@@ -87,7 +86,7 @@ class ModelField:
             inertia[rows] = factor[..., None] * base
 
     def _values(self, simulation: Simulation) -> Floats:
-        """Values of the compiled model."""
+        """Return the values of the compiled model."""
         if not isinstance(getattr(simulation.model, self.field, None), np.ndarray):
             raise QuadrupedError(
                 f"ModelField: {self.field!r} is not an array of MuJoCo's model; see the docs of MjModel"
@@ -95,7 +94,7 @@ class ModelField:
         return simulation.compiled_field(self.field)
 
     def ids(self, simulation: Simulation) -> NDArray[np.intp]:
-        """Indices of the elements."""
+        """Return the indices of the elements."""
         model, kind = simulation.model, self.field.partition("_")[0]
         names = self.names(simulation.robot) if callable(self.names) else self.names
         try:
@@ -108,7 +107,7 @@ class ModelField:
             raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
 
     def changed(self, old: Floats, value: Floats | float) -> Floats:
-        """New values (..., shape of the element) for old ones and a value that broadcasts to them."""
+        """Return new values (..., shape of the element) for old ones and a value that broadcasts to them."""
         if self.mode == "set":
             return value + 0.0 * old
         if self.mode == "add":
@@ -168,7 +167,7 @@ class Payload:
 def _joined(
     mass: Floats, added: Floats, offset: Floats, inertia: Floats, axes: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Bodies (R,) and their payloads as one body each: shifts of the centre of mass, moments of inertia and their axes.
+    """Join bodies (R,) with payloads; return shifts of the centre of mass, moments of inertia and their axes.
 
     Two bodies about their common centre of mass: parallel axis theorem with the reduced mass. `offset` (R, 3) is from
     the body's centre of mass to the payload's; `inertia` (R, 3) is of both as if at one point, about the `axes` (R, 4).
@@ -188,7 +187,7 @@ def _joined(
 
 
 def longest_delay(delay: float, active: Iterable[tuple[Randomization, Range | float]]) -> float:
-    """Longest delay that randomizations with their settings allow for motors with a delay, s."""
+    """Return the longest delay that randomizations with their settings allow for motors with a delay, s."""
     delays = [delay]
     for randomization, setting in active:
         for part in randomization.parts:
@@ -228,7 +227,7 @@ def check_physical(active: Iterable[tuple[Randomization, Range | float]], simula
 
 
 def _problem(field: str, low: Floats, high: Floats, model: mujoco.MjModel) -> str:
-    """Problem of the lowest and highest values of a field, with its fix; empty if there is none."""
+    """Return the problem of the lowest and highest values of a field, with its fix; empty if there is none."""
     least = float(low.min(initial=np.inf))
     if field in _POSITIVE and least <= 0.0:
         return f"makes {field} {least:.3g}, which must be positive: raise the lower end"

@@ -86,7 +86,7 @@ class SensorError:
         one_of(self.quantity, get_args(Quantity), "SensorError: quantity")
 
     def bind(self, simulation: Simulation, width: int) -> Apply:
-        """Return itself; raise a QuadrupedError if the quantity cannot take `width` values."""
+        """Return the itself; raise a QuadrupedError if the quantity cannot take `width` values."""
         joints = simulation.robot.num_joints
         valid = {"encoder_offset": (1, joints), "imu_mounting": (3,), "latency": (1,)}[self.quantity]
         if width not in valid:
@@ -153,12 +153,12 @@ class Randomization:
         return self.apply if isinstance(self.apply, tuple) else (self.apply,)
 
     def columns(self, robot: Robot) -> int:
-        """Number of values, and of uniform draws, per env."""
+        """Return the number of values, and of uniform draws, per env."""
         numbers = {"joints": robot.num_joints, "feet": robot.num_legs, "links": len(robot.link_names)}
         return numbers[self.width] if isinstance(self.width, str) else self.width
 
     def values(self, draws: Floats, setting: Range | float) -> Floats:
-        """Values (R, width) for uniform draws (R, width) in [0, 1)."""
+        """Return the values (R, width) for uniform draws (R, width) in [0, 1)."""
         low, high = ends_of(setting)
         if self.law == "uniform":
             return between((low, high), draws)
@@ -182,28 +182,28 @@ class RandomizationSection(Section, path="config.randomization"):
     noise_amplitude: Mapping[str, float]
 
     def active(self, randomizations: Iterable[Randomization]) -> list[tuple[Randomization, Range | float]]:
-        """Randomizations that are enabled, with their settings."""
+        """Return the randomizations that are enabled, with their settings."""
         return [(entry, self[entry.name]) for entry in randomizations if is_active(self[entry.name])]
 
 
 def is_active(setting: Amplitude) -> bool:
-    """True if a setting enables its randomization."""
+    """Return True if a setting enables its randomization."""
     return setting is not None and setting not in (0.0, (0.0, 0.0))
 
 
 def ends_of(setting: Range | float) -> Range:
-    """The range of a setting, in which a number x stands for (-x, x)."""
+    """Return the range of a setting, in which a number x stands for (-x, x)."""
     return setting if isinstance(setting, tuple) else (-setting, setting)
 
 
 def between(bounds: Range, draw: Floats) -> Floats:
-    """Uniform draws in [0, 1), scaled to [low, high)."""
+    """Return uniform draws in [0, 1), scaled to [low, high)."""
     low, high = bounds
     return low + (high - low) * draw
 
 
 def in_steps(seconds: Floats, timestep: float) -> NDArray[np.int64]:
-    """Times in s as numbers of control steps, at least one."""
+    """Return the times in s as numbers of control steps, at least one."""
     return np.maximum(np.rint(seconds / timestep), 1.0).astype(np.int64)
 
 

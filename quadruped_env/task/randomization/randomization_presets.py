@@ -49,7 +49,7 @@ episode is random; with `none`, nothing else is."""
 
 
 def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plain]:
-    """Values of a preset as plain values, in the units of the robot.
+    """Return the values of a preset as plain values, in the units of the robot.
 
     Raises:
         QuadrupedError: if there is no such preset.
@@ -66,7 +66,7 @@ def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plai
 
 
 def with_preset(values: Plain, robot: Robot) -> Plain:
-    """Values of the section with the preset in place that they name, by itself or in the field `preset`.
+    """Return the values of the section with the preset in place that they name, by itself or in the field `preset`.
 
     Raises:
         QuadrupedError: if there is no such preset.

@@ -123,7 +123,7 @@ class Randomizer:
         self._noise_values = np.zeros((control.num_envs, layout.width))
 
     def _repeated(self, active: Active, interval: Range) -> _Recurring:
-        """A randomization that repeats within episodes, with its memory."""
+        """Return a randomization that repeats within episodes, with its memory."""
         randomization, name = active.randomization, active.name
         duration = None if randomization.duration is None else self._section[randomization.duration[0]]
         widths = {name: randomization.columns(self._simulation.robot), f"{name}/interval": 1}
@@ -169,7 +169,7 @@ class Randomizer:
         self._control.reset(env_ids, phase, drawn if command is None else command)
 
     def _start(self, env_ids: EnvIds, place: Floats | None) -> Event:
-        """Episodes of some envs (R,) that begin in the stance, at rest."""
+        """Return the episodes of some envs (R,) that begin in the stance, at rest."""
         robot, count = self._simulation.robot, len(env_ids)
         qpos, qvel = np.zeros((count, robot.num_positions)), np.zeros((count, robot.num_velocities))
         qpos[:, 2], qpos[:, 7:] = self._start_height, robot.stance
@@ -184,21 +184,23 @@ class Randomizer:
             self.servos.start(env_ids, self._encoder_position()[env_ids])
 
     def motor_target(self, target: Floats) -> Floats:
-        """Joint positions (N, J) that the motors pull to, for joint targets (N, J); both in rad."""
+        """Return the joint positions (N, J) that the motors pull to, for joint targets (N, J); both in rad."""
         if self.servos is not None:
             target = self.servos.joint_target(target, self._encoder_position())
         return target if self.sensors is None else self.sensors.joint_target(target)
 
     def _encoder_position(self) -> Floats:
-        """Present joint positions (N, J) in rad as the servos measure them."""
+        """Return the present joint positions (N, J) in rad as the servos measure them."""
         return self._simulation.readings.joint_position if self.sensors is None else self.sensors.encoder_position()
 
-    def next_command(self, env_ids: EnvIds) -> Floats:
-        """New commands (R, C) for some envs (R,) in the middle of their episodes."""
-        steps = self._control.steps[env_ids]
-        command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
-        self.command_due[env_ids] = steps + in_steps(seconds, self._timestep)
-        return command
+    def resample_commands(self, fixed: Bools, running: EnvIds | None) -> None:
+        """Draw the commands that are due, in all envs or some (R,), but not where they are fixed, a mask (N,)."""
+        env_ids = _among((self._control.steps >= self.command_due) & ~fixed, running)
+        if len(env_ids):
+            steps = self._control.steps[env_ids]
+            command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
+            self.command_due[env_ids] = steps + in_steps(seconds, self._timestep)
+            self._control.set_command(env_ids, command)
 
     def within_episodes(self, running: EnvIds | None) -> None:
         """Apply the randomizations that are due at this control step, and end those that have lasted.
@@ -230,12 +232,12 @@ class Randomizer:
         entry.active.draw(self._event(env_ids), draws[:, columns[name]])
 
     def _event(self, env_ids: EnvIds) -> Event:
-        """Some envs (R,) within their episodes."""
+        """Return some envs (R,) within their episodes."""
         start = _NO_STATE, _NO_STATE, _NO_STATE
         return Event(self._simulation, self._control.robot, env_ids, *start, self.sensors, self.servos)
 
     def observation_noise(self) -> Floats:
-        """Noise on the unscaled readings (N, width), the same at the same step; overwritten by the next call."""
+        """Return noise on the unscaled readings (N, width), the same at the same step; overwritten by the next call."""
         draws = self._draws.uniform(self._noise, slice(None), self._control.steps)
         self._noise_values[:, self._noisy] = self._noise_amplitude * (2.0 * draws - 1.0)
         return self._noise_values
@@ -247,7 +249,7 @@ def _among(mask: Bools, running: EnvIds | None) -> EnvIds:
 
 
 def _sensors(simulation: Simulation, timestep: float, active: Settings) -> Sensors | None:
-    """Errors of the sensors that the active randomizations set; None if they set none."""
+    """Return the errors of the sensors that the active randomizations set; None if they set none."""
     largest: dict[Quantity, float] = {}
     for randomization, setting in active:
         if isinstance(randomization.apply, SensorError):
@@ -257,7 +259,7 @@ def _sensors(simulation: Simulation, timestep: float, active: Settings) -> Senso
 
 
 def _servos(simulation: Simulation, motors: MotorConfig, active: Settings) -> ServoErrors | None:
-    """Errors of the servos, of the motors or of an active built-in randomization; None if there are none."""
+    """Return the errors of the servos, of the motors or of an active built-in randomization; None if there are none."""
     of_motors = any(errors.any() for errors in motors.servo_errors(simulation.robot.joint_kinds))
     randomized = any(randomization.name in SERVO_ERRORS for randomization, _ in active)
     return ServoErrors(simulation, motors) if of_motors or randomized else None

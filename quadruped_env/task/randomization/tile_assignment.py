@@ -122,13 +122,13 @@ class TileAssignment:
         self._fallen[env_ids] = terminated[env_ids]
 
     def mean_levels(self) -> dict[str, float]:
-        """Mean level of all envs, `mean_level`, and of those of each kind that has envs, `level_<kind>`."""
+        """Return the mean level of all envs, `mean_level`, and per kind that has envs, `level_<kind>`."""
         of_kinds = {name: self.level[self.kind == kind] for kind, name in enumerate(self.kinds)}
         levels = {"mean_level": self.level} | {f"level_{name}": own for name, own in of_kinds.items() if own.size}
         return {name: float(own.mean()) for name, own in levels.items()}
 
     def _change(self, env_ids: EnvIds) -> NDArray[np.int64]:
-        """1 for promoted envs, -1 for demoted ones, else 0, (R,)."""
+        """Return 1 for promoted envs, -1 for demoted ones, else 0, (R,)."""
         rest = np.maximum(EPISODE_SECONDS - self._seconds[env_ids], 0.0) * self._speed[env_ids]
         commanded = self._commanded[env_ids] + np.where(self._fallen[env_ids], rest, 0.0)
         walked, counts = self._walked[env_ids], commanded >= self._shortest

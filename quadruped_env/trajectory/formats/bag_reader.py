@@ -1,7 +1,7 @@
 """Joint states of ROS bags: rosbag2 (MCAP and sqlite3, compressed or not), and ROS 1 through `rosbags`.
 
-A rosbag2 bag is a directory, or one bare storage file. Messages come in the order of the file. Their timestamps are
-those of the headers unless the options say otherwise, so they may decrease.
+A rosbag2 bag is a directory, or one bare storage file. Messages come in the order of the file. Their timestamps come
+from the headers unless the options say otherwise, so they may decrease.
 """
 
 import tempfile
@@ -20,7 +20,7 @@ from quadruped_env.trajectory.rows import Rows
 
 
 def read(reading: Reading) -> Rows | None:
-    """The joint states of a rosbag2 directory, or of a bare MCAP or sqlite3 file, not validated.
+    """Return the joint states of a rosbag2 directory, or of a bare MCAP or sqlite3 file, not validated.
 
     Raises:
         QuadrupedError: if the bag is damaged.
@@ -30,7 +30,7 @@ def read(reading: Reading) -> Rows | None:
 
 
 def _joint_states(messages: Iterator[Message], reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
-    """Number in the bag, and joint states of the messages."""
+    """Yield the number in the bag, and joint states of the messages."""
     reading.row_name = "message"
     header, salvages = reading.options.stamps != "log", reading.repairs("salvage")
     number = 0
@@ -51,9 +51,9 @@ def _joint_states(messages: Iterator[Message], reading: Reading) -> Iterator[tup
 
 
 def read_ros1(reading: Reading) -> Rows | None:
-    """The joint states of a ROS 1 bag, not validated, of which rosbags makes a rosbag2 bag in a temporary directory.
+    """Return the joint states of a ROS 1 bag, not validated.
 
-    Its index has to be intact. Raises as `read` does.
+    rosbags converts it to a temporary rosbag2 bag, for which its index has to be intact. Raises as `read` does.
     """
     try:
         from rosbags.convert import convert
@@ -78,7 +78,7 @@ def read_ros1(reading: Reading) -> Rows | None:
 
 
 def _plain(data: bytes) -> bytes:
-    """A message, decompressed: only the metadata say that it is compressed, and they may be lost."""
+    """Return a message, decompressed: only the metadata say that it is compressed, and they may be lost."""
     if not data.startswith(ZSTD_MAGIC):
         return data
     try:

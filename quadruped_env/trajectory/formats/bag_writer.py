@@ -82,7 +82,7 @@ def check_target(path: Path, overwrite: bool) -> None:
 
 @contextmanager
 def open_bag(bag: Path, storage: str) -> Iterator[Any]:
-    """A writer of rosbags for a new bag; `connect` adds topics.
+    """Provide a writer of rosbags for a new bag; `connect` adds topics.
 
     Chunks of MCAP get checksums: without them, damage would be read as numbers.
 
@@ -138,7 +138,7 @@ def _write_messages(rows: Rows, writer: Any, robot: Robot, base_pose: Floats | N
 
 
 def _transforms(stamps: NDArray[np.int64], positions: Floats, poses: Floats | None, robot: Robot) -> Iterator[bytes]:
-    """The messages of /tf at timestamps (T,), in pieces: as Python objects, all would take gigabytes."""
+    """Yield the messages of /tf at timestamps (T,), in pieces: as Python objects, all would take gigabytes."""
     for start in range(0, len(stamps), _ROWS_PER_PIECE):
         part = slice(start, start + _ROWS_PER_PIECE)
         moved = robot.skeleton.joint_transforms(positions[part], None if poses is None else poses[part])
@@ -154,7 +154,7 @@ def _write_description(writer: Any, robot: Robot, stamp: int) -> None:
 
 
 def connect(writer: Any, topic: str, message_type: str, qos: Qos) -> Any:
-    """A new topic of a bag, with the offered quality of service; the writer's `write` takes it."""
+    """Return a new topic of a bag, with the offered quality of service; the writer's `write` takes it."""
     from rosbags.interfaces import Qos as BagQos
     from rosbags.interfaces import QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 

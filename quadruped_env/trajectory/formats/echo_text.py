@@ -48,7 +48,7 @@ Node = str | list[Any] | dict[str, Any] | None
 
 
 def read_yaml(reading: Reading) -> Rows | None:
-    """The messages of YAML text, not validated.
+    """Return the messages of YAML text, not validated.
 
     Raises:
         QuadrupedError: if the file is missing or damaged.
@@ -58,12 +58,12 @@ def read_yaml(reading: Reading) -> Rows | None:
 
 
 def read_csv(reading: Reading) -> Rows | None:
-    """The messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
+    """Return the messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
     return assembled(_csv_messages(reading), reading, is_text=True)
 
 
 def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
-    """Number in the file, and joint states of the messages."""
+    """Yield the number in the file, and joint states of the messages."""
     reading.row_name = "message"
     with opened(reading) as file:
         number = 0
@@ -82,7 +82,7 @@ def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
 
 
 def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
-    """Number of the line, and message."""
+    """Yield the number of the line, and message."""
     reading.row_name = "line"
     with opened(reading) as file:
         for number, line in enumerate(lines(file, reading), 1):
@@ -96,7 +96,7 @@ def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]
 
 
 def safe_yaml(text: str, max_depth: int) -> Any:
-    """The only document in YAML text, its scalars as text; None if it is empty.
+    """Return the only document in YAML text, its scalars as text; None if it is empty.
 
     Raises:
         ValueError: if it is not YAML, holds several documents or anchors, or is nested too deeply.
@@ -121,7 +121,7 @@ def safe_yaml(text: str, max_depth: int) -> Any:
 
 
 def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
-    """The texts between lines `---`, except empty ones.
+    """Yield the texts between lines `---`, except empty ones.
 
     Raises:
         QuadrupedError: if a message is too long, or a line of one ends in `---`, whose end may be cut off.
@@ -151,7 +151,7 @@ def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
 
 
 def _state(node: Node, reading: Reading) -> RawJointState:
-    """The joint state in a node, of a `JointState` or `Float64MultiArray`.
+    """Return the joint state in a node, of a `JointState` or `Float64MultiArray`.
 
     Raises ValueError if the node holds another message.
     """
@@ -170,7 +170,7 @@ def _state(node: Node, reading: Reading) -> RawJointState:
 
 
 def _time(node: Node, what: str) -> int:
-    """A time or a duration, ns."""
+    """Return a time or a duration, ns."""
     keys = ("secs", "nsecs") if "secs" in _keys(node) else ("sec", "nanosec")
     found = _mapping(node, keys, what)
     return _stamp(*(_scalar(found[key], key) for key in keys))
@@ -181,12 +181,12 @@ def _numbers(node: Node, what: str) -> Floats:
 
 
 def _keys(node: Node) -> list[str]:
-    """Keys of a mapping; none of another node."""
+    """Return keys of a mapping; none of another node."""
     return [str(key) for key in node] if isinstance(node, dict) else []
 
 
 def _mapping(node: Node, keys: tuple[str, ...], what: str) -> dict[str, Any]:
-    """A mapping with these keys. Raises ValueError for another node."""
+    """Return a mapping with these keys. Raises ValueError for another node."""
     found = _keys(node)
     if sorted(found) != sorted(keys):
         some = ", ".join(short(key)[1:-1] for key in found[:_MAX_KEYS_SHOWN])
@@ -211,7 +211,7 @@ def _scalar(node: Node, what: str) -> str:
 
 
 def _number(node: Node, what: str) -> float:
-    """A number; to YAML, 1e-05 is a text."""
+    """Return a number; to YAML, 1e-05 is a text."""
     text = _scalar(node, what)
     return _cell_number(_SPECIAL.get(text, text), what)
 
@@ -226,7 +226,7 @@ def _stamp(sec: str, nanosec: str) -> int:
 
 
 def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJointState:
-    """The message in the fields of a line. Raises ValueError if they are not a joint state."""
+    """Return the message in the fields of a line. Raises ValueError if they are not a joint state."""
     if "..." in cells:
         raise ValueError(_SHORTENED)
     if len(cells) < 7:
@@ -253,7 +253,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
 
 
 def _count_without_names(cells: list[str]) -> int:
-    """Length of the arrays of a message without names."""
+    """Return the length of the arrays of a message without names."""
     filled = 3 - cells.count("")
     numbers = len(cells) - cells.count("")
     if filled <= 0 or numbers % filled:

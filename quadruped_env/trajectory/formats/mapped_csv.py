@@ -40,7 +40,7 @@ _TIME_TITLE: Final = re.compile(
 
 
 def read(reading: Reading, columns: ColumnMap | None = None) -> Rows:
-    """The rows of a CSV, by a column map, by default that of the options, not validated.
+    """Return the rows of a CSV, read by a column map (default: the one in the options), not validated.
 
     Raises:
         QuadrupedError: if the file is missing or damaged, or lacks a column.
@@ -72,7 +72,7 @@ def read(reading: Reading, columns: ColumnMap | None = None) -> Rows:
 
 
 def _read_with_velocities(columns: ColumnMap, name: str, reading: Reading) -> Rows:
-    """The rows with the velocities of another file."""
+    """Return the rows with the velocities of another file."""
     rows = read(reading, replace(columns, velocities=None, velocity_files=None))
     path = reading.path.with_name(name)
     other = replace(reading, path=path, name=str(path), rows=0, progress=None)
@@ -92,12 +92,12 @@ def _read_with_velocities(columns: ColumnMap, name: str, reading: Reading) -> Ro
 
 
 def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
-    """The column map of a CSV whose columns bear the names of joints, from its first line; None if they do not.
+    """Return the column map of a CSV whose columns bear the names of joints, from its first line; None if they do not.
 
-    The joints are those of the options, or the built-in robot's. A title is a joint's name, or holds it with a word for
-    the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or
-    is s. Numbers have decimal commas if the beginning of the file, `text`, holds such numbers alone, and commas do not
-    separate its columns.
+    The joints are named by the options, or are the built-in robot's. A title is a joint's name, or holds it with a
+    word for the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its
+    title, or is s. Numbers have decimal commas if the beginning of the file, `text`, holds only such numbers, and
+    commas do not separate its columns.
     """
     names = reading.options.names or MINI_QUADRUPED.joint_names
     patterns = {name: re.compile(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])") for name in names}
@@ -144,7 +144,7 @@ def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
 
 
 def _lines(layout: "_Layout", reading: Reading) -> Iterator[tuple[int, int, list[float]]]:
-    """Number, timestamp in ns, and used cells of each line; titles are given to the layout.
+    """Yield the number, timestamp in ns, and used cells of each line; titles are given to the layout.
 
     Raises:
         QuadrupedError: if the file cannot be read, has no row, lacks a column, or a line is damaged.
@@ -221,14 +221,14 @@ class _Layout:
         return titles.index(column)
 
     def parse(self, text: str) -> float:
-        """The number in a cell; NaN for a text that marks a missing value. Raises ValueError for another text."""
+        """Return the number in a cell; NaN for a mark of a missing value. Raises ValueError for another text."""
         if self._blanks and text.strip() in self._blanks:
             self._reading.counted[MISSING] += 1
             return math.nan
         return parse_number(self._with_point(text))
 
     def parse_stamp(self, text: str) -> int:
-        """The timestamp in a cell, ns. Raises ValueError if it is not one."""
+        """Return the timestamp in a cell, ns. Raises ValueError if it is not one."""
         if "_" in text or not text.isascii():
             raise ValueError(text)
         if ":" in text:
@@ -243,7 +243,7 @@ class _Layout:
         return round(time)
 
     def _with_point(self, text: str) -> str:
-        """A number with a decimal point. Raises ValueError if it has one already and the decimal sign is a comma."""
+        """Return a number with a decimal point. Raises ValueError for a point where the decimal sign is a comma."""
         if self.columns.decimal == ".":
             return text
         if "." in text:
@@ -252,7 +252,7 @@ class _Layout:
 
 
 def _bad_cell(cells: list[str], layout: _Layout, number: int, reading: Reading) -> QuadrupedError:
-    """The error for the first invalid cell of a line."""
+    """Return the error for the first invalid cell of a line."""
     for column in sorted({*layout.used} if layout.stamp is None else {layout.stamp, *layout.used}):
         is_stamp = column == layout.stamp
         try:
@@ -267,7 +267,7 @@ def _bad_cell(cells: list[str], layout: _Layout, number: int, reading: Reading) 
 
 
 def _date_and_time(text: str) -> int:
-    """Ns of a date and time of ISO 8601, UTC if it names no zone. Raises ValueError if it is not one."""
+    """Return ns of a date and time of ISO 8601, UTC if it names no zone. Raises ValueError if it is not one."""
     found = re.fullmatch(r"(?P<whole>[^.]+:\d\d)(\.(?P<part>\d{1,9}))?(?P<zone>Z|[+-]\d\d:?\d\d)?", text.strip())
     if found is None:
         raise ValueError(text)

@@ -20,7 +20,7 @@ _MAX_SKEW: Final = 1.5
 
 
 def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Reading, is_text: bool) -> Rows | None:
-    """The rows of messages; None without a usable one.
+    """Return the rows of messages; None without a usable one.
 
     The first usable message decides which joints there are, and whether there are velocities and efforts.
 
@@ -50,7 +50,7 @@ def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Read
 def _single(
     messages: Iterator[tuple[int, list[RawJointState]]], reading: Reading
 ) -> Iterator[tuple[int, RawJointState]]:
-    """The joint states one by one; the points of a trajectory end where the next one begins."""
+    """Yield the joint states one by one; the points of a trajectory end where the next one begins."""
     planned: list[tuple[int, RawJointState]] = []
     for number, states in messages:
         if states:
@@ -66,9 +66,9 @@ def _single(
 
 
 def _merged(messages: Iterator[tuple[int, RawJointState]], reading: Reading) -> Iterator[tuple[int, RawJointState]]:
-    """Whole joint states from messages that hold some of the joints each: one whenever all joints have come again.
+    """Yield whole joint states from messages with some of the joints each: one whenever all joints have come again.
 
-    Its timestamp is that of the newest message. Joints that are too far apart are left out.
+    It has the timestamp of the newest message. Joints that are too far apart are left out.
     """
     head = list(islice(messages, _MESSAGES_TO_KNOW_ALL))
     stamps: dict[tuple[str, ...], list[int]] = {}
@@ -168,7 +168,7 @@ class _Builder:
         return None
 
     def rows(self) -> Rows | None:
-        """The messages that were added, without a copy; None if there are none."""
+        """Return the messages that were added, without a copy; None if there are none."""
         if not self._numbers:
             return None
         shape = len(self._numbers), len(self._names)
@@ -177,5 +177,5 @@ class _Builder:
 
 
 def _known(values: Floats) -> Floats:
-    """The numbers, or an empty array if all are NaN, which some publishers send for velocities they do not measure."""
+    """Return the numbers, or an empty array if all are NaN, which some publishers send for unmeasured velocities."""
     return np.empty(0) if len(values) and np.isnan(values).all() else values

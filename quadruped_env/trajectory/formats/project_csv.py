@@ -31,7 +31,7 @@ _ROWS_PER_WRITE: Final = 1000
 
 
 def column_map(line: str, reading: Reading) -> ColumnMap:
-    """The columns that a header line names.
+    """Return the columns that a header line names.
 
     Raises:
         QuadrupedError: if it names unknown columns, a joint in some of its kinds only, or no position.

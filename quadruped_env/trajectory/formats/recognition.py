@@ -33,7 +33,7 @@ _MAGICS: Final[dict[bytes, Reader]] = {
 
 
 def read(reading: Reading, stack: ExitStack) -> Rows | None:
-    """The rows of a file or bag, not validated; None without a usable one.
+    """Return the rows of a file or bag, not validated; None without a usable one.
 
     Args:
         reading: of the file.
@@ -52,7 +52,7 @@ def read(reading: Reading, stack: ExitStack) -> Rows | None:
 
 
 def _head(reading: Reading) -> bytes:
-    """The first bytes of a file, or b"" for a directory."""
+    """Return the first bytes of a file, or b"" for a directory."""
     try:
         if os.path.isdir(reading.path):
             for path in reading.path.iterdir():
@@ -70,7 +70,7 @@ def _head(reading: Reading) -> bytes:
 
 
 def _reader(head: bytes, reading: Reading) -> Reader:
-    """The reader for a file with these first bytes."""
+    """Return the reader for a file with these first bytes."""
     if reading.path.is_dir():
         if not storage.storage_files(reading.path):
             raise reading.error(None, "the directory is not a bag; expected metadata.yaml and .mcap or .db3 files")
@@ -85,7 +85,7 @@ def _reader(head: bytes, reading: Reading) -> Reader:
 
 
 def _text_reader(head: bytes, reading: Reading) -> Reader:
-    """The reader for text with these first bytes."""
+    """Return the reader for text with these first bytes."""
     if problem := description_problem(head):
         raise reading.error(None, problem)
     try:

@@ -34,7 +34,7 @@ _SMALL_STEP: Final = 4096
 
 
 def messages(reading: Reading) -> Iterator[Message]:
-    """Every joint state that can be read.
+    """Yield every joint state that can be read.
 
     Raises:
         QuadrupedError: if there is no topic of joint states, or several and the options name none; at damage, unless
@@ -62,7 +62,7 @@ def messages(reading: Reading) -> Iterator[Message]:
 
 
 def choose_topics(types: Mapping[str, str], reading: Reading) -> dict[str, str]:
-    """The topics of joint states that the options name, or the only one in the bag, or `/joint_states`.
+    """Return the topics of joint states that the options name, or the only one in the bag, or `/joint_states`.
 
     Args:
         types: topic -> message type, as ROS 1 or ROS 2 name it.
@@ -103,7 +103,7 @@ def choose_topics(types: Mapping[str, str], reading: Reading) -> dict[str, str]:
 
 
 def _full_name(name: str) -> str:
-    """A message type as ROS 2 names it."""
+    """Return a message type as ROS 2 names it."""
     return name if "/msg/" in name else name.replace("/", "/msg/")
 
 
@@ -112,7 +112,7 @@ def _short_name(name: str) -> str:
 
 
 def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
-    """A storage file, decompressed with zstd into a directory that is removed when the stack closes.
+    """Return a storage file, decompressed with zstd into a directory that is removed when the stack closes.
 
     Raises:
         QuadrupedError: if the file is damaged, unless the options ask to salvage.
@@ -144,7 +144,7 @@ def decompressed(path: Path, stack: ExitStack, reading: Reading) -> Path:
 
 
 def _scan(reading: Reading) -> Iterator[tuple[Path, Topic | Message]]:
-    """Topics and messages of all files of a bag, each with its file."""
+    """Yield topics and messages of all files of a bag, each with its file."""
     is_directory = reading.path.is_dir()
     if is_directory:
         _note_missing_files(reading)
@@ -156,7 +156,7 @@ def _scan(reading: Reading) -> Iterator[tuple[Path, Topic | Message]]:
 
 
 def _metadata(reading: Reading) -> str:
-    """The text of a bag's metadata, empty without any."""
+    """Return the text of a bag's metadata, empty without any."""
     try:
         with (reading.path / _METADATA).open("rb") as file:
             return file.read(_MAX_METADATA).decode(errors="replace")
@@ -190,7 +190,7 @@ def _note_missing_files(reading: Reading) -> None:
 
 
 def _scan_file(path: Path, reading: Reading) -> Iterator[Topic | Message]:
-    """Topics and messages of one file, up to damage that the scanner cannot skip."""
+    """Yield topics and messages of one file, up to damage that the scanner cannot skip."""
     checked = path in reading.checked_files
     try:
         with path.open("rb") as file:
@@ -210,6 +210,6 @@ def _scan_file(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 
 
 def storage_files(directory: Path) -> list[Path]:
-    """The storage files of a bag in the order of their numbers."""
+    """Return the storage files of a bag in the order of their numbers."""
     files = [path for path in directory.iterdir() if path.name.removesuffix(".zstd").endswith(_SUFFIXES)]
     return sorted(files, key=lambda path: [int(part) for part in re.findall(r"\d+", path.name)] + [0])
