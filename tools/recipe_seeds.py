@@ -181,7 +181,7 @@ def gait(measured: Candidate, progress: Progress) -> Row:
 
 
 def _of_feet(measure: str, entries: Sequence[dict[str, Any]]) -> list[float]:
-    """Values of every foot at every command; NaN where a robot does not stride."""
+    """Return values of every foot at every command; NaN where a robot does not stride."""
     return [math.nan if value is None else value for entry in entries for value in entry[measure]]
 
 

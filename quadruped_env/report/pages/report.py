@@ -189,7 +189,7 @@ def write_comparison(
 ) -> Path:
     """Write the report of several policies, whose numbers are in `document`, and return its path.
 
-    The other arguments are those of `write_comparison_numbers`.
+    The other arguments are as in `write_comparison_numbers`.
     """
     gains = gains or {}
     judged = {name: verdict(comparison.seen_as(name)).headline for name in policies}
