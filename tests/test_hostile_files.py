@@ -24,7 +24,6 @@ from quadruped_env.export.trace_check import ExportedTrace
 from quadruped_env.policies.files import read_policy, shipped_directory
 from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.replay.motors_file import read_motors
-from quadruped_env.sweep.search_space import read_space
 from quadruped_env.task import TaskConfig, load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
@@ -105,7 +104,6 @@ TERMS = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):
 MOTORS = json.dumps({"motor": TaskConfig().to_dict()["motor"]})
 COLUMNS = '[columns]\nstamp = "t"\nstamp_unit = "s"\npositions = ["a", "b"]\nmissing = [-1]\n'
 JOINTS = '[joints.LF_hip_joint]\nsource = "a"\nscale = 2.0\noffset = 0.1\nunit = "deg"\n'
-SPACE = "[learning_rate]\nlow = 1e-4\nhigh = 1e-2\nlog = true\n[task.reward.weights.foot_slip]\nchoices = [-1.0, 0.0]\n"
 TASK = json.dumps({"decimation": 4, "reward": {"weights": {"upright": -1.0}}, "command": {"yaw_rate": [-0.4, 0.4]}})
 TABLE = "t,q\n0.0,1.5\n0.1,1.25\n"
 
@@ -117,7 +115,6 @@ READERS = {
     "terms": Reader("terms.py", load_task_file, sound=TERMS),
     "golden trace": Reader(TRACE_FILE, lambda path: ExportedTrace.load(path.parent), prepare_export),
     "traced export": Reader("manifest.json", lambda path: ExportedTrace.load(path.parent), prepare_export),
-    "space": Reader("space.toml", lambda path: read_space(path, TaskConfig().to_dict()), sound=SPACE),
     "columns": Reader("columns.toml", ColumnMap.load, sound=COLUMNS),
     "joints": Reader("joints.toml", JointMap.load, sound=JOINTS),
     "recording": Reader("recording", JointTrajectory.load, sound=ECHO + ECHO.replace("sec: 1", "sec: 2")),

@@ -45,8 +45,6 @@ _FIRST_LINE, _LINE_INTERVAL = 1.5, 10.0
 """Time of the first line about the progress where there is no terminal for a bar, and time between lines, s."""
 
 NO_FIELDS: Final[Mapping[str, Any]] = MappingProxyType({})
-Observer = Callable[[int, Callable[[], Policy]], None]
-"""Called after each rollout with the number of time steps and a function that makes the policy at this point."""
 
 
 class Recorder(Scheduled):
@@ -57,7 +55,6 @@ class Recorder(Scheduled):
         config: settings of the training.
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
-        observer: called after each rollout.
     """
 
     def __init__(
@@ -66,10 +63,8 @@ class Recorder(Scheduled):
         config: TrainConfig,
         task: TaskConfig,
         seconds_before: float = 0.0,
-        observer: Observer | None = None,
     ) -> None:
         super().__init__()
-        self._observer = observer
         self._run, self._config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.elapsed = 0.0
@@ -156,10 +151,6 @@ class Recorder(Scheduled):
         if self.elapsed >= self._next_checkpoint:
             self._next_checkpoint = self.elapsed + self._config.checkpoint_seconds
             self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
-        if self._observer is not None:
-            began = time.perf_counter()
-            self._observer(self.num_timesteps, self._policy)
-            self._start += time.perf_counter() - began
 
     def _log(self) -> None:
         errors = np.sqrt(self._squares / self._steps)

@@ -1,0 +1,150 @@
+"""Results of a sweep, their statistics, and the report: settings by score, learning curves, scores over the fields."""
+
+import math
+import os
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from quadruped_env.evaluation.confidence import Estimate, student_mean
+from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.report.pages.page import figure, provenance, write_html
+from quadruped_env.report.palette import BLUE
+from quadruped_env.report.plots.canvas import draw_figure
+from quadruped_env.report.plots.learning_plots import learning_curve, read_progress
+from quadruped_env.report.report_directory import REPORT_FILE
+from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.search import ends, in_words, shown
+from quadruped_env.training.run_directory import PROGRESS_FILE
+from quadruped_env.utils.files import write_json
+
+
+def score_of(results: Sequence[Mapping[str, Any] | None], component: str | None = None) -> Estimate:
+    """Score of a setting, or one component of it, from the results of its seeds; NaN if one of them has none.
+
+    A failed training counts as the zero action, whose score its result holds.
+    """
+    scores = [result and result["score"] for result in results]
+    if None in scores:
+        return Estimate(math.nan, math.nan, math.nan, len(scores))
+    return student_mean([s["total"] if component is None else s["components"][component] for s in scores if s])
+
+
+def collect(sweep: Sweep) -> dict[str, Any]:
+    """All results of a sweep so far, as plain values.
+
+    Returns:
+        `trials`, one entry for each; `settings` that have a result, the best first, each with its `values` and the
+        `results` of its seeds; `states`, a count of the trials' states; and `best`, the best trial, or None.
+
+    Raises:
+        QuadrupedError: if a file is damaged.
+    """
+    none: dict[str, Any] = {"state": "open", "values": {}, "score": None}
+    trials = [{"trial": n, "seed": sweep.seed(n), **(sweep.result(n) or none)} for n in range(len(sweep))]
+    settings = []
+    for first in range(0, len(sweep), sweep.seeds):
+        own = [trial for trial in trials[first : first + sweep.seeds] if trial["state"] != "open"]
+        settings += [{"values": own[0]["values"], "results": own}] if own else []
+    settings.sort(key=lambda entry: -np.nan_to_num(score_of(entry["results"]).mean))
+    finished = [trial for trial in trials if trial["state"] == "finished" and trial["score"] is not None]
+    best = max(finished, key=lambda trial: float(trial["score"]["total"]), default=None)
+    return {"trials": trials, "settings": settings, "states": Counter(t["state"] for t in trials), "best": best}
+
+
+def headline(found: Mapping[str, Any]) -> str:
+    """The results in a sentence."""
+    parts = [f"{found['states']['finished']} of {len(found['trials'])} trials finished"]
+    parts += [f"{found['states'][state]} {state}" for state in ("failed", "open") if found["states"][state]]
+    best = found["best"]
+    end = "" if best is None else f"; the best is trial {best['trial']} with a score of {best['score']['total']:.3f}"
+    return f"{', '.join(parts)}{end}."
+
+
+def setting_in_words(entry: Mapping[str, Any], seeds: int) -> str:
+    """A setting, and its seeds that were trained to the end: `gamma=0.98: 2 of 3 seeds, 1 failed`."""
+    failed = sum(result["state"] == "failed" for result in entry["results"])
+    count = f"{len(entry['results']) - failed} of {seeds} seeds{f', {failed} failed' if failed else ''}"
+    return f"{in_words(entry['values'])}: {count}" if entry["values"] else count
+
+
+def estimate_in_words(estimate: Estimate, digits: int = 3) -> str:
+    """A mean with its interval; a dash if it is not known."""
+    interval = "" if math.isnan(estimate.low) else f" [{estimate.low:.{digits}f}, {estimate.high:.{digits}f}]"
+    return "-" if math.isnan(estimate.mean) else f"{estimate.mean:.{digits}f}{interval}"
+
+
+def write_report(sweep: Sweep) -> Path:
+    """Write report.html and results.json into the directory of a sweep, unless they hold all results; the page.
+
+    Raises:
+        MissingExtraError: if a library of the `report` extra is not installed.
+        QuadrupedError: if a file of the sweep is damaged, or one cannot be written.
+    """
+    page = sweep.path / REPORT_FILE
+    with sweep.locked("report"):
+        found = collect(sweep)
+        newest = max((path.stat().st_mtime_ns for path in sweep.path.glob("trials/*/result.json")), default=0)
+        if os.path.isfile(page) and page.stat().st_mtime_ns > newest:
+            return page
+        write_json(sweep.path / "results.json", found)
+        context = {
+            "document": {**provenance("mini-quadruped sweep"), "states": found["states"]},
+            "name": sweep.path.resolve().name,
+            "definition": str(sweep),
+            "headline": headline(found),
+            "components": list(COMPONENTS),
+            "settings": [_setting_row(entry, sweep.seeds) for entry in found["settings"]],
+            "trials": [_trial_row(trial) for trial in found["trials"]],
+            "figures": _figures(sweep, found),
+            "best": found["best"] and {**found["best"], "path": str(sweep.path / found["best"]["run"])},
+        }
+        write_html(page, "sweep.html", context)
+    return page
+
+
+def _setting_row(entry: Mapping[str, Any], seeds: int) -> dict[str, Any]:
+    scores = [score_of(entry["results"], component) for component in COMPONENTS]
+    cells = [estimate_in_words(score_of(entry["results"])), *(estimate_in_words(score, 2) for score in scores)]
+    return {"label": setting_in_words(entry, seeds), "cells": cells}
+
+
+def _trial_row(trial: Mapping[str, Any]) -> dict[str, Any]:
+    score = "-" if trial["score"] is None else f"{trial['score']['total']:.3f}"
+    facts = [str(trial.get(name, "-")) for name in ("seconds", "starts", "node", "error")]
+    cells = [str(trial["seed"]), in_words(trial["values"]) or "-", trial["state"], score, *facts]
+    return {"label": f"trial {trial['trial']}", "cells": cells}
+
+
+def _figures(sweep: Sweep, found: Mapping[str, Any]) -> list[dict[str, str]]:
+    if not found["settings"]:
+        return []
+    best = [trial for trial in found["settings"][0]["results"] if trial["state"] == "finished"]
+    progress = {f"seed {trial['seed']}": read_progress(sweep.path / trial["run"] / PROGRESS_FILE) for trial in best}
+    curves = "Return, velocity error and falls over the time steps, with the noise of the exploration."
+    figures = [figure("Learning curves of the best setting", learning_curve(progress), curves)] if progress else []
+    if sweep.space:
+        points = "Each point is a setting: its score over its value of the field."
+        figures.append(figure("Scores over each field", _scores(found["settings"], sweep.space), points))
+    return figures
+
+
+def _scores(settings: list[Mapping[str, Any]], space: Mapping[str, Any]) -> str:
+    """Score of each setting over its value of each field, a panel for each field."""
+    scores = [score_of(entry["results"]).mean for entry in settings]
+
+    def draw(axes: Any) -> None:
+        for ax, (name, distribution) in zip(axes[:, 0], space.items(), strict=True):
+            values, choices = [entry["values"][name] for entry in settings], ends(distribution)
+            if hasattr(distribution, "choices"):
+                values = [choices.index(value) for value in values]
+                ax.set_xticks(range(len(choices)), [shown(choice) for choice in choices])
+            elif distribution.log:
+                ax.set_xscale("log")
+            ax.plot(values, scores, "o", color=BLUE, markersize=3.5)
+            ax.set(xlabel=name, ylabel="score (1)")
+
+    return draw_figure(len(space), 1, 0.3 + 1.5 * len(space), draw)

@@ -1,0 +1,207 @@
+"""The command `sweep`, and workers as processes: of one machine, of two, and of a Ray cluster."""
+
+import json
+import re
+import signal
+import socket
+import subprocess
+import sys
+
+import numpy as np
+import psutil
+import pytest
+from paths import ROOT, importing
+from sweeps import finish, make_sweep, policies, start_worker
+from trainings import learn
+from waiting import DEADLINE, output_of, status_of, wait_until
+
+from quadruped_env.cli.main import main
+from quadruped_env.sweep.folder import Sweep
+from quadruped_env.training.resume import Parent
+
+LOOPBACK = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
+"""Variables with which all of Ray's processes listen on loopback alone."""
+TINY = ("--timesteps", "96", "--num-envs", "4", "--n-steps", "8", "--batch-size", "16", "--hidden", "8")
+
+
+def command(*arguments):
+    return [sys.executable, str(ROOT / "train" / "sweep.py"), *map(str, arguments)]
+
+
+def made(directory, *arguments):
+    """The sweep that the command makes, without workers."""
+    assert main(["sweep", *map(str, arguments), *TINY, "--workers", "0", "-o", str(directory)]) == 0
+    (path,) = directory.iterdir()
+    return Sweep.open(path)
+
+
+def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
+    sweep = made(tmp_path / "a", "--seeds", "2", "--vary", "gamma=0.9,0.95", "--vary", "n_epochs=1..3")
+    assert (sweep.settings, sweep.seeds, sweep.training["timesteps"]) == (6, 2, 96)
+    assert f"sweep --work {sweep.path}\n" in capsys.readouterr().out
+    assert made(tmp_path / "b", "--vary", "gamma=0.9..1").settings == 20
+    assert made(tmp_path / "c", "--vary", "gamma=0.9..1", "--trials", "3").settings == 3
+    assert made(tmp_path / "d", "--recipe", "rough", "--terrain", "slope").whole == ("terrain",)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error"),
+    [
+        (("--work", "DIR", "--seeds", "3"), "--seeds: a sweep keeps its own definition"),
+        (("--report", "DIR", "--timesteps", "3"), "--timesteps: a sweep keeps its own definition"),
+        (("--work", "DIR", "--task", "mine.py"), "--task: "),
+        (("--retry-failed",), "retry_failed, trust_task: only with --work or --ray"),
+        (("--workers", "-1"), "workers: expected 0 or more"),
+        (("--vary", "gamma=0.9,0.95", "--vary", "gamma=0.8,0.85"), "--vary: found gamma, gamma; give each field once"),
+        (("--vary", "gamma=0.9,2"), "vary gamma=2"),
+        (("--vary", "gamma=0.9,0.95", "--trials", "3"), "--trials: found 3, and each of the 2 different settings"),
+        (("--work", "nowhere"), "has no sweep.json; name a directory that 'sweep' made"),
+        (("--ray", "127.0.0.1:1", "DIR"), "ray"),
+    ],
+)
+def test_options_that_do_not_fit_are_one_line(tmp_path, monkeypatch, capsys, arguments, error):
+    monkeypatch.chdir(tmp_path)
+    path = make_sweep(tmp_path).path
+    monkeypatch.setitem(sys.modules, "ray", None)
+    assert main(["sweep", *(str(path) if word == "DIR" else word for word in arguments)]) in (1, 2)
+    (line,) = capsys.readouterr().err.splitlines()
+    assert error in line
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_report_of_a_sweep_so_far(tmp_path, capsys):
+    sweep = make_sweep(tmp_path, seeds=2)
+    finish(sweep, 0, None)
+    assert main(["sweep", "--report", str(sweep.path)]) == 1
+    out = capsys.readouterr().out
+    assert "0 of 2 trials finished, 1 failed, 1 open." in out
+    assert f"report:  {sweep.path}/report.html" in out
+
+
+@pytest.mark.slow
+def test_sweep_whose_worker_is_killed_finishes_each_trial_once_and_reports(tmp_path):
+    with subprocess.Popen(
+        command("--seeds", 4, "--workers", 2, *TINY, "-o", tmp_path),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=importing(),
+    ) as process:
+        wait_until(lambda: list(tmp_path.glob("*/trials/*/2*/config.json")), alive=process)
+        next(child for child in psutil.Process(process.pid).children() if "--work" in child.cmdline()).kill()
+        out, err = output_of(process)
+    assert process.returncode == 0, out + err
+    assert "a worker was ended by signal 9" in err
+    (path,) = tmp_path.iterdir()
+    assert sorted(map(int, re.findall(r"^trial (\d): finished", out, re.MULTILINE))) == [0, 1, 2, 3]
+    assert (path / "report.html").is_file()
+    assert "4 of 4 trials finished" in out
+
+
+@pytest.mark.slow
+def test_signal_to_the_command_stops_its_workers_with_their_checkpoints(tmp_path):
+    with subprocess.Popen(
+        command("--seeds", 2, "--workers", 2, *TINY, "--timesteps", 10**9, "-o", tmp_path),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=importing(),
+    ) as process:
+        wait_until(lambda: len(list(tmp_path.glob("*/trials/*/2*/progress.csv"))) == 2, alive=process)
+        process.send_signal(signal.SIGINT)
+        out, err = output_of(process)
+    assert process.returncode == 130, err
+    (path,) = tmp_path.iterdir()
+    assert "stopped; go on with:  " in out
+    assert str(path) in out
+    assert not (path / "report.html").exists()
+
+
+@pytest.mark.slow
+def test_two_machines_with_signals_at_random_moments_do_every_trial_once_with_the_bits_of_its_checkpoints(tmp_path):
+    generator = np.random.default_rng(0)
+    for turn in range(20):
+        sweep = make_sweep(tmp_path / str(turn), training={"timesteps": 32 * 100, "checkpoint_seconds": 0.2}, seeds=3)
+        with start_worker(sweep, "a") as stopped, start_worker(sweep, "b") as other:
+            wait_until(lambda path=sweep.path: list(path.glob("trials/*/2*")), alive=stopped)
+            try:
+                stopped.wait(generator.uniform(0.0, 3.0))
+            except subprocess.TimeoutExpired:
+                stopped.send_signal(signal.SIGTERM)
+            output_of(stopped)
+            _, err = output_of(other)
+        assert stopped.returncode in (0, 143)
+        assert other.returncode == 0, err
+        assert sweep.open_trials() == []
+        for number in range(3):
+            *before, (last, bits) = policies(sweep, number).items()
+            assert sweep.result(number)["run"].endswith(last)
+            document = json.loads((sweep.trial(number) / last / "config.json").read_text())
+            parent = None
+            config = sweep.config({}, number)
+            if document.get("resumed_from"):
+                parent = Parent.load(sweep.path / "trials" / f"{number:04d}" / document["resumed_from"]["run"])
+                config = parent.resumed({"timesteps": config.timesteps - parent.timesteps})
+            undisturbed = learn(tmp_path / f"{turn}-{number}", config, parent)
+            assert (undisturbed / "policy.safetensors").read_bytes() == bits
+            assert before or parent is None or "/checkpoints/" in document["resumed_from"]["run"]
+
+
+@pytest.mark.slow
+def test_full_disk_leaves_open_trials_and_with_more_room_they_are_done(tmp_path):
+    place = tmp_path / "small"
+    place.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=1500k", "tmpfs", str(place)]
+    if subprocess.run(mount, capture_output=True, check=False).returncode:
+        pytest.skip("only root can mount a file system of 1.5 MB")
+    try:
+        sweep = make_sweep(place, seeds=4, training={"hidden": (128, 128)})
+        worker = start_worker(sweep)
+        _, err = output_of(worker)
+        assert worker.returncode == 1
+        assert "No space left on device" in err.splitlines()[-1]
+        left = sweep.open_trials()
+        assert 0 < len(left) < 4
+        assert not any((sweep.trial(number) / "result.json").exists() for number in left)
+        subprocess.run(["mount", "-o", "remount,size=50m", str(place)], check=True)
+        worker = start_worker(sweep)
+        _, err = output_of(worker)
+        assert worker.returncode == 0, err
+        assert sweep.open_trials() == []
+    finally:
+        subprocess.run(["umount", str(place)], check=True)
+
+
+@pytest.mark.slow
+def test_two_nodes_of_ray_do_the_trials_after_a_sweep_of_this_machine(tmp_path):
+    pytest.importorskip("ray", reason="Ray is not installed")
+    home = {**importing(), **LOOPBACK, "HOME": str(tmp_path)}
+
+    def run(*arguments):
+        done = subprocess.run(arguments, capture_output=True, text=True, check=False, env=home, timeout=4 * DEADLINE)
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    ray = (sys.executable, "-m", "ray.scripts.scripts")
+    run(*command("--seeds", 1, *TINY, "-o", tmp_path / "a"))
+    sweep = made(tmp_path / "b", "--seeds", 3)
+    run(*ray, "get-auth-token", "--generate")
+    home["RAY_AUTH_MODE"] = "token"
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        address = f"127.0.0.1:{free.getsockname()[1]}"
+    start = (*ray, "start", "--block", "--node-ip-address=127.0.0.1", "--num-cpus=1")
+    head = (*start, "--head", f"--port={address.partition(':')[2]}", "--include-dashboard=false")
+    nodes = [subprocess.Popen(head, env=home, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)]
+    try:
+        status = (*ray, "status", f"--address={address}")
+        wait_until(
+            lambda: not subprocess.run(status, env=home, capture_output=True, check=False).returncode, alive=nodes[0]
+        )
+        node = (*start, f"--address={address}")
+        nodes.append(subprocess.Popen(node, env=home, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
+        assert "3 of 3 trials finished" in run(*command("--ray", address, sweep.path))
+    finally:
+        for process in reversed(nodes):
+            process.terminate()
+            status_of(process)
