@@ -50,9 +50,7 @@ extensions = [
 ]
 templates_path = [str(DOCS / "_templates")]
 # The extra 'docs' has no torch; what is documented of a training needs none.
-autodoc_mock_imports = [
-    name for name in ("torch", "stable_baselines3", "tqdm") if importlib.util.find_spec(name) is None
-]
+autodoc_mock_imports = [name for name in ("torch", "stable_baselines3") if importlib.util.find_spec(name) is None]
 default_role = "code"  # docstrings write code as Markdown does
 myst_heading_anchors = 4
 autodoc_member_order = "bysource"

@@ -1,6 +1,6 @@
 """The programs as functions, for Python and notebooks: `train`, `evaluate` and `page`.
 
-`quadruped_env` has their names, and those of `compare` (`evaluation.comparison`) and `load_policy`.
+They are in `quadruped_env`, next to `compare` (`evaluation.comparison`) and `load_policy`.
 """
 
 from collections.abc import Callable, Mapping
@@ -13,8 +13,9 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_poli
 from quadruped_env.evaluation.learning_gain import LearningGain, gain_beside
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.evaluation.verdict import verdict
-from quadruped_env.report.pages.evaluation_report import write_numbers, write_report
-from quadruped_env.report.pages.page import METRICS_FILE, summary_table
+from quadruped_env.report.pages.page import METRICS_FILE
+from quadruped_env.report.pages.report import write_numbers, write_report
+from quadruped_env.report.pages.tables import summary_table
 from quadruped_env.report.report_directory import REPORT_FILE, prepare_output, print_report
 from quadruped_env.simulation import Terrain
 from quadruped_env.utils.program import Extras
@@ -57,7 +58,7 @@ class Evaluation:
             command_line: command that reproduces the results.
             seeds: episodes per command.
             seconds: length of an episode, s.
-            terrain: ground in place of the task's own.
+            terrain: ground; None: the task's own.
             randomization: preset of the episodes.
             suite: runs the suite; None: it is not run.
             progress: makes the progress callback of a part from its label.
@@ -103,7 +104,7 @@ def train(runs: str | Path = "runs", task_file: str | Path | None = None, **sett
         runs: parent of the run directory.
         task_file: Python file of terms or of a robot; it is executed.
         settings: fields of `quadruped_env.training.TrainConfig`, such as `recipe="rough"`, `timesteps=1_000_000` or
-            `seed=1`; the others are those of the recipe.
+            `seed=1`; the recipe sets the others.
 
     Raises:
         QuadrupedError: if a setting is not possible, or a file cannot be written.
@@ -140,7 +141,7 @@ def evaluate(
         output: directory of the results; None: `evaluation` in the run, or `results/NAME`.
         seeds: episodes per command.
         seconds: length of an episode, s.
-        terrain: a terrain, or the name of one of the task's, in place of the task's own.
+        terrain: a terrain, or the name of one; None: the task's own.
         randomization: a preset: `none`, `moderate` or `hard`.
         task_file: Python file of the terms or the robot that the run was trained with; it is executed.
         trust_task: execute the copy of that file that the run keeps.

@@ -35,15 +35,7 @@ class MissingExtraError(ImportError):
     """A library is missing that an optional extra of this package installs."""
 
     def __init__(self, purpose: str, extra: str) -> None:
-        need = f"{purpose} needs the '{extra}' extra"
-        super().__init__(f"{need}: {install_command(extra)}")
-        self.portable = f"{need}: {install_command(extra, portable=True)}"
-        """The message without this machine's Python, for a page that is read elsewhere."""
-
-
-def portable_message(error: Exception) -> str:
-    """An error's message for a page that is read elsewhere."""
-    return error.portable if isinstance(error, MissingExtraError) else str(error)
+        super().__init__(f"{purpose} needs the '{extra}' extra: {install_command(extra)}")
 
 
 class QuadrupedWarning(UserWarning):

@@ -27,13 +27,12 @@ import numpy as np
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import GaitController
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import evaluation_task
+from quadruped_env.evaluation.conditions import evaluation_task
 from quadruped_env.evaluation.measures import measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.task import TaskConfig
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 from second_engine.engines import Drake, MuJoCo, check_drake
 
@@ -68,9 +67,7 @@ CASES: Final = (
 
 def main() -> int:
     """Run the program."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
         "sources", nargs="*", default=["flat"], metavar="SOURCE", help="policies, or tuned; default: flat"
     )

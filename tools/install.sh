@@ -9,7 +9,7 @@ oldest=3.11
 version() {
     "$1" -c 'import sys; print("%d.%d" % sys.version_info[:2])' 2>/dev/null
 }
-recent() { # a program on PATH may start nothing, as those of pyenv do
+recent() { # a program on PATH may start nothing, as pyenv's do
     "$1" -c "import sys; sys.exit(sys.version_info < (${oldest%.*}, ${oldest#*.}))" 2>/dev/null
 }
 installed() {
@@ -60,7 +60,7 @@ install_torch() {
     # PyPI has no version with a '+': this finds only a CPU build that pip can have elsewhere, such as in its find-links.
     case $TORCH_INDEX in */cpu) pip install -c constraints.txt "torch==$torch+cpu" 2>/dev/null && TORCH_INDEX= ;; esac
     if [ -n "$TORCH_INDEX" ]; then
-        # Its dependencies come with those of the package, from pip's own index.
+        # Its dependencies come with the package's, from pip's own index.
         pip install --no-deps --retries 1 --index-url "$TORCH_INDEX" "torch==$torch" ||
             fail "no torch $torch for Python $(version "$VENV/bin/python") from $TORCH_INDEX. 'make install" \
                 "TORCH_INDEX=https://...' takes it from another index, and 'make install TORCH_INDEX=' from pip's own," \

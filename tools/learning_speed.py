@@ -62,8 +62,8 @@ def run(arguments: argparse.Namespace) -> int:
     unknown = sorted(set(arguments.training) - {field.name for field in fields(TrainConfig)})
     if unknown:
         raise QuadrupedError(
-            f"--training: there is no setting {short(unknown[0])}; `mini-quadruped train --help-all` lists them, with "
-            f"_ here in place of -"
+            f"--training: there is no setting {short(unknown[0])}; `mini-quadruped train --help` lists them, with "
+            f"_ here instead of -"
         )
     results = []
     for mode in arguments.action_modes:

@@ -30,7 +30,6 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.utils.files import write_json
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 
 if TYPE_CHECKING:
@@ -57,9 +56,7 @@ Result = dict[str, Any]
 
 def main() -> int:
     """Run the program."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sample", type=int, metavar="N", help="try N bugs, drawn at random")
     parser.add_argument("--seed", type=int, default=0, help="of the draw")
     parser.add_argument("--only", default="", metavar="NAME", help="try bugs whose name begins so")

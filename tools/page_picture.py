@@ -17,7 +17,6 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 # isort: split
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import SHOWN as POLICY
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 from quadruped_env.walking_page import PAGE_FILE, write_page
 
@@ -37,9 +36,7 @@ SHOWN = """() => {
 
 def main() -> int:
     """Parse the arguments and take the picture."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.ArgumentDefaultsHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("-o", "--output", type=Path, default=PICTURE, help="what to write, over")
     arguments = parser.parse_args()
     return run_program(parser.prog, lambda: run(arguments))

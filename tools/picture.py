@@ -9,17 +9,14 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
 # isort: split
-import numpy as np
 
-from quadruped_env.cli.progress_line import ProgressLine
-from quadruped_env.control.clock import frequency_at
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.policies.files import SHOWN
 from quadruped_env.report.films.film import Clip
 from quadruped_env.report.films.video import prepare_video, save_film
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 
 START, STRIDES = 3.0, 6
 """Time after which the gait is steady, s, and number of strides in the loop."""
@@ -27,9 +24,7 @@ START, STRIDES = 3.0, 6
 
 def main() -> int:
     """Parse the arguments and draw."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.ArgumentDefaultsHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument("--policy", default=SHOWN, help="a run, or a shipped policy")
     parser.add_argument("--terrain", default="stairs", help="a built-in terrain")
     parser.add_argument("--velocity", type=float, default=0.4, metavar="M/S", help="commanded")
@@ -45,8 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
     prepare_video(arguments.output, overwrite=True)
     policy = load_policy(arguments.policy)
     config = policy.config.on_terrain(arguments.terrain)
-    command = np.array([[arguments.velocity, 0.0]])
-    stop = START + STRIDES / float(frequency_at(policy.config.clock_frequency, command)[0])
+    stop = START + STRIDES / policy.config.clock_frequency
     rollout = roll_out(PolicyController(policy), [(arguments.velocity, 0.0)], [FIRST_SEED], stop, config)
     save_film(arguments.output, [Clip.of_rollout(rollout, 0, "trained policy", START)], ProgressLine("drawing"))
     print(f"written to {arguments.output}")

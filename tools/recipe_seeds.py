@@ -35,25 +35,23 @@ import numpy as np
 
 from benchmarks.recipe_plots import recipe_curves
 from benchmarks.shipping import disturbed
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.confidence import proportion
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.learning_gain import learning_gain
 from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
-from quadruped_env.evaluation.suite import command_map, joystick, terrains
-from quadruped_env.evaluation.suite import gait as suite_gait
-from quadruped_env.evaluation.suite import regulation as suite_regulation
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.changing import run_joystick
+from quadruped_env.evaluation.suite.steady import run_command_map, run_gait, run_regulation
 from quadruped_env.evaluation.suite.suite_definition import Joystick, full_suite
+from quadruped_env.evaluation.suite.terrains import run_terrain
 from quadruped_env.policies import ZeroController
 from quadruped_env.report.plots.learning_plots import read_progress
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
 from quadruped_env.utils.files import write_whole
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
-from quadruped_env.utils.progress import Progress, part_of
+from quadruped_env.utils.progress import Progress, ProgressLine, part_of
 
 STRAIGHT_COMMANDS: Final = ((-0.2, 0.0), (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.3, 0.0), (0.4, 0.0), (0.5, 0.0))
 TURN_COMMANDS: Final = ((0.0, 0.5), (0.0, -0.5), (0.3, 0.5), (0.3, -0.5))
@@ -73,7 +71,7 @@ Row = dict[str, float]
 """Column -> value."""
 
 
-def learning(measured: MeasuredController, progress: Progress) -> Row:
+def learning(measured: Candidate, progress: Progress) -> Row:
     """Policy and zero action in the policy's own task."""
     gain = learning_gain(measured.controller.policy, progress=progress, motion_seeds=0)  # type: ignore[attr-defined]
     policy, zero = gain.policy, gain.zero
@@ -88,33 +86,33 @@ def learning(measured: MeasuredController, progress: Progress) -> Row:
     }
 
 
-def commands(measured: MeasuredController, progress: Progress) -> Row:
+def commands(measured: Candidate, progress: Progress) -> Row:
     """Commands of the suite that are met, and falls per hour of its joystick commands."""
     suite = full_suite()
-    met = [command_map.run(suite.commands, one, None)["met"]["mean"] for one in (measured, measured.zero_action())]
+    met = [run_command_map(suite.commands, one, None)["met"]["mean"] for one in (measured, measured.zero_action())]
     row = {"commands met, %": 100.0 * met[0], "zero action, %": 100.0 * met[1]}
     return row | joystick_hours(measured, progress, suite.joystick)
 
 
-def joystick_hours(measured: MeasuredController, progress: Progress, part: Joystick = TEN_HOURS) -> Row:
+def joystick_hours(measured: Candidate, progress: Progress, part: Joystick = TEN_HOURS) -> Row:
     """Falls per hour of joystick commands, and the upper end of their 95 % interval."""
     row: Row = {}
-    for name, law in joystick.run(part, measured, progress).items():
+    for name, law in run_joystick(part, measured, progress).items():
         share = law["falls_per_hour"]
         row |= {f"falls per hour, {name}": share["mean"], f"95 % to, {name}": share["high"]}
     return row
 
 
-def regulation(measured: MeasuredController, progress: Progress) -> Row:
+def regulation(measured: Candidate, progress: Progress) -> Row:
     """Episodes that keep both velocities under each disturbance of the suite, of the policy and its zero action, %."""
     part = full_suite().regulation
-    policy = suite_regulation.run(part, measured, part_of(progress, 0.0, 0.5))
-    zero = suite_regulation.run(part, measured.zero_action(), part_of(progress, 0.5, 1.0))
+    policy = run_regulation(part, measured, part_of(progress, 0.0, 0.5))
+    zero = run_regulation(part, measured.zero_action(), part_of(progress, 0.5, 1.0))
     row = {name: 100.0 * result["kept"]["mean"] for name, result in policy.items()}
     return row | {f"{name}, zero action": 100.0 * result["kept"]["mean"] for name, result in zero.items()}
 
 
-def errors(measured: MeasuredController, progress: Progress, episodes: int = 8) -> Row:
+def errors(measured: Candidate, progress: Progress, episodes: int = 8) -> Row:
     """Signed error of the mean velocity at every command, m/s or, on turns, rad/s."""
     commands = (*STRAIGHT_COMMANDS, *TURN_COMMANDS)
     rollout = measured.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 20.0, progress)
@@ -127,7 +125,7 @@ def errors(measured: MeasuredController, progress: Progress, episodes: int = 8) 
     return row
 
 
-def own_env(measured: MeasuredController, progress: Progress, episodes: int = 300, seconds: float = 20.0) -> Row:
+def own_env(measured: Candidate, progress: Progress, episodes: int = 300, seconds: float = 20.0) -> Row:
     """Episodes of the env of the policy's training, with random commands, that end in a fall, and their share in %."""
     policy = measured.controller.policy  # type: ignore[attr-defined]
     env = policy.make_vec_env(episodes)
@@ -156,7 +154,7 @@ def own_env(measured: MeasuredController, progress: Progress, episodes: int = 30
     }
 
 
-def falls(measured: MeasuredController, progress: Progress, episodes: int = 200) -> Row:
+def falls(measured: Candidate, progress: Progress, episodes: int = 200) -> Row:
     """Share of episodes that end in a fall with the preset `hard`, and of time tilted by more than 0.3 rad, %."""
     policy = measured.controller.policy  # type: ignore[attr-defined]
     result = disturbed(policy, episodes, part_of(progress, 0.0, 0.5))
@@ -166,9 +164,9 @@ def falls(measured: MeasuredController, progress: Progress, episodes: int = 200)
     return {name: 100.0 * share for name, share in shares.items()}
 
 
-def gait(measured: MeasuredController, progress: Progress) -> Row:
+def gait(measured: Candidate, progress: Progress) -> Row:
     """Least clearance (mm), most bounces, largest difference of duty factors, and the electrical cost of transport."""
-    commands = suite_gait.run(full_suite().gait, measured, progress)["commands"]
+    commands = run_gait(full_suite().gait, measured, progress)["commands"]
     groups = {
         "forwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] > 0.0],
         "backwards": [entry for entry in commands if entry["command"][1] == 0.0 and entry["command"][0] < 0.0],
@@ -188,10 +186,10 @@ def _of_feet(measure: str, entries: Sequence[dict[str, Any]]) -> list[float]:
     return [math.nan if value is None else value for entry in entries for value in entry[measure]]
 
 
-def terrain(measured: MeasuredController, progress: Progress) -> Row:
+def terrain(measured: Candidate, progress: Progress) -> Row:
     """Height, depth (mm) or angle (degrees) of the highest level of each terrain that is passed; 0 for none."""
     part = full_suite().terrain
-    results = terrains.run(part, measured, progress)
+    results = run_terrain(part, measured, progress)
     row = {}
     for kind, result in results.items():
         unit, hardest = ("degrees", math.degrees(STEEPEST)) if kind == "slope" else ("mm", HIGHEST * 1e3)
@@ -199,7 +197,7 @@ def terrain(measured: MeasuredController, progress: Progress) -> Row:
     return row
 
 
-def envelope(measured: MeasuredController, progress: Progress, episodes: int = 100) -> Row:
+def envelope(measured: Candidate, progress: Progress, episodes: int = 100) -> Row:
     """Largest mean forward velocity, m/s, and yaw rate in place, rad/s, at which no episode of 10 s falls."""
     commands = (*FASTEST, *TIGHTEST)
     rollout = measured.run(commands, range(FIRST_SEED, FIRST_SEED + episodes), 10.0, progress)
@@ -217,7 +215,7 @@ def fastest(rollout: Rollout, straight: int, episodes: int) -> Row:
     }
 
 
-MEASURES: Final[dict[str, Callable[[MeasuredController, Progress], Row]]] = {
+MEASURES: Final[dict[str, Callable[[Candidate, Progress], Row]]] = {
     "learning": learning,
     "commands": commands,
     "joystick": joystick_hours,
@@ -234,9 +232,7 @@ CURVES: Final = "curves"
 
 def main() -> int:
     """Parse the arguments and measure."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", nargs="+", metavar="RUN", help="a run's directory")
     parser.add_argument(
         "--only", action="append", choices=[*MEASURES, CURVES], help="may be given several times; default: all measures"
@@ -260,7 +256,7 @@ def run(arguments: argparse.Namespace) -> int:
             rows = []
             for evaluated in policies:
                 progress = ProgressLine(f"{measure} of {evaluated.name}")
-                rows.append(MEASURES[measure](MeasuredController.of_policy(evaluated.policy, evaluated.name), progress))
+                rows.append(MEASURES[measure](Candidate.of_policy(evaluated.policy, evaluated.name), progress))
             print(f"\n{recipe}, {measure}\n\n{table(rows, [_seed(evaluated) for evaluated in policies])}", flush=True)
     if CURVES in wanted:
         curves = {

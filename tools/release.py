@@ -29,7 +29,7 @@ class ReleaseError(Exception):
 
 
 def check_release(folder: Path, tag: str) -> None:
-    """Check that a checkout's version is that of the tag, and its changelog has a dated section for it, on top.
+    """Check that a checkout's version is the tag's, and its changelog has a dated section for it, on top.
 
     Raises:
         ReleaseError: if not; the message says what to change.
@@ -47,7 +47,7 @@ def check_release(folder: Path, tag: str) -> None:
 
 
 def prepare(folder: Path, address: str, tag: str) -> None:
-    """Give a copy of a checkout the links and addresses of an index page; `address` is that of the repository."""
+    """Give a copy of a checkout the links and addresses of an index page; `address` is the repository's."""
     page = folder / "README.md"
     page.write_text(
         absolute(PLACEHOLDER.sub(rf"git clone {address} \1", page.read_text(encoding="utf-8")), address, tag),

@@ -12,17 +12,14 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import ship
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.policies.files import SHIPPED
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 
 
 def main() -> int:
     """Parse the arguments and ship; fails where the policy does not pass the acceptance test."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", type=Path, nargs="?", default=Path("runs/latest"), help="a run (%(default)s)")
     parser.add_argument("--name", choices=SHIPPED, default=SHIPPED[0], help="what load_policy calls it (%(default)s)")
     arguments = parser.parse_args()

@@ -18,19 +18,16 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
 # isort: split
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 from second_engine.engines import Approximation, Drake, check_drake
 from second_engine.transfer import NUM_SEEDS, SECONDS, run_transfer
 
 
 def main(argv: list[str] | None = None) -> int:
     """Parse the arguments and run both engines."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run", nargs="?", metavar="RUN", help="run directory or shipped policy")
     parser.add_argument(
         "--command",
@@ -56,7 +53,7 @@ def main(argv: list[str] | None = None) -> int:
         "--friction",
         type=float,
         metavar="MU",
-        help="coefficient of friction in Drake (default: that of the feet in MuJoCo)",
+        help="coefficient of friction in Drake (default: the feet's in MuJoCo)",
     )
     arguments = parser.parse_args(argv)
     return run_program(parser.prog, lambda: run(arguments))

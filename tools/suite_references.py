@@ -5,7 +5,7 @@ tools/suite_references.py --only rough              the other rows stay as they 
 tools/suite_references.py --only flat --result results/<name>/suite.json    of `mini-quadruped evaluate flat --suite`
 tools/suite_references.py --policy mine=runs/<name>
 
-The row of a policy is followed by that of the zero action in its task. The results of a shipped policy also go onto
+The row of a policy is followed by the row of the zero action in its task. The results of a shipped policy also go onto
 its card.
 """
 
@@ -19,18 +19,17 @@ sys.path.append(str(Path(__file__).parents[1]))  # a checkout need not be instal
 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 from benchmarks.shipping import note_suite, reference_row, without_suite
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.evaluation.suite.suite import (
+from quadruped_env.evaluation.results import (
     REFERENCE_FILE,
     check_comparable,
     read_references,
     read_results,
-    run_suite,
     score_table,
     with_zero_action,
 )
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite import run_suite
 from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
@@ -44,16 +43,14 @@ from quadruped_env.policies.files import SHIPPED
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.files import write_json
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
+from quadruped_env.utils.progress import ProgressLine
 from quadruped_env.utils.provenance import git_commit, versions
 
 
 def main() -> int:
     """Parse the arguments, measure, and write the file."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
         "--policy", action="append", default=[], metavar="NAME=RUN", help="a run as a further row, under a name"
     )
@@ -71,7 +68,7 @@ def main() -> int:
         action="extend",
         default=[],
         metavar="FILE",
-        help="results of shipped policies that an evaluation wrote, in place of running the suite",
+        help="results of shipped policies that an evaluation wrote, instead of running the suite",
     )
     parser.add_argument("--quick", action="store_true", help="the quick suite, to try this program")
     parser.add_argument("-o", "--output", type=Path, default=REFERENCE_FILE, help="the file (%(default)s)")
@@ -109,7 +106,7 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
             raise QuadrupedError(f"{path}: expected the suite {suite.identity}; found {result['suite']}")
         name = result["name"]
         if name not in SHIPPED or result.get("policy", {}).get("card") != without_suite(load_policy(name).card):
-            raise QuadrupedError(f"{path}: expected results of a shipped policy, as it is now; found those of {name!r}")
+            raise QuadrupedError(f"{path}: expected a shipped policy's results, as it is now; found {name!r}'s")
         if name not in wanted:
             raise QuadrupedError(
                 f"{path}: the row {name!r} is not measured from the shipped policy; add it to --only, or leave out "
@@ -119,17 +116,15 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
     return found
 
 
-def reference_controllers(policies: Mapping[str, Policy]) -> list[MeasuredController]:
+def reference_controllers(policies: Mapping[str, Policy]) -> list[Candidate]:
     """Controllers of the reference rows: standing, three scripted gaits, and policies by name."""
     config = TaskConfig().for_robot(MINI_QUADRUPED)
     return [
-        MeasuredController("standing", ZeroController(), config),
-        MeasuredController(
-            "article", GaitController(SinusoidalGait.preset("article", MINI_QUADRUPED), "article"), config
-        ),
-        MeasuredController("sinusoid", GaitController(CommandedGait.preset("sinusoid"), "sinusoid"), config),
-        MeasuredController("tuned", GaitController(), config),
-        *(MeasuredController.of_policy(policy, name) for name, policy in policies.items()),
+        Candidate("standing", ZeroController(), config),
+        Candidate("article", GaitController(SinusoidalGait.preset("article", MINI_QUADRUPED), "article"), config),
+        Candidate("sinusoid", GaitController(CommandedGait.preset("sinusoid"), "sinusoid"), config),
+        Candidate("tuned", GaitController(), config),
+        *(Candidate.of_policy(policy, name) for name, policy in policies.items()),
     ]
 
 

@@ -23,15 +23,12 @@ from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SINUSOID, CommandedGait
 from quadruped_env.utils.files import write_json
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import run_program
 
 
 def main(argv: list[str] | None = None) -> int:
     """Parse the arguments and search."""
-    parser = argparse.ArgumentParser(
-        description=pasteable(__doc__), formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
         "--preset", choices=(*STYLES, *ONE_SPEED, SINUSOID), default="tuned", help="the gait (default: %(default)s)"
     )

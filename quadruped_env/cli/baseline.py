@@ -7,7 +7,7 @@ stance and is deterministic, so `replay`, on the same terrain, can repeat it to 
     mini-quadruped replay results/tuned.csv --mode dynamic
 
 The result is a CSV of joint states (timestamp in ns; position in rad, velocity in rad/s, effort in N m of each joint),
-or a bag for `ros2 bag play` (-o walk_bag), and next to it a JSON file of the metrics.
+or a bag for `ros2 bag play` (-o walk_bag).
 """
 
 import argparse
@@ -15,9 +15,9 @@ from pathlib import Path
 
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.gait import PRESETS
 from quadruped_env.utils.files import free_path
+from quadruped_env.utils.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,7 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=50.0,
         metavar="HZ",
-        help="joint targets per second: 50 is the robot's control rate, 20 that of the ROS 2 tutorial's publisher; "
+        help="joint targets per second: 50 is the robot's control rate, 20 the rate of the ROS 2 tutorial's publisher; "
         "measured joints always come at 50 Hz (default: %(default)g)",
     )
     parser.add_argument(
@@ -60,11 +60,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Measure, record, and print the metrics."""
     from quadruped_env.control.task_file import load_robot
-    from quadruped_env.evaluation.baseline import check_target, report_path, run_baseline
+    from quadruped_env.evaluation.baseline import run_baseline
+    from quadruped_env.trajectory import saving
 
     name = f"baseline-{arguments.preset}{'-commands' if arguments.commands else ''}.csv"
     output = arguments.output or free_path(Path("results") / name)
-    check_target(output, arguments.overwrite)
+    saving.check(output, arguments.overwrite)
     baseline = run_baseline(
         arguments.preset,
         arguments.seconds,
@@ -74,7 +75,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         robot=load_robot(arguments.task),
         terrain=options.named_terrain(arguments),
     )
-    baseline.save(output, arguments.commands, arguments.overwrite)
-    print(baseline.table())
-    print(f"\n{'commands' if arguments.commands else 'measured joints'}: {output}\nmetrics: {report_path(output)}")
+    if arguments.commands:
+        baseline.commands.save(output, arguments.overwrite, robot=baseline.recording.robot)
+    else:
+        baseline.recording.save(output, arguments.overwrite)
+    print(f"{baseline.table()}\n\n{'commands' if arguments.commands else 'measured joints'}: {output}")
     return 0

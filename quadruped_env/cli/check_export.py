@@ -20,7 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--trace",
         type=Path,
         metavar="FILE",
-        help="CSV file with the columns of golden_trace.csv, or those of some fields, by your own program",
+        help="CSV file with the columns of golden_trace.csv, or of some fields, by your own program",
     )
 
 

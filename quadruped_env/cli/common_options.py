@@ -8,13 +8,12 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS
 from quadruped_env.policies.files import DEFAULT, SHIPPED
 from quadruped_env.report.films.film import Clip
-from quadruped_env.report.films.video import STILLS, SUFFIXES, save_film
+from quadruped_env.report.films.video import SUFFIXES, save_film
 from quadruped_env.simulation.built_in_terrains import NAMES, TERRAINS, find_terrain
 from quadruped_env.simulation.terrain import LEVELS, Terrain
 from quadruped_env.task import PRESETS
@@ -22,7 +21,7 @@ from quadruped_env.trajectory.joint_trajectory import JointTrajectory
 from quadruped_env.trajectory.reading import REPAIRS, UNITS, ReadOptions
 from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.program import Extras
-from quadruped_env.utils.progress import Progress
+from quadruped_env.utils.progress import Progress, ProgressLine
 
 NEXT_FREE: Final = "or that name with the next free number"
 SHIPPED_POLICIES: Final = f"{', '.join(SHIPPED[:-1])} or {SHIPPED[-1]}"
@@ -54,7 +53,7 @@ def add_video(parser: argparse.ArgumentParser) -> None:
         "--video",
         type=Path,
         metavar="FILE",
-        help=f"also film the robot: {', '.join(SUFFIXES[:-1])}, or {SUFFIXES[-1]} for {STILLS} stills side by side",
+        help=f"also film the robot, as {' or '.join(SUFFIXES)}",
     )
 
 
@@ -76,7 +75,7 @@ def add_task_file(parser: argparse.ArgumentParser) -> None:
         help="Python file of the terms or the robot that a run was trained with, if it was, also another version of "
         "it; it is executed (docs/make-it-yours.md)",
     )
-    add_trust_task(group, "execute the copy of that file that the run keeps, in place of --task FILE")
+    add_trust_task(group, "execute the copy of that file that the run keeps instead of --task FILE")
 
 
 def add_trust_task(parser: argparse._ActionsContainer, text: str) -> None:
@@ -182,7 +181,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
 
 
 _READING: Final[Mapping[str, Mapping[str, Any]]] = {
-    "--topic": {"metavar": "A[,B,...]", "help": "topic of the joint states, for a bag or JSON lines that have several"},
+    "--topic": {"metavar": "A[,B,...]", "help": "topic of the joint states, for a bag that has several"},
     "--columns": {"metavar": "MAP.toml", "help": "map of the columns of a CSV: table [columns]"},
     "--map": {
         "dest": "joint_map",
@@ -202,7 +201,7 @@ _READING: Final[Mapping[str, Mapping[str, Any]]] = {
     },
     "--stamps": {
         "metavar": "header|log|S",
-        "help": "timestamps: those of the headers, the times at which a bag recorded the messages, or none of them but "
+        "help": "timestamps: from the headers, from the times at which a bag recorded the messages, or neither but "
         "this time in s from row to row; default: header",
     },
     "--ignore": {

@@ -10,9 +10,9 @@ from pathlib import Path
 
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.utils.files import free_path
 from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -35,9 +35,11 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Compare, write the report, and print its summary."""
     from quadruped_env.evaluation.comparison import compare
     from quadruped_env.evaluation.learning_gain import gain_beside
-    from quadruped_env.report.pages.page import METRICS_FILE, summary_table
-    from quadruped_env.report.pages.run_comparison import find_policies, headline, write_numbers, write_page
+    from quadruped_env.report.pages.page import METRICS_FILE
+    from quadruped_env.report.pages.report import write_comparison, write_comparison_numbers
+    from quadruped_env.report.pages.run_comparison import find_policies, headline
     from quadruped_env.report.pages.suite_section import ranking, ranking_in_words
+    from quadruped_env.report.pages.tables import summary_table
     from quadruped_env.report.report_directory import REPORT_FILE, prepare_output, print_report
 
     output = arguments.output or free_path(Path("results", "comparison"))
@@ -58,13 +60,13 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         for name, evaluated in policies.items()
     }
     command = f"{invocation.program} {sources} {options.evaluation_options(arguments)}"
-    document = write_numbers(policies, comparison, output, command, ranked, gains)
+    document = write_comparison_numbers(policies, comparison, output, command, ranked, gains)
     print(f"\n{summary_table(comparison)}\n\n{headline(comparison, list(policies))}\n")
     print("\n".join(f"{name}: it {gain.verdict()}" for name, gain in gains.items()))
     print(f"numbers: {output / METRICS_FILE}")
     extras = Extras()
     with extras.part(REPORT_FILE):
-        print_report(write_page(policies, comparison, output, document, ranked, gains), [])
+        print_report(write_comparison(policies, comparison, output, document, ranked, gains), [])
     if ranked is not None:
         print(f"{ranking_in_words(ranked)}\n")
     return extras.status

@@ -15,7 +15,6 @@ from quadruped_env.cli.invocation import Invocation
 from quadruped_env.gait import PRESETS
 from quadruped_env.policies.files import SHIPPED
 from quadruped_env.simulation import TERRAINS
-from quadruped_env.utils.program import HelpAll
 
 SHELLS: Final = ("bash", "zsh", "fish")
 _POLICIES: Final = ("run", "runs", "source", "sources", "policy")
@@ -47,9 +46,6 @@ def _add_values(parser: argparse.ArgumentParser) -> None:
         if isinstance(action, argparse._SubParsersAction):
             for command in action.choices.values():
                 _add_values(command)
-        elif isinstance(action, HelpAll):
-            for hidden, text in action.hidden.items():
-                hidden.help = text
         elif action.dest in _POLICIES:
             action.complete = _names_or_files(*SHIPPED, *PRESETS)  # type: ignore[attr-defined]
         elif action.dest == "terrain":

@@ -1,8 +1,8 @@
 """Convert a recording of joint states from any known format to another.
 
 The format of IN is detected by its content: this project's CSV, any CSV with --columns, the output of
-`ros2 topic echo /joint_states` (YAML, or CSV with --csv), JSON lines of rosbridge, a rosbag2 bag (its directory or its
-bare .mcap or .db3 file, compressed or not), a ROS 1 bag, a CSV whose columns bear the joints' names.
+`ros2 topic echo /joint_states` (YAML, or CSV with --csv), a rosbag2 bag (its directory or its bare .mcap or .db3 file,
+compressed or not), a ROS 1 bag, a CSV whose columns bear the joints' names.
 The format of OUT follows from its name:
 
     NAME.csv                this project's CSV
@@ -26,11 +26,11 @@ import numpy as np
 
 from quadruped_env.cli.common_options import add_overwrite, add_reading_options, add_robot_file, load_with
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.trajectory import JointTrajectory, saving
 from quadruped_env.trajectory.formats.bag_writer import STORAGES
+from quadruped_env.utils.progress import ProgressLine
 
 _GAPS_SHOWN: Final = 5
 

@@ -21,9 +21,9 @@ from quadruped_env.cli.common_options import (
     save_video,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 if TYPE_CHECKING:
     from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
@@ -35,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_evaluation_options(parser, "RUN/evaluation, or results/flat")
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video(parser)
-    add_overwrite(parser, "replace files that exist, such as that of --video")
+    add_overwrite(parser, "replace files that exist, such as the video")
     parser.add_argument(
         "--suite",
         action="store_true",
@@ -60,15 +60,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Evaluate, write the report, and print its summary."""
     from quadruped_env.api import Evaluation
     from quadruped_env.evaluation.evaluated_policy import find_policy
-    from quadruped_env.evaluation.suite.suite import (
-        ranked,
-        read_references,
-        references_for,
-        score_table,
-        with_zero_action,
-    )
+    from quadruped_env.evaluation.results import ranked, read_references, references_for, score_table, with_zero_action
     from quadruped_env.report.films.video import prepare_video
-    from quadruped_env.report.pages.pictures import filmed, recorded
+    from quadruped_env.report.pages.clips import filmed, recorded
     from quadruped_env.report.report_directory import prepare_output
     from quadruped_env.trajectory import saving
 
@@ -111,12 +105,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 def _suite(evaluated: "EvaluatedPolicy", quick: bool) -> dict[str, Any]:
     """Run the suite."""
-    from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-    from quadruped_env.evaluation.suite.suite import episode_seconds, run_suite
+    from quadruped_env.evaluation.suite.candidate import Candidate
+    from quadruped_env.evaluation.suite.suite import run_suite
     from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
 
     suite = quick_suite() if quick else full_suite()
-    hours = 2.0 * sum(episode_seconds(suite).values()) / 3600.0
-    print(f"{suite.label}: up to {hours:.1f} hours of simulated time, with and without the policy's action")
-    measured = MeasuredController.of_policy(evaluated.policy, evaluated.name)
-    return run_suite(measured, suite, ProgressLine(suite.label), zero_action=True)
+    candidate = Candidate.of_policy(evaluated.policy, evaluated.name)
+    return run_suite(candidate, suite, ProgressLine(suite.label), zero_action=True)

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 from quadruped_env.cli.common_options import add_output, add_overwrite, add_run, add_task_file
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
+from quadruped_env.utils.progress import ProgressLine
 
 if TYPE_CHECKING:
     from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy

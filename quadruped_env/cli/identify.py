@@ -14,12 +14,10 @@ uses. Targets are joint positions; each holds until the next. Both recordings mu
 Estimated for hips and for knees: stall_torque, kp, kd, damping, friction_loss and armature; and one delay for all
 joints. A parameter that the recording does not determine keeps its value and is reported. A recording is good if the
 joints move fast and in both directions, sometimes up to the motors' limits, with the robot on a stand and its feet in
-the air (--base fixed). A recording on the ground is of little use: with --base fixed the contact forces appear as
-friction and inertia, and with --base free contacts make the error so discontinuous that the estimates may be wrong.
-Therefore the two bases are compared before the fit; if the other one explains the recording better, the result says so
-and warns that the motors are not reliable. Confidence intervals are given only for a robot on a stand. They allow for
-residuals that are correlated over time, between signals and between joints. Estimates and intervals hold only if the
-parameters that are not fitted are right: with --fit kp, a wrong kd gives an interval that excludes the true kp.
+the air. A recording on the ground is refused: its contact forces would appear as friction and inertia. Confidence
+intervals allow for residuals that are correlated over time, between signals and between joints. Estimates and intervals
+hold only if the parameters that are not fitted are right: with --fit kp, a wrong kd gives an interval that excludes the
+true kp.
 
 Results: motors.json, which the environment accepts as its config,
 
@@ -41,12 +39,12 @@ from quadruped_env.cli.common_options import (
     reading_options,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.identification import BASES, FITTED, QUANTITIES
+from quadruped_env.identification import FITTED, QUANTITIES
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.files import check_free, free_path
-from quadruped_env.utils.program import Extras, shorten_help
+from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -60,12 +58,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="MAP.toml",
         help="map of the columns of the joint targets, in the file of --commands or in FILE (default: --columns). For "
         'the same --map they bear the names of the measured joints: positions = { q_0 = "q_des_0" }',
-    )
-    parser.add_argument(
-        "--base",
-        choices=BASES,
-        default=BASES[0],
-        help="fixed: the robot hangs on a stand, feet in the air; free: it is on flat ground (default: %(default)s)",
     )
     parser.add_argument(
         "--fit",
@@ -89,18 +81,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_output(parser, "DIR", f"directory of the results (default: results/identify-FILE, {NEXT_FREE})")
     add_overwrite(parser)
     add_reading_options(parser)
-    shorten_help(
-        parser,
-        "--commands",
-        "--commands-topic",
-        "--commands-columns",
-        "--base",
-        "--fit",
-        "--columns",
-        "--map",
-        "--task",
-        "--output",
-    )
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -129,9 +109,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     found = identify(
         measured,
         commands,
-        arguments.base,
-        start,
-        arguments.fit,
+        start=start,
+        fitted=arguments.fit,
         without=arguments.without,
         progress=ProgressLine("fitting"),
         robot=robot,

@@ -33,7 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--action-mode",
         choices=ACTION_MODES,
-        help="action mode of the training's env (default: that of --task, or position, as of gymnasium.make)",
+        help="action mode of the training's env (default: from --task, or position, as for gymnasium.make)",
     )
     parser.add_argument(
         "--task",

@@ -8,7 +8,6 @@ from types import ModuleType
 from typing import Final
 
 from quadruped_env.utils.files import shown_argument
-from quadruped_env.utils.interpreter import pasteable
 from quadruped_env.utils.program import HelpFormatter
 
 SUMMARIES: Final = {
@@ -57,6 +56,6 @@ def command_module(name: str) -> ModuleType:
 
 def describe(parser: argparse.ArgumentParser, module: ModuleType) -> None:
     """Give a parser the description and the arguments of a command."""
-    parser.description = pasteable(module.__doc__)
+    parser.description = module.__doc__
     parser.formatter_class = HelpFormatter
     module.add_arguments(parser)

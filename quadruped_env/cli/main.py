@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from quadruped_env._version import __version__
 from quadruped_env.cli.invocation import SUMMARIES, Invocation, command_module, describe
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.utils.interpreter import COMMAND, pasteable
+from quadruped_env.utils.interpreter import COMMAND
 from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
 
 _DESCRIPTION = """\
@@ -26,9 +26,7 @@ first steps:
 
 def make_parser(only: str | None = None) -> argparse.ArgumentParser:
     """The parser of `mini-quadruped`; with `only`, no module of the other commands is imported."""
-    parser = ArgumentParser(
-        prog=COMMAND, description=_DESCRIPTION, epilog=pasteable(_EPILOG), formatter_class=HelpFormatter
-    )
+    parser = ArgumentParser(prog=COMMAND, description=_DESCRIPTION, epilog=_EPILOG, formatter_class=HelpFormatter)
     parser.add_argument("--version", action="version", version=f"{COMMAND} {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, title="commands")
     for name, summary in SUMMARIES.items():

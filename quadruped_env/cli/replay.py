@@ -27,10 +27,10 @@ from pathlib import Path
 from quadruped_env.cli import common_options as options
 from quadruped_env.cli.common_options import add_reading_options, load_with
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.replay.replay import MODES
 from quadruped_env.utils.files import check_free, free_path
-from quadruped_env.utils.program import Extras, shorten_help
+from quadruped_env.utils.program import Extras
+from quadruped_env.utils.progress import ProgressLine
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         const=True,
         metavar="RECORDING",
-        help="compare the simulated positions, velocities and efforts with those of a recording on the same clock: of "
+        help="compare the simulated positions, velocities and efforts with a recording on the same clock, made by "
         "the robot that received the targets in FILE; without a name, with FILE's own",
     )
     parser.add_argument(
@@ -55,8 +55,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     options.add_video(parser)
     options.add_overwrite(parser)
     add_reading_options(parser)
-    of_reading, others = ("--columns", "--map"), ("--task", "--terrain", "--output", "--video")
-    shorten_help(parser, "--mode", "--compare", "--motors", *of_reading, *others)
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:

@@ -22,16 +22,16 @@ from typing import Final
 
 from quadruped_env.cli.common_options import add_output, add_trust_task
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.cli.train import add_settings, typed_settings
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.sweep.folder import Sweep
-from quadruped_env.sweep.search import parse_dimension
+from quadruped_env.sweep.space import parse_dimension
 from quadruped_env.training import TrainConfig
 from quadruped_env.utils.files import free_path
 from quadruped_env.utils.interpreter import program_command
-from quadruped_env.utils.program import CLEAR_LINE, SYSTEM_ERROR_STATUS, Extras, shorten_help
+from quadruped_env.utils.program import CLEAR_LINE, Extras
+from quadruped_env.utils.progress import ProgressLine
 from quadruped_env.utils.provenance import cores
 
 SWEEPS: Final = Path("sweeps")
@@ -41,6 +41,8 @@ _BESIDE_A_SWEEP: Final = (
     *("command", "in_options"),  # of the parser
 )
 """Arguments next to the directory of a sweep; those that define a sweep are None, or missing, if they are not typed."""
+UNFINISHED_STATUS: Final = 1
+"""Exit status while a trial has failed, or is open."""
 DEFAULT_TRIALS: Final = 20
 """Settings of a search without --trials in a space of more."""
 
@@ -78,8 +80,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_trust_task(group, "with --work or --ray: execute the sweep's copy of its task file")
     add_settings(parser)
-    shown = ("--seeds", "--vary", "--trials", "--output", "--workers", "--work", "--ray", "--report", "--retry-failed")
-    shorten_help(parser, *shown, "--recipe", "--timesteps")
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -109,7 +109,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
             print(line, file=sys.stderr)
         if sweep.open_trials():
             print(f"{len(sweep.open_trials())} trials are open; go on with:  {again}")
-            return SYSTEM_ERROR_STATUS
+            return UNFINISHED_STATUS
     return print_results(sweep)
 
 
@@ -134,14 +134,14 @@ def make(arguments: argparse.Namespace, command: str) -> Sweep:
         QuadrupedError: if an option is not valid.
     """
     if arguments.retry_failed or arguments.trust_task or (arguments.workers or 0) < 0:
-        raise QuadrupedError("retry_failed, trust_task: only with --work or --ray; workers: expected 0 or more")
+        raise QuadrupedError("--retry-failed, --trust-task: only with --work or --ray; --workers: 0 or more")
     typed, task_file, definition, whole = typed_settings(arguments)
     sections, name = tuple(sorted(whole)), typed.get("name", typed.get("algo", TrainConfig.name))
     base = Sweep(Path(), typed, sections).config({}, 0, definition)
     task = task_config(base.action_mode, base.task, task_file).to_dict()
     space = [parse_dimension(text, task) for text in arguments.vary or ()]
     if len(dict(space)) < len(space):
-        raise QuadrupedError(f"vary: found {', '.join(field for field, _ in space)}; give each field once")
+        raise QuadrupedError(f"--vary: found {', '.join(field for field, _ in space)}; give each field once")
     path = free_path(arguments.output / f"{time.strftime('%Y%m%d-%H%M%S')}-{name}")
     sweep = Sweep(path, typed, sections, dict(space), seeds=1 if arguments.seeds is None else arguments.seeds)
     settings = DEFAULT_TRIALS if math.isinf(sweep.size) else int(sweep.size)
@@ -154,31 +154,25 @@ def check_no_definition(arguments: argparse.Namespace) -> None:
     """Refuse options that define a sweep next to the directory of one."""
     for name, value in vars(arguments).items():
         if value is not None and name not in _BESIDE_A_SWEEP:
-            raise QuadrupedError(f"{name}: a sweep keeps its own definition; leave the option out")
+            raise QuadrupedError(f"--{name.replace('_', '-')}: a sweep keeps its own definition; leave the option out")
 
 
 def print_results(sweep: Sweep) -> int:
-    """Write the report of a sweep, print its results; the exit status: 1 if a trial failed."""
-    from quadruped_env.sweep.report import collect, estimate_in_words, headline, score_of, setting_in_words
+    """Write the report of a sweep, and print its results; the exit status: 1 if a trial failed."""
+    from quadruped_env.sweep.report import collect, headline, table, write_report
 
     found, extras = collect(sweep), Extras()
-    if found["settings"]:
-        print("\nscore: mean over the seeds [95 % interval], quick suite")
-    for entry in found["settings"]:
-        print(f"{estimate_in_words(score_of(entry['results']))}  {setting_in_words(entry, sweep.seeds)}")
-    print(f"\n{headline(found)}")
+    print(f"\n{table(found, sweep.seeds).text()}\n\n{headline(found)}")
     with extras.part("report.html"):
-        from quadruped_env.sweep.report import write_report
-
         print(f"report:  {write_report(sweep)}")
     if found["best"] is not None:
         task = ["--trust-task"] * (sweep.task_file is not None)
         print(f"see it walk:  {program_command('view', sweep.path / found['best']['run'], *task)}")
-    return SYSTEM_ERROR_STATUS if found["states"]["failed"] else extras.status
+    return UNFINISHED_STATUS if found["states"]["failed"] else extras.status
 
 
 class Progress:
-    """Prints each result of a sweep once, and the progress of the whole, whenever it is called."""
+    """Prints each new result of a sweep, and the progress of the whole, whenever it is called."""
 
     def __init__(self, sweep: Sweep) -> None:
         self._sweep, self._open, self._line = sweep, sweep.open_trials(), ProgressLine("sweep")
@@ -187,9 +181,10 @@ class Progress:
         """Look at the files."""
         from quadruped_env.sweep.worker import result_in_words, share_done
 
-        for number in self._open:
+        before, self._open = self._open, self._sweep.open_trials()
+        for number in before:
             if (result := self._sweep.result(number)) is not None:
                 print(f"{CLEAR_LINE * sys.stderr.isatty()}{result_in_words(number, result)}", flush=True)
-        self._open = [number for number in self._open if self._sweep.result(number) is None]
+        count, done = len(self._sweep), len(self._sweep) - len(self._open)
         begun = sum(share_done(self._sweep.trial(number)) for number in self._open)
-        self._line((len(self._sweep) - len(self._open) + begun) / len(self._sweep))
+        self._line((done + begun) / count, f", {done} of {count} trials done")

@@ -26,11 +26,10 @@ from quadruped_env.cli.common_options import (
     check_level_has_terrain,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.cli.progress_line import ProgressLine
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.evaluation.comparison import COMMANDS
+from quadruped_env.evaluation.conditions import COMMANDS
 from quadruped_env.evaluation.learning_gain import EPISODES, MOTION_SEEDS, LearningGain, learning_gain
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import kept_file
@@ -40,39 +39,14 @@ from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.recipes import RECIPES, with_recipe
 from quadruped_env.utils.documents import parse_json, read_json
+from quadruped_env.utils.fields import hints_of
 from quadruped_env.utils.files import write_whole
 from quadruped_env.utils.interpreter import module_command, program_command
-from quadruped_env.utils.program import shorten_help, stopped_status
+from quadruped_env.utils.program import stopped_status
+from quadruped_env.utils.progress import ProgressLine
 
 RUNS: Final = Path("runs")
 """Default directory of the run directories."""
-_OPTIONS: Final = (
-    "recipe",
-    "algo",
-    "action_mode",
-    "timesteps",
-    "seconds",
-    "seed",
-    "num_envs",
-    "name",
-    "checkpoint_seconds",
-    "task",
-    "n_steps",
-    "batch_size",
-    "n_epochs",
-    "learning_rate",
-    "gamma",
-    "hidden",
-    "activation",
-    "symmetric",
-    "asymmetric_critic",
-    "log_std_init",
-    "final_log_std",
-)
-"""Fields of `TrainConfig` that are options. The others are set in Python, `quadruped_env.train(tau=0.01)`."""
-_METAVARS: Final[dict[type, str]] = {int: "N", float: "X", str: "NAME"}
-_SHOWN: Final = ("--recipe", "--task", "--terrain", "--randomization", "--timesteps", "--seconds", "--seed")
-"""Options of the settings that `--help` shows."""
 _MANY: Final = 10**18
 """Bound of a count that is parsed: 1e999999999 would fill the memory."""
 _TASK_RULE: Final = """expected a JSON object such as '{"command": {"yaw_rate": [-0.4, 0.4]}}'"""
@@ -90,42 +64,68 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "they were",
     )
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS)
-    add_trust_task(
-        parser, "with --resume: execute the copy of the task file that the run keeps, in place of --task FILE"
-    )
-    shorten_help(parser, *_SHOWN, "--resume", "--output")
+    add_trust_task(parser, "with --resume: execute the copy of the task file that the run keeps instead of --task FILE")
 
 
 def add_settings(parser: argparse.ArgumentParser) -> None:
     """Add the options of `TrainConfig`, `--terrain` and `--randomization`."""
-    docs, defaults = field_docs(TrainConfig), vars(TrainConfig())
-    for name in _OPTIONS:
-        default, field = defaults[name], TrainConfig.__dataclass_fields__[name]
-        text = docs[name]
-        if name == "recipe":
-            text += ". " + "; ".join(f"{name}: {entry.description}" for name, entry in RECIPES.items())
-        # Without defaults: those of a recipe, an algorithm or a resumed run differ.
-        options: dict[str, Any] = {"default": argparse.SUPPRESS, "help": f"{text} (default: {_in_words(default)})"}
-        if name == "hidden":
-            options.update(type=int, nargs="+", metavar="N")
-        elif name == "task":
-            options.update(
-                type=task_change,
-                action="append",
-                metavar="TASK",
-                help="a Python file of terms (docs/make-it-yours.md), a JSON file of changes to the task's config, or "
-                "these changes as JSON; may be given again",
-            )
-        elif isinstance(default, bool):
-            options.update(action=argparse.BooleanOptionalAction)
-        elif get_args(field.type) and isinstance(default, str):
-            options.update(choices=get_args(field.type))
-        else:
-            kind = float if name == "seconds" else type(default)
-            options.update(type=count if kind is int else kind, metavar=_METAVARS[kind])
-        parser.add_argument(f"--{name.replace('_', '-')}", **options)
-    add_terrain(parser, "that of --task, or of the --recipe")
-    add_randomization(parser, "that of --task, or of the --recipe")
+    number: dict[str, Any] = {"type": count, "metavar": "N"}
+    real: dict[str, Any] = {"type": float, "metavar": "X"}
+    recipes = "; ".join(f"{name}: {entry.description}" for name, entry in RECIPES.items())
+    hints = hints_of(TrainConfig)
+
+    def add(name: str, text: str, **how: Any) -> None:
+        # Without a default: a recipe, an algorithm or a resumed run has its own.
+        option = f"--{name.replace('_', '-')}"
+        parser.add_argument(option, default=argparse.SUPPRESS, help=f"{text} (default: {_default(name)})", **how)
+
+    def add_choice(name: str, text: str) -> None:
+        add(name, text, choices=get_args(hints[name]))
+
+    add_choice("recipe", f"named settings of the training and its task, which other options change. {recipes}")
+    add_choice("algo", "algorithm: ppo, a2c, sac, td3 or ddpg of Stable-Baselines3; trpo, tqc or crossq of sb3-contrib")
+    add_choice("action_mode", "position: learn from scratch; residual: learn on top of the scripted gait")
+    add(
+        "timesteps",
+        "budget in environment steps, summed over all envs; the same kind of processor repeats the run bit for bit",
+        **number,
+    )
+    add("seconds", "budget in seconds of wall-clock time instead; such a run cannot be repeated bit for bit", **real)
+    add("seed", "seed of the envs (each further env has the next one), the network and the exploration", **number)
+    add("num_envs", "number of parallel envs", **number)
+    add("name", "last part of the run directory's name", metavar="NAME")
+    add("checkpoint_seconds", "seconds of wall-clock time between checkpoints", **real)
+    parser.add_argument(
+        "--task",
+        default=argparse.SUPPRESS,
+        type=task_change,
+        action="append",
+        metavar="TASK",
+        help="a Python file of terms (docs/make-it-yours.md), a JSON file of changes to the task's config, or these "
+        "changes as JSON; may be given again",
+    )
+    add("n_steps", "steps of each env between updates", **number)
+    add("batch_size", "samples in a gradient step", **number)
+    add("n_epochs", "passes over the samples of an update", **number)
+    add("learning_rate", "Adam's initial step size; it decreases linearly to a tenth", **real)
+    add("gamma", "discount per step of 0.02 s", **real)
+    add("hidden", "widths of the hidden layers of the policy and of the value function", nargs="+", **number)
+    add_choice("activation", "activation function of the hidden layers")
+    flag = argparse.BooleanOptionalAction
+    add("symmetric", "make the policy left/right symmetric by construction, as the robot is", action=flag)
+    add("asymmetric_critic", "let the value function see privileged readings; the policy never sees them", action=flag)
+    add("log_std_init", "logarithm of the exploration's initial standard deviation", **real)
+    add("final_log_std", "upper bound of that logarithm at the end, reached linearly", **real)
+    add_terrain(parser, "from --task, or from the --recipe")
+    add_randomization(parser, "from --task, or from the --recipe")
+
+
+def _default(name: str) -> str:
+    """The default of a field of `TrainConfig`, in words."""
+    value = getattr(TrainConfig, name)
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return " ".join(map(str, value)) if isinstance(value, tuple) else str(value).lower()
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
@@ -136,14 +136,14 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     parent = None
     if resume is None:
         if arguments.trust_task:
-            raise QuadrupedError("trust_task: found without --resume; a new training names its file with --task FILE")
+            raise QuadrupedError("--trust-task: found without --resume; a new training names its file with --task FILE")
         config = with_recipe(typed, definition.robot, whole)
     else:
         from quadruped_env.training.resume import Parent
 
         if arguments.trust_task:
             if task_file is not None:
-                raise QuadrupedError(f"trust_task: found next to --task {task_file}; give one of them")
+                raise QuadrupedError(f"--trust-task: found next to --task {task_file}; give one of them")
             kept = kept_file(resume)
             task_file = None if kept is None else kept[0]
             definition = BUILT_IN if kept is None else load_task_file(*kept)
@@ -202,9 +202,7 @@ def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path 
     Raises:
         QuadrupedError: if a value of an option of the task is not valid.
     """
-    typed = {name: value for name, value in vars(arguments).items() if name in _OPTIONS}
-    if "hidden" in typed:
-        typed["hidden"] = tuple(typed["hidden"])
+    typed = {name: value for name, value in vars(arguments).items() if name in hints_of(TrainConfig)}
     task_file, typed_task = task_changes(typed.pop("task", []))
     check_level_has_terrain(arguments)
     definition = BUILT_IN if task_file is None else load_task_file(task_file)
@@ -215,7 +213,7 @@ def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path 
         typed_task = changed(typed_task, {"terrain": {"name": arguments.terrain, **level}})
     if arguments.randomization is not None:
         whole.add("randomization")
-        # As plain values, which a run keeps whatever becomes of the preset; those of --task change them.
+        # As plain values, which a run keeps whatever becomes of the preset; values of --task change them.
         typed_task = changed({"randomization": preset_values(arguments.randomization, definition.robot)}, typed_task)
     if typed_task:
         typed["task"] = typed_task
@@ -267,23 +265,3 @@ def task_changes(given: Sequence[Path | dict[str, Any]]) -> tuple[Path | None, d
         if isinstance(entry, dict):
             changes = changed(changes, entry)
     return next(iter(files), None), changes
-
-
-def _in_words(value: Any) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return " ".join(map(str, value)) if isinstance(value, tuple) else str(value).lower() or "none"
-
-
-def field_docs(kind: type) -> dict[str, str]:
-    """Docstring of each field of a dataclass in the source, by name of the field."""
-    import ast
-    import inspect
-    import itertools
-
-    body = ast.parse(inspect.getsource(kind)).body[0].body  # type: ignore[attr-defined]
-    return {
-        ast.unparse(statement.target): ast.literal_eval(following.value)
-        for statement, following in itertools.pairwise(body)
-        if isinstance(statement, ast.AnnAssign) and isinstance(following, ast.Expr)
-    }

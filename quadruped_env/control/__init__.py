@@ -1,6 +1,5 @@
 """Control in training and on a real robot: observations from readings, and joint targets from observations."""
 
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ActionConfig, Command, ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout, observation
@@ -9,7 +8,6 @@ __all__ = [
     "OBSERVATIONS",
     "ActionConfig",
     "Command",
-    "CommandedFrequency",
     "ControlConfig",
     "ControlInterface",
     "ObservationField",

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Final, Literal, Self
 
-from quadruped_env.control.clock import Frequency, frequency_of, middle_frequency
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.gait import CLOCK_FREQUENCY, SINUSOID, CommandedGait
 from quadruped_env.robot.robot import Robot
@@ -36,12 +35,12 @@ class ActionConfig(Fields, path="config.action"):
         """Change of the joint target per unit of action in the selected mode, rad."""
         return self.residual_scale if self.mode == "residual" else self.position_scale
 
-    def scripted_gait(self, robot: Robot, clock: Frequency) -> CommandedGait | None:
-        """Gait of a robot with a clock to which actions are added; None in `position` mode."""
+    def scripted_gait(self, robot: Robot, clock: float) -> CommandedGait | None:
+        """Gait to which the actions of a robot with a clock of a frequency in Hz are added; None in `position` mode."""
         if self.mode != "residual":
             return None
         if self.gait == SINUSOID:
-            return CommandedGait.sinusoid(robot, middle_frequency(clock))
+            return CommandedGait.sinusoid(robot, clock)
         return CommandedGait.preset(self.gait, robot)
 
 
@@ -105,7 +104,7 @@ def command_rate(robot: Robot) -> tuple[float, float]:
     return forward, turn
 
 
-ClockFrequency = Annotated[Frequency, lambda value, _: frequency_of(value)]
+ClockFrequency = Annotated[float, Parameter.positive("Hz")]
 
 
 @dataclass(frozen=True)
@@ -117,7 +116,7 @@ class LoopConfig(Fields):
     physics_timestep: Annotated[float, Parameter("s", 1e-5, 1.0)] = 0.005
     """Physics time step, s."""
     clock_frequency: ClockFrequency = CLOCK_FREQUENCY
-    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz; or a `CommandedFrequency`."""
+    """Frequency of the gait clock and, in residual mode, of the scripted gait, Hz."""
     observation_history: Annotated[int, Parameter(low=1, high=1000)] = 3
     """Number of control steps whose observations are stacked into one, the latest first; 1: only the present one."""
     action: ActionConfig = field(default_factory=ActionConfig)
@@ -134,8 +133,8 @@ class ControlConfig:
 
     timestep: float = 0.02
     """Time between actions, s."""
-    clock_frequency: Frequency = CLOCK_FREQUENCY
-    """Frequency of the gait clock, cycles per second; constant, or a function of the command."""
+    clock_frequency: float = CLOCK_FREQUENCY
+    """Frequency of the gait clock, cycles per second."""
     observation_history: int = 3
     """Control steps whose observations a policy gets at once."""
     action: ActionConfig = field(default_factory=ActionConfig)

@@ -7,7 +7,6 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.clock import frequency_at
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
@@ -15,8 +14,7 @@ from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.gait import joint_phases, wave_positions
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 class ControlInterface:
@@ -59,8 +57,8 @@ class ControlInterface:
         """1.0 where a motion is commanded, else 0.0, (N,)."""
         self.phase: Floats = memory.zeros("phase")
         """Phase of the gait clock in [0, 2 pi), (N,), rad."""
-        self._phase_step: Floats = memory.zeros("phase_step")
-        """Advance of the gait clock per control step at the present command, (N,), rad."""
+        self._phase_step = math.tau * config.clock_frequency * config.timestep
+        """Advance of the gait clock per control step, rad."""
         self.steps: NDArray[np.int64] = memory.zeros("steps", dtype=np.int64)
         """Number of control steps since the reset, (N,)."""
         self._sine: Floats = memory.zeros("gait_sine", robot.num_joints)
@@ -104,7 +102,7 @@ class ControlInterface:
         if command is None:
             command = np.zeros((len(env_ids), VELOCITY))
         self.set_command(env_ids, command)
-        # Also for zero: clock and scripted gait follow the command.
+        # Also for zero: the scripted gait follows the command.
         self._set_velocity(env_ids, command[:, :VELOCITY])
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
@@ -119,7 +117,7 @@ class ControlInterface:
     def approach_requested(self) -> None:
         """Change the velocity commands towards the requested ones, by at most what a control step allows.
 
-        Before an observation, so that it has the command that clock and scripted gait follow in the step after it.
+        Before an observation, so that it has the command that the scripted gait follows in the step after it.
         """
         missing = self.requested - self.command
         if not np.count_nonzero(missing):
@@ -134,13 +132,8 @@ class ControlInterface:
         self.command[env_ids] = velocity
         fast = np.abs(velocity) > self._moving_threshold
         self.moving[env_ids] = fast[:, 0] | fast[:, 1]
-        self._phase_step[env_ids] = self._clock_step(velocity)
         if self._gait is not None:
             self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity)
-
-    def _clock_step(self, velocity: Floats) -> Floats:
-        """Advance of the clock per control step (R,) in rad at velocity commands (R, 2)."""
-        return math.tau * frequency_at(self.config.clock_frequency, velocity) * self.config.timestep
 
     def command_of(self, name: str) -> Floats:
         """One component of the command by name, (N,)."""

@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
-from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
 
 if TYPE_CHECKING:
@@ -80,11 +79,7 @@ class GaitController:
         gait, clock = self.gait, control.config.clock_frequency
         self._command = float(control.command[0, 0]), float(control.command[0, 1])
         phase = gait.angular_frequency * control.time
-        if (
-            isinstance(gait, CommandedGait)
-            and not isinstance(clock, CommandedFrequency)
-            and math.isclose(math.tau * clock, gait.angular_frequency)
-        ):
+        if isinstance(gait, CommandedGait) and math.isclose(math.tau * clock, gait.angular_frequency):
             phase = control.phase
         if self._settings is None or control.time[0] == 0.0:
             self._phase = float(phase[0])
@@ -165,9 +160,7 @@ class PolicyController:
                 this task.
         """
         if control.config is not self._checked:
-            check_same_robot(self.policy.robot.identity, control.robot)
-            self.policy.check_control(control.config)
-            self.policy.check_observations(control.layout)
+            self.policy.check_fits(control.robot, control.config, control.layout)
             self._checked = control.config
         if (begun := control.steps == 1).any():
             self.policy.begin(begun)

@@ -33,7 +33,7 @@ from quadruped_env.control.velocity_command import VELOCITY, out_of_range
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
-from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.utils.arrays import Floats
@@ -147,12 +147,11 @@ class LiveController:
             robot = MINI_QUADRUPED if policy is None else policy.robot
         if policy is not None:
             policy.check_is_data("live controller")
-            check_same_robot(policy.robot.identity, robot)
         if config is None:
             config = ControlConfig.of_robot(robot) if policy is None else policy.control
         if policy is not None:
             # Here, not when it acts: by then the robot would be on its feet.
-            policy.check_control(config)
+            policy.check_fits(robot, config)
         self.safety = safety or Safety.of(robot)
         self.mode = Mode.WAITING
         self._say = say

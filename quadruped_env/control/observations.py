@@ -6,16 +6,13 @@ from dataclasses import dataclass, field
 from typing import Final, Literal, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.utils.arrays import frozen
+from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.plain import Plain
-
-Floats = NDArray[np.float64]
 
 
 class ControlState(Protocol):

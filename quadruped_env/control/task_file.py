@@ -7,10 +7,10 @@ import os
 import sys
 import traceback
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
-from typing import Final, TypeVar
+from typing import Any, ClassVar, Final, Self, TypeVar
 
 from quadruped_env.control.control_config import COMMANDS, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
@@ -32,37 +32,47 @@ KEPT_FILE: Final = "task.py"
 """Copy of the user's file in a run, as data."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Terms:
-    """Parts of a policy that are not stored in its file: its robot, fields of the observation, commands."""
+    """Robot and terms of a policy that are not stored in its file: fields of the observation, and commands."""
+
+    kinds: ClassVar[Mapping[str, type]] = {"observations": ObservationField, "commands": Command}
+    """Class of the terms in each list."""
 
     observations: tuple[ObservationField, ...] = OBSERVATIONS
     commands: tuple[Command, ...] = COMMANDS
     robot: Robot = MINI_QUADRUPED
     file: TaskFile | None = None
     """File that defines what is not built in."""
+    path: str | None = None
+
+    def extended(self, file: TaskFile, module: ModuleType) -> Self:
+        """Return a copy with the terms and the robot that an executed file defines at its top level.
+
+        A term replaces a built-in one of the same name; an observation whose name the file sets to None is left out.
+
+        Raises:
+            QuadrupedError: if the file defines several robots, or a term would replace only a part of a group of terms
+                that are computed together.
+        """
+        values, path = vars(module), str(module.__file__)
+        lists: dict[str, Any] = {name: getattr(self, name) for name in self.kinds}
+        lists["observations"] = tuple(entry for entry in self.observations if values.get(entry.name, 0) is not None)
+        try:
+            for name, kind in self.kinds.items():
+                lists[name] = merged(lists[name], [value for value in values.values() if isinstance(value, kind)])
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{path}: {error}") from error
+        return replace(self, robot=robot_in(module) or self.robot, file=file, path=path, **lists)
 
 
 def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -> Terms:
-    """The built-in robot, observations and commands, with those of a user's file added to them or replacing them.
-
-    An observation whose name the file sets to None is left out.
-
-    Raises:
-        QuadrupedError: as `execute` and `robot_in`.
-    """
-    file, module = execute(path, expected)
-    values = list(vars(module).values())
-    return Terms(
-        merged(kept(OBSERVATIONS, module), [value for value in values if isinstance(value, ObservationField)]),
-        merged(COMMANDS, [value for value in values if isinstance(value, Command)]),
-        robot_in(module) or MINI_QUADRUPED,
-        file,
-    )
+    """Return the built-in terms and robot, extended by a user's file; see `Terms.extended` and `execute`."""
+    return Terms().extended(*execute(path, expected))
 
 
 def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
-    """The user's file that a config's plain values name; None if they name none.
+    """Return the user's file that a config's plain values name; None if they name none.
 
     Args:
         recorded: None, or a dict with `name` and `sha256`.
@@ -79,7 +89,7 @@ def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
 
 
 def recorded_terms(recorded: Mapping[str, Plain]) -> dict[str, list[str]]:
-    """Names of what the user's file that a config names defines, by kind; empty in configs of early versions."""
+    """Return names of what the user's file that a config names defines, by kind; empty in configs of early versions."""
     terms = recorded.get("terms")
     if not isinstance(terms, dict) or not all(isinstance(names, list) for names in terms.values()):
         return {}
@@ -91,7 +101,7 @@ class TaskFileError(QuadrupedError):
 
 
 def needs_file(what: str, file: TaskFile) -> TaskFileError:
-    """The error for something, in words, that needs the code of a user's file."""
+    """Return the error for something, in words, that needs the code of a user's file."""
     return TaskFileError(
         f"{what} from {short(file.name)}, which is not executed automatically: check the file, then name it with "
         f"--task FILE, or task_file=... in Python; --trust-task, or trust_task=True, executes the copy that a run keeps"
@@ -99,17 +109,12 @@ def needs_file(what: str, file: TaskFile) -> TaskFileError:
 
 
 def names_of(term: Plain) -> tuple[str, ...]:
-    """Names of a term; most terms have one."""
+    """Return the names of a term; most terms have one."""
     return tuple(term.names) if hasattr(term, "names") else (term.name,)
 
 
-def kept(built_in: Sequence[Term], module: ModuleType) -> tuple[Term, ...]:
-    """The built-in terms without those whose name an executed file sets to None at its top level."""
-    return tuple(term for term in built_in if any(vars(module).get(n, term) is not None for n in names_of(term)))
-
-
 def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
-    """The built-in terms followed by a user's terms; a user's term replaces a built-in one of the same name.
+    """Return the built-in terms followed by a user's terms; a user's term replaces a built-in one of the same name.
 
     Raises:
         QuadrupedError: if a term would replace only a part of a group of terms that are computed together.
@@ -134,7 +139,7 @@ def merged(built_in: Sequence[Term], own: Sequence[Term]) -> tuple[Term, ...]:
 
 @functools.cache
 def robot_in(module: ModuleType) -> Robot | None:
-    """The robot of an executed file: a `Robot` or a `QuadrupedDesign` at its top level; None if there is none.
+    """Return the robot of an executed file: a `Robot` or a `QuadrupedDesign` at its top level; None if there is none.
 
     It is built once, so that everything that names the file shares its compiled model.
 
@@ -155,7 +160,7 @@ def robot_in(module: ModuleType) -> Robot | None:
 
 
 def load_robot(path: str | os.PathLike[str] | None) -> Robot:
-    """The robot that a user's file defines, or the built-in one for a file without robots or no file.
+    """Return the robot that a user's file defines, or the built-in one for a file without robots or no file.
 
     The file's code is executed, so load only files that you trust.
 

@@ -54,8 +54,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     {observations}
 
-    The config's `observation_history` sets the number of steps, and `clock_frequency` may be a function of the command
-    (docs/environment.md).
+    The config's `observation_history` sets the number of steps.
 
     ## Command
     Forward velocity uniform in -0.3 to 0.6 m/s and yaw rate uniform in -0.8 to 0.8 rad/s; 10 % of the commands are

@@ -2,15 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env._version import __version__
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number, proportion
+from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.measures import METRICS, measure
 from quadruped_env.evaluation.recorded_episode import Recording, play, publish
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
@@ -19,8 +17,7 @@ from quadruped_env.policies import TrajectoryController
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.task import TaskConfig
-from quadruped_env.trajectory import JointTrajectory, saving
-from quadruped_env.utils.files import check_free, write_json
+from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
 
@@ -64,7 +61,7 @@ class Baseline:
 
     def table(self) -> str:
         """The metrics as a plain-text table."""
-        robot, exceeded = self.recording.robot, []
+        robot = self.recording.robot
         rows = [("", "mean", "95 % interval", "limit")]
         for name in SHOWN:
             metric, estimate = METRICS[name], self.estimate(name)
@@ -72,74 +69,20 @@ class Baseline:
             most = metric.limit_of(robot)
             limit = "" if most is None else f"{most:g} {metric.unit}"
             if most is not None and estimate.mean > most:
-                exceeded.append(f"{metric.label.lower()} {mean} of {limit}")
                 limit += ", exceeded"
             interval = "" if low == "-" else f"{low} to {high} "
             rows.append((metric.label, mean, f"{interval}{metric.unit}", limit))
         violations = self.gait.violations()
-        beyond = f"; measured joints exceed them: {' and '.join(exceeded)}" if exceeded else ""
         return "\n".join(
             [
                 f"{self.preset}: {self.rate:g} commands per second for {self.commands.duration:g} s, "
                 f"{len(self.seeds)} random starts on {self.recording.terrain.name}",
                 text_table(rows),
-                f"The joint targets {'exceed limits:' if violations else f'are within the limits{beyond}.'}",
+                f"The joint targets {'exceed limits:' if violations else 'are within the limits.'}",
                 *(f"  {violation}" for violation in violations),
                 f"Recorded: {self.recording.outcome()}",
             ]
         )
-
-    def report(self) -> dict[str, Any]:
-        """The baseline as JSON-serializable values; NaN becomes None."""
-        return {
-            "preset": self.preset,
-            "gait": self.gait.parameters(),
-            "violations": self.gait.violations(),
-            "rate_hz": self.rate,
-            **self.recording.terrain.provenance(),
-            "seconds": self.commands.duration,
-            "seeds": list(self.seeds),
-            "metrics": {
-                name: {
-                    "unit": METRICS[name].unit,
-                    **self.estimate(name).to_dict(),
-                    "episodes": [number(value) for value in self.metrics[name].tolist()],
-                }
-                for name in SHOWN
-            },
-            "recorded": {
-                "fell_at": self.recording.fell_at,
-                "base_pose_start": self.recording.base_pose[0].tolist(),
-                "base_pose_end": self.recording.base_pose[-1].tolist(),
-            },
-            "version": __version__,
-        }
-
-    def save(self, path: Path, commands: bool = False, overwrite: bool = False) -> None:
-        """Write the measured joints, or the joint targets, to a file or bag, and the report next to it, as `.json`.
-
-        In a bag, measured joints come with the base's pose in `odom`.
-
-        Raises:
-            QuadrupedError, MissingExtraError: as `JointTrajectory.save`.
-        """
-        check_target(path, overwrite)
-        if commands:
-            self.commands.save(path, overwrite, robot=self.recording.robot)
-        else:
-            self.recording.save(path, overwrite)
-        write_json(report_path(path), self.report())
-
-
-def report_path(path: Path) -> Path:
-    """Path of the report that `Baseline.save` writes for a trajectory's path."""
-    return path.with_suffix(".json")
-
-
-def check_target(path: Path, overwrite: bool) -> None:
-    """Raise a QuadrupedError if `Baseline.save` could not write there."""
-    saving.check(path, overwrite)
-    check_free([report_path(path)], overwrite)
 
 
 def run_baseline(

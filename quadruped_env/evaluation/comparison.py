@@ -9,8 +9,14 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.conditions import (
+    MOTIONS,
+    Command,
+    commands_for,
+    evaluation_task,
+    motion_of,
+)
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW, measure
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
@@ -25,37 +31,17 @@ from quadruped_env.policies import (
     as_policy,
 )
 from quadruped_env.robot import Robot
-from quadruped_env.robot.units import scale_of, scaled
+from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import Terrain
 from quadruped_env.task import TaskConfig
-from quadruped_env.utils.fields import Range
 from quadruped_env.utils.progress import Progress, part_of
 
-Command = tuple[float, float]
 Motion = str | Sequence[int] | None
 """One of `MOTIONS`, indices of commands, or None for all commands."""
-
-COMMANDS: Final[tuple[Command, ...]] = (
-    (0.1, 0.0),
-    (0.2, 0.0),
-    (0.3, 0.0),
-    (0.4, 0.0),
-    (0.5, 0.0),
-    (0.0, 0.0),
-    (-0.2, 0.0),
-    (0.0, 0.5),
-    (0.0, -0.5),
-    (0.3, 0.5),
-    (0.3, -0.5),
-)
-"""Forward velocity in m/s and yaw rate in rad/s of every episode of the default evaluation, for the built-in robot."""
 
 NUM_SEEDS: Final = 8
 MAX_SECONDS: Final = 600.0
 """Maximum length of an episode, s: all episodes are kept in memory."""
-
-MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
-"""Motions that commands ask for, in the order of tables."""
 
 ERRORS: Final = ("forward_velocity_error", "yaw_rate_error")
 """Error metrics of the two velocities of a command."""
@@ -69,23 +55,7 @@ CONTROLLERS: Final = {
     "article": "Article's gait",
     "zero": "Zero action",
 }
-"""Name -> label, in the order of tables. The zero action is that of the first policy: its gait alone, or the stance."""
-
-
-def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> list[Command]:
-    """Commands for the built-in robot as those for another one, rounded to two digits."""
-    units = scale_of("m/s", robot), scale_of("rad/s", robot)
-    return [(scaled(v, units[0], 2), scaled(w, units[1], 2)) for v, w in commands]
-
-
-def motion_of(command: Command, robot: Robot) -> str:
-    """Motion that a command (m/s, rad/s) asks a robot for, one of `MOTIONS`; a curve counts as turning."""
-    forward, yaw_rate = np.abs(command) > moving_threshold(robot)
-    if yaw_rate:
-        return "turning"
-    if not forward:
-        return "standing"
-    return "forwards" if command[0] > 0 else "backwards"
+"""Name -> label, in the order of tables. The zero action belongs to the first policy: its gait alone, or the stance."""
 
 
 def error_of(motion: str) -> str:
@@ -96,15 +66,6 @@ def error_of(motion: str) -> str:
 def equal_up_to(metric: str, robot: Robot) -> float:
     """Difference below which two errors count as equal."""
     return _EQUAL * scale_of(METRICS[metric].unit, robot)
-
-
-def words(command: Command) -> str:
-    """A velocity command in words, such as `0.4 m/s and 0.2 rad/s`."""
-    forward, yaw_rate = command
-    if not forward and not yaw_rate:
-        return "stand"
-    parts = [f"{forward:g} m/s"] if forward else []
-    return " and ".join(parts + ([f"{yaw_rate:g} rad/s"] if yaw_rate else []))
 
 
 @dataclass(frozen=True)
@@ -232,7 +193,7 @@ def compare(
 ) -> Comparison:
     """Run policies, the searched gait, the tutorial's gait (`article`) and the zero action on the same episodes.
 
-    Each policy runs the task that it was trained for, with a preset in place of its randomization, a user's own
+    Each policy runs the task that it was trained for, with a preset instead of its randomization, a user's own
     included: by default, only the start of an episode is random. The scripted controllers run the first policy's task,
     the searched gait with a clock of its own frequency. Commands may lie outside the training ranges.
 
@@ -243,8 +204,8 @@ def compare(
         seconds: length of an episode, s.
         commands: forward velocity in m/s and yaw rate in rad/s; None: `COMMANDS`, in the units of the robot.
         progress: called with the fraction done.
-        terrain: a terrain, or the name of one of the task's, in place of the tasks' own.
-        randomization: a preset in place of the tasks' own randomization: `none`, `moderate` or `hard`.
+        terrain: a terrain, or the name of one; None: the tasks' own.
+        randomization: a preset, which replaces the tasks' own randomization: `none`, `moderate` or `hard`.
 
     Raises:
         QuadrupedError: if there is no seed or no such terrain or preset, the episodes are too short to measure, a
@@ -311,27 +272,3 @@ def run(
         values[name] = {m: v.reshape(len(commands), num_seeds) for m, v in measure(rollout).items()}
         rollouts[name] = dataclasses.replace(rollout, physics=None)
     return Comparison(tuple(commands), tuple(seeds), rollout.seconds, config, rollouts, values)
-
-
-def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
-    """A policy's task for an evaluation: with a preset of the randomization, and ranges that include the commands.
-
-    There is no curriculum: on tiles, every episode starts on the tile that its seed gives.
-    """
-    ranges = config.command.replace(
-        forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
-        yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
-    )
-    return dataclasses.replace(without_curriculum(config).randomized(randomization), command=ranges)
-
-
-def without_curriculum(config: TaskConfig) -> TaskConfig:
-    """A task in which every episode starts on the tile that its seed gives."""
-    if "curriculum" not in config.terrain:
-        return config
-    return dataclasses.replace(config, terrain=config.terrain.replace(curriculum=False))
-
-
-def _covering(bounds: Range, values: Sequence[float]) -> Range:
-    """The smallest range that includes `bounds` and the values."""
-    return min(bounds[0], *values), max(bounds[1], *values)

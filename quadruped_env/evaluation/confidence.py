@@ -11,11 +11,12 @@ from functools import cache
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from quadruped_env.utils.arrays import Floats
 
 CONFIDENCE: Final = 0.95
 RESAMPLES: Final = 10_000
-_SEED: Final = 0
 _NORMAL_QUANTILE: Final = 1.959963984540054
 """Quantile of the standard normal distribution at (1 + CONFIDENCE) / 2."""
 
@@ -56,12 +57,6 @@ def mean_of(values: ArrayLike) -> Any:
     return number(float(means)) if means.ndim == 0 else [number(value) for value in means.tolist()]
 
 
-def percentile_interval(resampled: NDArray[np.float64]) -> tuple[float, float]:
-    """Ends of the confidence interval from the means of bootstrap resamples."""
-    low, high = np.quantile(resampled, [0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE])
-    return float(low), float(high)
-
-
 def bootstrap_mean(values: ArrayLike) -> Estimate:
     """The mean of the values that are not NaN, with its percentile bootstrap interval.
 
@@ -80,13 +75,14 @@ def bootstrap_mean(values: ArrayLike) -> Estimate:
     totals, sizes = counts @ np.where(finite, strata.ravel(), 0.0), counts @ (finite * 1.0)
     # A resample may contain only NaN.
     means = totals[sizes > 0] / sizes[sizes > 0]
-    return Estimate(float(np.nanmean(strata)), *percentile_interval(means), count)
+    low, high = np.quantile(means, [0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE])
+    return Estimate(float(np.nanmean(strata)), float(low), float(high), count)
 
 
 @cache
-def _resample_counts(conditions: int, size: int) -> NDArray[np.float64]:
+def _resample_counts(conditions: int, size: int) -> Floats:
     """Number of times that each value is drawn in each resample, (RESAMPLES, conditions * size)."""
-    generator = np.random.default_rng(_SEED)
+    generator = np.random.default_rng(0)
     counts = generator.multinomial(size, np.full(size, 1.0 / size), (RESAMPLES, conditions))
     return counts.reshape(RESAMPLES, conditions * size).astype(np.float64)
 

@@ -1,7 +1,6 @@
 """The policy to evaluate, and the directory of its results."""
 
 import json
-import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -20,7 +19,6 @@ from quadruped_env.policies.files import (
 from quadruped_env.policies.hub import is_on_hub
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, run_name
 from quadruped_env.utils.documents import read_json
-from quadruped_env.utils.files import check_no_links
 from quadruped_env.utils.provenance import TaskFile
 
 LATEST_RUN: Final = Path("runs", "latest")
@@ -118,7 +116,4 @@ def find_policy(
     # Its errors are this package's, also for names that no file can have.
     policy = load_policy(directory, task_file, trust_task=trust_task)
     directory, output = directory.resolve(), output or Path(run) / "evaluation"
-    # Before an evaluation, not after it.
-    for path in (output, *(output.iterdir() if os.path.isdir(output) else ())):
-        check_no_links(path)
     return EvaluatedPolicy(run_name(directory), policy, directory, output)

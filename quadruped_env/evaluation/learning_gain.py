@@ -7,17 +7,8 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import (
-    MOTIONS,
-    NUM_SEEDS,
-    Comparison,
-    commands_for,
-    error_of,
-    evaluation_task,
-    rank,
-    run,
-    without_curriculum,
-)
+from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, error_of, rank, run
+from quadruped_env.evaluation.conditions import MOTIONS, commands_for, evaluation_task, without_curriculum
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number, proportion
 from quadruped_env.evaluation.measures import CLOSE, METRICS, START_UP, WINDOW, commands_met
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
@@ -67,7 +58,7 @@ class LearningGain:
     policy: Performance
     zero: Performance
     difference: Estimate
-    """Return per second of the policy minus that of the zero action, over pairs of episodes"""
+    """Difference of the return per second, policy minus zero action, over pairs of episodes"""
     comparison: Comparison | None = None
     """The policy (`policy`) and the zero action (`zero`), undisturbed; None: not measured"""
 
@@ -92,19 +83,11 @@ class LearningGain:
         return "is worse than the zero action" if self.difference.high < 0.0 else f"has {NO_GAIN}"
 
     def verdict(self) -> str:
-        """The result as a predicate of the policy; if it falls more often than the zero action, this comes first."""
-        mean, low, high = self.difference.mean, self.difference.low, self.difference.high
-        interval, falls = f" (95 % interval {low:+z.2f} to {high:+z.2f})", ""
-        if self.falls_more:
-            ours, zeros = (100.0 * one.falls.mean for one in (self.policy, self.zero))
-            falls = f"falls in {ours:.0f} % of its episodes, the zero action in {zeros:.0f} %; it "
+        """The result as a predicate of the policy, with the difference and its interval."""
+        found, words = self.difference, self.lack
         if self.is_better:
-            return f"{falls}is better than the zero action by {mean:.2f} return/s{interval}"
-        if high < 0.0:
-            return f"{falls}is worse than the zero action by {-mean:.2f} return/s{interval}"
-        if low > 0.0:
-            return f"{falls}collects {mean:.2f} return/s more{interval}, which does not make up for the falls"
-        return f"{falls}has {NO_GAIN}: {mean:+z.2f} return/s{interval}"
+            words = f"is better than the zero action{', but falls more often' if self.falls_more else ''}"
+        return f"{words}: {found.mean:+z.2f} return/s (95 % interval {found.low:+z.2f} to {found.high:+z.2f})"
 
     def table(self) -> str:
         """The results of both as a plain-text table."""
@@ -222,7 +205,7 @@ def learning_gain(
         seconds: length of an episode, s.
         progress: called with the fraction done.
         motion_seeds: episodes under each command of `comparison.COMMANDS`, undisturbed; 0: none.
-        comparison: results of the policy, as `policy`, and of its zero action, as `zero`, in place of running them.
+        comparison: results of the policy, as `policy`, and of its zero action, as `zero`; None: run them.
 
     Raises:
         QuadrupedError: if there are fewer than two episodes, or they are too short for a command to be met.

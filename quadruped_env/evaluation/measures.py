@@ -19,9 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.evaluation.rollout import PhysicsSamples, Rollout
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.utils.rotations import tilt, up_in_body
+from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.rotations import up_in_body
 
-Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 GRAVITY: Final = 9.81
@@ -245,7 +245,7 @@ def mean_velocities(rollout: Rollout) -> Floats:
 
 
 def is_still(joint_velocity: NDArray[Any], robot: Robot) -> bool:
-    """True if the RMS joint velocity (T, J) is that of a robot at rest."""
+    """Return True if the RMS joint velocity (T, J) is as low as at rest."""
     square = float((joint_velocity.astype(np.float64) ** 2).mean())
     return math.sqrt(square) < _STILL * scale_of("rad/s", robot)
 
@@ -254,18 +254,6 @@ def stands_still(rollout: Rollout, counted: Mask) -> Mask:
     """True for each episode (N,) whose joints are nearly at rest over the counted samples (T, N)."""
     squared = masked_mean(rollout.joint_velocity.astype(np.float64) ** 2, counted).mean(axis=-1)
     return np.asarray(np.sqrt(squared) < _STILL * scale_of("rad/s", rollout.robot))
-
-
-def without_fall_in_words(orientation: NDArray[Any], dt: float) -> str:
-    """Predicate for a robot that did not fall, from its quaternions wxyz (T, 4) over time and the time step in s."""
-    lean = tilt(orientation)
-    tilted = lean > TILTED
-    if not tilted.any():
-        return "stayed on its feet"
-    return (
-        f"did not fall, but was tilted by more than {np.degrees(TILTED):.0f} degrees for {tilted.sum() * dt:.2f} s "
-        f"(up to {np.degrees(lean.max()):.0f} degrees)"
-    )
 
 
 def counted_samples(rollout: Rollout) -> Mask:
@@ -318,9 +306,9 @@ def distance(forward_velocity: NDArray[Any], valid: Mask, dt: float) -> Floats:
 def cost_of_transport(power: Floats, speed: Floats, mass: float) -> Floats:
     """Mean power / (m g |mean forward speed|), no unit, (N,); NaN below `STANDING_SPEED`.
 
-    Collins et al. 2005 (https://doi.org/10.1126/science.1107799) distinguish the mechanical cost, of the positive work
-    of the motors, and the energetic one, of all power that the robot draws. The electrical cost here is that of the
-    motors: their positive work and the heat in their windings, without electronics. Power (N,) is in W, mass in kg.
+    Collins et al. 2005 (https://doi.org/10.1126/science.1107799) distinguish the mechanical cost (positive work of the
+    motors) from the energetic cost (all power that the robot draws). The electrical cost here counts the positive work
+    of the motors and the heat in their windings, without electronics. Power (N,) is in W, mass in kg.
     """
     travels = np.abs(speed) > STANDING_SPEED
     return _ratio(power, np.where(travels, mass * GRAVITY * np.abs(speed), 0.0))

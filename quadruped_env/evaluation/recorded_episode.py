@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.measures import TILTED, without_fall_in_words
+from quadruped_env.evaluation.measures import TILTED
 from quadruped_env.evaluation.trace import Recorder, Trace
 from quadruped_env.gait import SinusoidalGait
 from quadruped_env.policies import Controller, TrajectoryController
@@ -53,10 +53,15 @@ class Recording(Trace):
     def outcome(self) -> str:
         """Outcome in one sentence: fall, tilt or neither, and displacement."""
         x, y = (self.base_pose[-1, :2] - self.base_pose[0, :2]).round(2)
-        if self.fell_at is None:
-            fate = without_fall_in_words(self.orientation, self.timestep)
-        else:
+        lean = tilt(self.orientation)
+        fate = "stayed on its feet"
+        if self.fell_at is not None:
             fate = f"fell at {self.fell_at:.2f} s"
+        elif not self.stayed_on_its_feet:
+            fate = (
+                f"did not fall, but was tilted by more than {math.degrees(TILTED):.0f} degrees for "
+                f"{(lean > TILTED).sum() * self.timestep:.2f} s (up to {np.degrees(lean.max()):.0f} degrees)"
+            )
         return (
             f"In {self.joints.duration:g} s the robot {fate} and got {abs(x):.2f} m "
             f"{'ahead' if x >= 0 else 'back'} and {abs(y):.2f} m to the {'left' if y >= 0 else 'right'}."
@@ -183,4 +188,4 @@ def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.fl
     if positions is None:
         return np.array([0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance])
     within = positions.clip(robot.joint_position_low, robot.joint_position_high)
-    return np.concatenate([robot.resting_pose(within), within])
+    return np.concatenate([robot.skeleton.resting_pose(within), within])

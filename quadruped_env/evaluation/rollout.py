@@ -1,6 +1,6 @@
 """Run a controller, many episodes at once, and record the readings that the measures need."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Final, NamedTuple, Self
@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.trace import CommandedTrace, Flag, PerTerm, Recorder, Scalar
+from quadruped_env.evaluation.trace import Array, CommandedTrace, Recorder
 from quadruped_env.policies import Controller
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import BatchSimulation, Simulation
-from quadruped_env.task import Task, TaskConfig, Transition
+from quadruped_env.task import Task, TaskConfig
 from quadruped_env.task.quantities import electrical_power, mean_over_steps, mechanical_power, sliding_squared
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.seeds import EVALUATION_SEEDS
@@ -66,15 +66,15 @@ class Rollout(CommandedTrace):
     """
 
     controller: str
-    seeds: NDArray[np.int64]
-    """Seed of each episode (N,)"""
-    fell: Flag
+    seeds: tuple[int, ...]
+    """Seed of each of the N episodes"""
+    fell: NDArray[np.bool_]
     """True where the robot fell in the control step, (T, N)"""
-    electrical_power: Scalar
+    electrical_power: Array
     """Mechanical power of the motors and heat in their windings, mean over the control step, W (T, N)"""
-    mechanical_power: Scalar
+    mechanical_power: Array
     """Positive mechanical power of the motors, mean over the control step, W (T, N)"""
-    reward_terms: PerTerm
+    reward_terms: Array
     """Weighted terms of the task's reward (T, N, K)"""
     term_names: tuple[str, ...]
     """Names of the K reward terms"""
@@ -94,7 +94,8 @@ class Rollout(CommandedTrace):
     def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
         """Copy of some of the episodes, by indices or mask (N,); an index alone is `env`."""
         physics = None if self.physics is None else PhysicsSamples(*(values[:, envs] for values in self.physics))
-        return replace(super().select(envs), seeds=self.seeds[envs], physics=physics)
+        seeds = np.atleast_1d(np.array(self.seeds)[envs]).tolist()
+        return replace(super().select(envs), seeds=tuple(seeds), physics=physics)
 
 
 def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
@@ -108,45 +109,6 @@ def in_mujoco(config: TaskConfig, num_envs: int) -> Simulation:
     return BatchSimulation(config.compiled_model(), num_envs, robot=config.robot)
 
 
-def run_episodes(
-    controller: Controller,
-    command: NDArray[np.float64] | None,
-    seeds: NDArray[np.int64],
-    steps: int,
-    config: TaskConfig,
-    before_step: BeforeStep | None = None,
-    tiles: NDArray[np.intp] | None = None,
-    engine: Engine = in_mujoco,
-    restart: bool = False,
-) -> Iterator[tuple[Task, Transition]]:
-    """Run N episodes at the same time, and yield the task after every control step.
-
-    Commands (N, 2) are in m/s and rad/s; None: the task draws them. The config has the controller's action mode.
-    `tiles` are kind and level of the tile on which each episode starts (N, 2), as in `Task.reset`. With `restart`, a
-    robot that falls begins a new episode, as in training.
-    """
-    task = Task(engine(config, len(seeds)), config)
-    # Consecutive episodes with the same command are reset at once.
-    new = np.zeros(len(seeds) - 1, np.bool_) if command is None else (np.diff(command, axis=0) != 0.0).any(axis=1)
-    for block in np.split(np.arange(len(seeds)), np.flatnonzero(new) + 1):
-        task.reset(
-            block,
-            seeds=[int(seed) for seed in seeds[block]],
-            command=None if command is None else command[block[0]],
-            tiles=None if tiles is None else tiles[block],
-        )
-    observation = task.observe()
-    for step in range(steps):
-        if before_step is not None:
-            before_step(task, step)
-        transition = task.act(controller, observation)
-        observation = transition.observation
-        yield task, transition
-        if restart and transition.terminated.any():
-            task.reset(np.flatnonzero(transition.terminated))
-            observation = task.observe()
-
-
 def roll_out(
     controller: Controller,
     commands: ArrayLike | None,
@@ -156,6 +118,7 @@ def roll_out(
     progress: Progress | None = None,
     before_step: BeforeStep | None = None,
     engine: Engine = in_mujoco,
+    tiles: NDArray[np.intp] | None = None,
     physics: bool = False,
     restart: bool = False,
 ) -> Rollout:
@@ -174,6 +137,7 @@ def roll_out(
         progress: called with the fraction done.
         before_step: called before every control step; it may change commands or push robots.
         engine: simulates the robots.
+        tiles: kind and level of the tile on which each episode starts (K * S, 2), as in `Task.reset`.
         physics: record every physics step, which the measures of the gait need.
         restart: begin a new episode after a fall, as in training. Otherwise the episode ends.
 
@@ -198,31 +162,29 @@ def roll_out(
             raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
     robot = config.robot
     coefficient = config.motor.joule_coefficients(robot.joint_kinds)
+    task = Task(engine(config, len(seed)), config)
+    _reset(task, command, seed, tiles)
+    observation, term_names = task.observe(), task.term_names
     recorder = Recorder(Rollout, robot, steps, np.float32)
     ended = np.zeros(len(seed), dtype=np.bool_)
     fixed = command is not None and before_step is None
-    commanded = np.broadcast_to(np.zeros((len(seed), 2)) if command is None else command, (steps, len(seed), 2))
+    commanded = np.broadcast_to(task.command, (steps, len(seed), 2))
     commanded = commanded if fixed else commanded.copy()
     samples: PhysicsSamples | None = None
-    term_names: tuple[str, ...] = ()
-
-    def prepare(task: Task, step: int) -> None:
+    for step in range(steps):
         if before_step is not None:
             before_step(task, step)
         if not fixed:
             commanded[step:] = task.command
-
-    for task, transition in run_episodes(
-        controller, command, seed, steps, config, prepare, engine=engine, restart=restart
-    ):
-        substeps = task.context.substeps
+        transition = task.act(controller, observation)
+        observation, substeps = transition.observation, task.context.substeps
         torque, speed = substeps.joint_torque, substeps.joint_velocity
         if physics:
             latest = PhysicsSamples.of(task)
             count = len(latest.force)
             samples = samples or PhysicsSamples(*(np.zeros((steps * count, *v.shape[1:]), np.float32) for v in latest))
             for array, values in zip(samples, latest, strict=True):
-                array[recorder.written * count :][:count] = values
+                array[step * count :][:count] = values
         recorder.write(
             task.simulation.readings,
             fell=transition.terminated & ~ended,
@@ -231,9 +193,11 @@ def roll_out(
             mechanical_power=mean_over_steps(mechanical_power(torque, speed)),
             reward_terms=transition.terms,
         )
-        term_names = task.term_names
         if progress is not None:
-            progress(recorder.written / steps)
+            progress((step + 1) / steps)
+        if restart and transition.terminated.any():
+            task.reset(np.flatnonzero(transition.terminated))
+            observation = task.observe()
         ended |= transition.terminated & (not restart)
         if ended.all():
             break
@@ -241,9 +205,23 @@ def roll_out(
         controller=controller.name,
         timestep=config.control_timestep,
         command=commanded,
-        seeds=seed,
+        seeds=tuple(seed.tolist()),
         term_names=term_names,
         terrain=config.ground,
         first_stamp=round(config.control_timestep * NS_PER_SECOND),
         physics=samples,
     )
+
+
+def _reset(
+    task: Task, command: NDArray[np.float64] | None, seed: NDArray[np.int64], tiles: NDArray[np.intp] | None
+) -> None:
+    """Begin all episodes (N,), consecutive ones with the same command (N, 2) at once."""
+    new = np.zeros(len(seed) - 1, np.bool_) if command is None else (np.diff(command, axis=0) != 0.0).any(axis=1)
+    for block in np.split(np.arange(len(seed)), np.flatnonzero(new) + 1):
+        task.reset(
+            block,
+            seeds=seed[block].tolist(),
+            command=None if command is None else command[block[0]],
+            tiles=None if tiles is None else tiles[block],
+        )

@@ -1,13 +1,10 @@
-"""`Trace`: a robot over time. Rollouts, recordings, films and the viewer hold their samples in it.
-
-A quantity is declared once, as an annotated field of `Trace` or of a subclass, and every trace is checked against it.
-"""
+"""`Trace`: a robot over time. Rollouts, recordings, films and the viewer hold their samples in it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, Generic, Self, TypeVar, get_args
+from typing import Any, Generic, Self, TypeVar
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -19,18 +16,7 @@ from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.simulation import Terrain, flat
 from quadruped_env.trajectory import JointTrajectory
 
-_Floats = NDArray[np.floating[Any]]
-# An annotation is the shape of a quantity of one env at one time: `joints` and `legs` are the robot's numbers of them,
-# `terms` is any number.
-Scalar = Annotated[_Floats, ()]
-Velocity = Annotated[_Floats, (2,)]
-Pose = Annotated[_Floats, (7,)]
-PerJoint = Annotated[_Floats, ("joints",)]
-PerLeg = Annotated[_Floats, ("legs",)]
-PositionPerLeg = Annotated[_Floats, ("legs", 3)]
-PerTerm = Annotated[_Floats, ("terms",)]
-Flag = Annotated[NDArray[np.bool_], ()]
-FlagPerLeg = Annotated[NDArray[np.bool_], ("legs",)]
+Array = NDArray[Any]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -41,25 +27,25 @@ class Trace:
     stands for a quantity that is not known.
 
     Raises:
-        QuadrupedError: if an array does not have the shape of its quantity.
+        QuadrupedError: if arrays differ in the axes of time and envs, or in the number of joints from the robot.
     """
 
     robot: Robot
     timestep: float
     """Time between samples, s"""
-    base_pose: Pose
+    base_pose: Array
     """Position in m and quaternion wxyz of the base in the world (T, N, 7)"""
-    joint_position: PerJoint
+    joint_position: Array
     """Joint positions, rad (T, N, J)"""
-    joint_velocity: PerJoint | None = None
+    joint_velocity: Array | None = None
     """Joint velocities, rad/s (T, N, J)"""
-    joint_torque: PerJoint | None = None
+    joint_torque: Array | None = None
     """Motor torques in the last physics step of each control step, N m (T, N, J)"""
-    velocity: Velocity | None = None
+    velocity: Array | None = None
     """Forward velocity in m/s and yaw rate in rad/s, in the body frame (T, N, 2)"""
-    command: Velocity | None = None
+    command: Array | None = None
     """Velocity command in the same units (T, N, 2); None for a controller that follows none"""
-    contact: FlagPerLeg | None = None
+    contact: NDArray[np.bool_] | None = None
     """True for each foot on the ground (T, N, L)"""
     terrain: Terrain = flat
     """Ground below the robot"""
@@ -67,26 +53,17 @@ class Trace:
     """Timestamp of the first sample, ns"""
 
     def __post_init__(self) -> None:
-        axes = np.shape(self.base_pose)[:-1]
-        lengths: dict[int | str, Any] = {"joints": self.robot.num_joints, "legs": self.robot.num_legs, "terms": "any"}
-        for name, shape in self.quantities().items():
-            array = getattr(self, name)
-            if array is None:
-                continue
-            found, expected = np.shape(array), (*axes, *(lengths.get(axis, axis) for axis in shape))
-            if len(found) != len(expected) or any(b not in (a, "any") for a, b in zip(found, expected, strict=True)):
-                raise QuadrupedError(f"trace: {name} must have shape ({', '.join(map(str, expected))}); found {found}")
+        axes, joints = np.shape(self.base_pose)[:-1], self.robot.num_joints
+        for name, array in self.quantities().items():
+            if array.shape[: len(axes)] != axes:
+                raise QuadrupedError(f"trace: {name} must have the axes {axes} of base_pose first; found {array.shape}")
+            if name.startswith("joint_") and array.shape != (*axes, joints):
+                raise QuadrupedError(f"trace: {name} must have shape {(*axes, joints)}; found {array.shape}")
 
-    @classmethod
-    @cache
-    def quantities(cls) -> dict[str, tuple[int | str, ...]]:
-        """Declared quantities: name -> shape, as annotated."""
-        return {
-            declared.name: note
-            for declared in fields(cls)
-            for part in (declared.type, *get_args(declared.type))
-            for note in getattr(part, "__metadata__", ())
-        }
+    def quantities(self) -> dict[str, Array]:
+        """Known arrays by name."""
+        values = {declared.name: getattr(self, declared.name) for declared in fields(self)}
+        return {name: value for name, value in values.items() if isinstance(value, np.ndarray)}
 
     def __len__(self) -> int:
         return len(self.base_pose)
@@ -97,12 +74,12 @@ class Trace:
         return len(self) * self.timestep
 
     @property
-    def base_position(self) -> _Floats:
+    def base_position(self) -> Array:
         """Position of the base in the world, m (T, N, 3)."""
         return self.base_pose[..., :3]
 
     @property
-    def orientation(self) -> _Floats:
+    def orientation(self) -> Array:
         """Quaternion wxyz of the base (T, N, 4)."""
         return self.base_pose[..., 3:]
 
@@ -120,19 +97,18 @@ class Trace:
         return self._view(slice(start, stop), first_stamp=self.first_stamp + int(self._stamps(np.array(first))))
 
     def _view(self, index: Any, **changes: Any) -> Self:
-        arrays: dict[str, Any] = {name: getattr(self, name) for name in self.quantities()}
-        views = {name: array[index] for name, array in arrays.items() if array is not None}
-        return replace(self, **views, **changes)
+        return replace(self, **{name: array[index] for name, array in self.quantities().items()}, **changes)
 
     @classmethod
     def stack(cls, samples: Sequence[Self], every: int = 1) -> Self:
         """Trace of single samples (one or more, in order) of one env, arrays (...), whose first axis is time (T, ...).
 
-        Of them every n-th is kept, and the last one.
+        Every n-th sample is kept, counted backwards from the last one.
         """
         kept = samples[::-1][::every][::-1]
-        known = [name for name in cls.quantities() if getattr(kept[0], name) is not None]
-        arrays: dict[str, Any] = {name: np.array([getattr(sample, name) for sample in kept]) for name in known}
+        arrays: dict[str, Any] = {
+            name: np.array([getattr(sample, name) for sample in kept]) for name in kept[0].quantities()
+        }
         return replace(kept[0], **arrays, timestep=every * kept[0].timestep)
 
     @cached_property
@@ -168,11 +144,11 @@ class Trace:
 class CommandedTrace(Trace):
     """Trace in which the optional quantities of `Trace` are always known."""
 
-    joint_velocity: PerJoint = field()
-    joint_torque: PerJoint = field()
-    velocity: Velocity = field()
-    command: Velocity = field()
-    contact: FlagPerLeg = field()
+    joint_velocity: Array = field()
+    joint_torque: Array = field()
+    velocity: Array = field()
+    command: Array = field()
+    contact: NDArray[np.bool_] = field()
 
 
 def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:

@@ -8,7 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import ERRORS, MOTIONS, Comparison, error_of, rank, words
+from quadruped_env.evaluation.comparison import ERRORS, Comparison, error_of, rank
+from quadruped_env.evaluation.conditions import MOTIONS, words
 from quadruped_env.evaluation.learning_gain import WALKING_FALL_RATE, LearningGain
 from quadruped_env.evaluation.measures import METRICS, ROUGH
 from quadruped_env.robot import Robot

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.joint_command import INVALID_TIMEOUT
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
@@ -123,7 +122,7 @@ def _constants(interface: PolicyInterface, name: str) -> str:
 def _tables(interface: PolicyInterface) -> str:
     """Tables and macros of the source."""
     policy, robot, layout = interface.policy, interface.policy.robot, interface.layout
-    gait, frequency = interface.gait, interface.frequency
+    gait = interface.gait
     low, high = np.transpose([entry.range for entry in policy.control.commands[:VELOCITY]])
     widths = [policy.weights[0].shape[0], *(len(bias) for bias in policy.biases)]
     macros: dict[str, str] = {
@@ -145,12 +144,7 @@ def _tables(interface: PolicyInterface) -> str:
         tables["moving_threshold"] = moving_threshold(robot)
     if interface.has_clock:
         macros["TURN"] = _number(2.0 * np.pi)
-        if isinstance(frequency, CommandedFrequency):
-            macros["PHASE_STEP"] = f"({_number(interface.phase_step(1.0))} * frequency(memory->command))"
-            macros |= {"CLOCK_KNOTS": str(len(frequency.speeds)), "TURN_ARM": _number(frequency.turn_arm)}
-            tables |= {"clock_speeds": frequency.speeds, "clock_frequencies": frequency.frequencies}
-        else:
-            macros["PHASE_STEP"] = _number(interface.phase_step(frequency))
+        macros["PHASE_STEP"] = _number(interface.phase_step)
     if gait is not None:
         forward, turning = gait.whole_steps
         macros |= {"GAIT_KNOTS": str(len(gait.speeds)), "LARGEST_YAW_RATE": _number(gait.largest_yaw_rate)}

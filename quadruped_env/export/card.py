@@ -165,16 +165,13 @@ def _results(evaluation: Mapping[str, Any] | None) -> str:
     verdict = evaluation.get("verdict")
     parts = []
     if isinstance(verdict, Mapping):
-        parts.append(verdict["headline"] + _findings(verdict))
+        parts.append(verdict["headline"])
     elif verdict:
         parts.append(_verbatim(str(verdict)))
     if (suite := evaluation.get("suite")) and "score" in suite:
         name = suite.get("suite", suite)
         quick = ", quick" if name.get("quick") else ""
-        parts.append(
-            f"Score in the suite {name['name']} {name['version']}{quick}: {suite['score']['total']:.3f} of 1."
-            + _findings(suite)
-        )
+        parts.append(f"Score in the suite {name['name']} {name['version']}{quick}: {suite['score']['total']:.3f} of 1.")
     if by_motion := _by_motion(evaluation):
         parts.append(_metrics_table(by_motion))
     return "\n\n".join(parts)
@@ -197,12 +194,6 @@ def _learning(learning: Mapping[str, Any] | None) -> str:
         f"{learning['verdict']}; {reward_in_words(learning)}. 95 % intervals are in brackets. {TABLE_NOTE}"
     )
     return f"## What learning added\n\n{text}\n\n{table}"
-
-
-def _findings(results: Mapping[str, Any]) -> str:
-    """Sentences on results that older versions wrote, as a list after a blank line; empty for others."""
-    items = [_item(f"{topic}: {words}") for topic, words in results.get("findings", {}).items()]
-    return "".join(["\n\n", "\n".join(items)]) if items else ""
 
 
 def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
-from quadruped_env.evaluation.comparison import Command, commands_for, compare
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.conditions import Command, commands_for
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.stored_results import CardResults, StoredEvaluation, card_results
+from quadruped_env.evaluation.results import CardResults, StoredEvaluation, card_results
 from quadruped_env.export.c_source import c_files
 from quadruped_env.export.card import CARD_PAGE, card_page
 from quadruped_env.export.golden_trace import TRACE_FILE, csv_text, golden_trace, trace_fields
@@ -30,8 +31,8 @@ from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.export.runtime import largest_difference
 from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.report.films.video import prepare_video, save_film
+from quadruped_env.report.pages.clips import filmed
 from quadruped_env.report.pages.page import METRICS_FILE, without_nan
-from quadruped_env.report.pages.pictures import filmed
 from quadruped_env.robot.ros2_control import controllers_yaml
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.documents import fitted, read_json
@@ -164,7 +165,7 @@ def results_of(evaluated: EvaluatedPolicy) -> tuple[CardResults, dict[str, Any] 
         except QuadrupedError as error:
             warnings.warn(str(error), QuadrupedWarning, stacklevel=3)
         else:
-            if known["policy"]["card"] == without_nan(policy.card):
+            if known["policy"].get("card") == without_nan(policy.card):
                 own = {name: value for name, value in known.items() if name not in ("policy", "controllers")}
                 return results, without_nan({**own, **known["controllers"]["policy"]})
             problem = "is the evaluation of another policy, so it is left out; evaluate this one to export its results"

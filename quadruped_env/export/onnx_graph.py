@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.export import onnx_interface as graph_io
@@ -53,22 +52,6 @@ def policy_graph(interface: PolicyInterface, name: str, metadata: Mapping[str, s
     return Graph.of(interface).onnx(name, interface.inputs, interface.outputs, metadata or {})
 
 
-def _phase_step(graph: "Graph", interface: PolicyInterface) -> str:
-    """Advance of the gait clock in rad, (N, 1) or a constant."""
-    frequency = interface.frequency
-    if not isinstance(frequency, CommandedFrequency):
-        return graph.constant(interface.phase_step(frequency))
-    arms = graph.constant([[1.0], [frequency.turn_arm]])
-    speed = graph.add("MatMul", graph.add("Abs", graph_io.COMMAND), arms)
-    knots, values = np.array(frequency.speeds), np.array(frequency.frequencies)
-    widths = np.diff(knots)
-    # Part of the speed within each interval (N, K - 1).
-    parts = graph.clipped(graph.add("Sub", speed, graph.constant(knots[:-1])), 0.0, widths)
-    change = graph.add("MatMul", parts, graph.constant((np.diff(values) / widths)[:, None]))
-    present = graph.add("Add", change, graph.constant(values[0]))
-    return graph.add("Mul", present, graph.constant(interface.phase_step(1.0)))
-
-
 def _clock(graph: "Graph", interface: PolicyInterface) -> tuple[str, str]:
     """Sine and cosine of the phase, 0 where standing is commanded (N, 2), and the phase after this step (N, 1)."""
     if not interface.has_clock:
@@ -78,7 +61,7 @@ def _clock(graph: "Graph", interface: PolicyInterface) -> tuple[str, str]:
     count = graph.add("MatMul", fast, graph.constant(np.ones((VELOCITY, 1))))
     moving = graph.add("Min", count, graph.constant(1.0))
     both = graph.add("Concat", graph.add("Sin", graph_io.GAIT_PHASE), graph.add("Cos", graph_io.GAIT_PHASE), axis=1)
-    later = graph.add("Add", graph_io.GAIT_PHASE, _phase_step(graph, interface))
+    later = graph.add("Add", graph_io.GAIT_PHASE, graph.constant(interface.phase_step))
     phase = graph.add("Mod", later, graph.constant(math.tau), fmod=1, output=graph_io.NEXT_GAIT_PHASE)
     return graph.add("Mul", both, moving), phase
 

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control import observations
-from quadruped_env.control.clock import Frequency
 from quadruped_env.control.observations import Field, ObservationLayout
 from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.errors import QuadrupedError
@@ -154,13 +153,9 @@ class PolicyInterface:
         return np.concatenate([self.offset(entry) for entry in self.policy.fields])
 
     @property
-    def frequency(self) -> Frequency:
-        """Frequency of the gait clock, Hz; constant, or a function of the command."""
-        return self.policy.control.clock_frequency
-
-    def phase_step(self, frequency: float) -> float:
-        """Advance of the gait clock per control step at a frequency in Hz, rad."""
-        return math.tau * frequency * self.policy.control.timestep
+    def phase_step(self) -> float:
+        """Advance of the gait clock per control step, rad."""
+        return math.tau * self.policy.control.clock_frequency * self.policy.control.timestep
 
     @cached_property
     def joint_phases(self) -> Floats:

@@ -44,9 +44,9 @@ def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Wav
     angle = math.tau * np.arange(_SAMPLES).reshape(-1, *(1,) * np.ndim(sine)) / _SAMPLES
     joints = (sine * np.sin(angle) + cosine * np.cos(angle) + offset).reshape(-1, robot.num_legs, 2)
     # The tuned robot's legs are in the order of the corners.
-    feet = TUNED_ON.foot_centres(joints[:, np.argsort(legs)].reshape(len(joints), -1))
-    away = scale_of("m", robot) * (feet - TUNED_ON.foot_centres(TUNED_ON.stance))[:, legs, ::2]
-    mapped = postures_with_feet_at(robot, robot.foot_centres(robot.stance)[:, ::2] + away)
+    feet = TUNED_ON.skeleton.foot_centres(joints[:, np.argsort(legs)].reshape(len(joints), -1))
+    away = scale_of("m", robot) * (feet - TUNED_ON.skeleton.foot_centres(TUNED_ON.stance))[:, legs, ::2]
+    mapped = postures_with_feet_at(robot, robot.skeleton.foot_centres(robot.stance)[:, ::2] + away)
     mapped = mapped.reshape(_SAMPLES, *np.shape(sine))
     wave = 2.0 / _SAMPLES
     return wave * (mapped * np.sin(angle)).sum(0), wave * (mapped * np.cos(angle)).sum(0), mapped.mean(0)

@@ -6,6 +6,6 @@ fit; the rest is held out to validate it.
 """
 
 from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES
-from quadruped_env.identification.identify import BASES, Identification, identify
+from quadruped_env.identification.identify import Identification, identify
 
-__all__ = ["BASES", "FITTED", "QUANTITIES", "Identification", "identify"]
+__all__ = ["FITTED", "QUANTITIES", "Identification", "identify"]

@@ -11,6 +11,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.interpreter import program_command
 
 SIGNALS: Final = ("position", "velocity", "effort")
@@ -32,17 +33,17 @@ class Recorded:
     """
 
     robot: Robot
-    control: NDArray[np.float64]
+    control: Floats
     """Joint targets, one per physics step: the mean of the last command over the step, rad (K, J)"""
-    times: NDArray[np.float64]
+    times: Floats
     """Times of the measurements from the first physics step, s (T,)"""
-    measured: NDArray[np.float64]
+    measured: Floats
     """Positions, velocities and efforts (T, S); NaN where not recorded or excluded"""
-    start: tuple[NDArray[np.float64], NDArray[np.float64]]
+    start: tuple[Floats, Floats]
     """Initial joint positions in rad and velocities in rad/s, each (J,)"""
     timestep: float
     """Physics time step, s"""
-    train: NDArray[np.bool_]
+    train: Bools
     """True for measurements used in the fit, False for held-out ones (T,)"""
 
     @property
@@ -51,14 +52,12 @@ class Recorded:
         return tuple(name for name in SIGNALS if np.isfinite(self.measured[:, self.columns(name)]).any())
 
     def columns(self, signal: str) -> slice:
-        """Columns of a signal in an array (T, S)."""
+        """Return columns of a signal in an array (T, S)."""
         return columns(signal, self.robot.num_joints)
 
 
-def whole(
-    trajectory: JointTrajectory, robot: Robot, without: Sequence[str], rest: NDArray[np.float64]
-) -> JointTrajectory:
-    """A trajectory in the order of a robot's joints; those that are left out may be missing, and are at rest.
+def whole(trajectory: JointTrajectory, robot: Robot, without: Sequence[str], rest: Floats) -> JointTrajectory:
+    """Return a trajectory in the order of a robot's joints; those that are left out may be missing, and are at rest.
 
     Args:
         trajectory: measurements or joint targets.
@@ -90,7 +89,7 @@ def whole(
 
 
 def columns(signal: str, num_joints: int) -> slice:
-    """Columns of a signal in an array (T, 3 J) of all signals of J joints."""
+    """Return columns of a signal in an array (T, 3 J) of all signals of J joints."""
     start = SIGNALS.index(signal) * num_joints
     return slice(start, start + num_joints)
 
@@ -157,7 +156,7 @@ def align(
 
 
 def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajectory) -> tuple[str, ...]:
-    """Remarks on the quality of a recording, in sentences."""
+    """Return remarks on the quality of a recording, in sentences."""
     found = [*measured.source.notes, *(note for note in commands.source.notes if note not in measured.source.notes)]
     gaps = (measured.gaps_in_words("the measurements"), commands.gaps_in_words("the commands"))
     found += [f"{one}." for one in gaps if one]
@@ -172,8 +171,8 @@ def remarks(recorded: Recorded, measured: JointTrajectory, commands: JointTrajec
     return tuple(found)
 
 
-def held(times: NDArray[np.float64], values: NDArray[np.float64], edges: NDArray[Any]) -> NDArray[np.float64]:
-    """Means (K, J) over the intervals between edges (K + 1,) of values (T, J) with zero-order hold at times (T,)."""
+def held(times: Floats, values: Floats, edges: NDArray[Any]) -> Floats:
+    """Return the means (K, J) between edges (K + 1,) of values (T, J) with zero-order hold at times (T,)."""
     # The integral of a piecewise constant function is piecewise linear.
     corners = np.concatenate([[min(times[0], edges[0]) - 1.0], times, [max(times[-1], edges[-1]) + 1.0]])
     heights = np.concatenate([values[:1], values])

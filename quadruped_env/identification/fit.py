@@ -8,7 +8,6 @@ import mujoco
 import numpy as np
 from mujoco import minimize
 from mujoco.rollout import rollout
-from numpy.typing import NDArray
 
 from quadruped_env.identification.dataset import Recorded
 from quadruped_env.identification.fitted_parameters import (
@@ -28,11 +27,12 @@ from quadruped_env.identification.rough_least_squares import derivatives, half_w
 from quadruped_env.robot import MotorConfig, Robot
 from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.simulation.model import scene
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.progress import Progress
 
 _UNDETERMINED: Final = 1.0
-"""Maximum half-width of a 95 % interval under white noise, relative to the value or its scale. A parameter with a wider
-interval is not determined and keeps its start value."""
+"""Maximum half-width of a 95 % interval under white noise, relative to the start value or its scale. A parameter with a
+wider interval is not determined and keeps its start value."""
 _STEP: Final = 1e-3
 """Step of the finite differences, in coordinates."""
 _TOLERANCE: Final = 1e-4
@@ -52,23 +52,28 @@ class MotorFit:
 
     Args:
         recorded: joint targets and measurements.
-        base: `fixed` or `free`.
         start: initial motors.
         fitted: parameters to fit, names in `QUANTITIES`.
         progress: called with the approximate fraction done.
+        on_ground: True for a robot that begins at rest on flat ground; otherwise it hangs on a stand, feet in the air.
     """
 
     def __init__(
-        self, recorded: Recorded, base: str, start: MotorConfig, fitted: Sequence[str], progress: Progress | None = None
+        self,
+        recorded: Recorded,
+        start: MotorConfig,
+        fitted: Sequence[str],
+        progress: Progress | None = None,
+        on_ground: bool = False,
     ) -> None:
         self.recorded = recorded
-        self.base = base
+        self.on_ground = on_ground
         self.start = start
         self.names = names_of(fitted, recorded.robot)
         self.half_width: dict[str, float] = {}
         self._progress = progress
         self._iterations = 0
-        self._spec = joint_spec(recorded.robot, base, recorded.timestep)
+        self._spec = joint_spec(recorded.robot, recorded.timestep, on_ground)
         self._max_delay = max(MAX_FIT_DELAY, start.delay)
         self._datas = [mujoco.MjData(self._model(start)) for _ in range(os.cpu_count() or 1)]
         """One for each thread of a rollout"""
@@ -105,13 +110,13 @@ class MotorFit:
             self._progress(1.0)
         return with_values(self.start, values)
 
-    def predict(self, motors: MotorConfig) -> NDArray[np.float64]:
-        """Simulated signals over the whole recording, at the times of the measurements, (T, S)."""
+    def predict(self, motors: MotorConfig) -> Floats:
+        """Return simulated signals over the whole recording, at the times of the measurements, (T, S)."""
         (signals,) = self._simulate([motors], self.recorded.times)
         return signals
 
     def mismatch(self) -> float:
-        """Smallest error over a grid of delays with all other parameters at the start: the misfit of this base.
+        """Return the smallest error over a grid of delays with all other parameters at the start.
 
         Computed from positions and, if measured, efforts over the first seconds of the fit, relative to the motion
         itself. Velocities are not used because they hardly depend on the load.
@@ -128,7 +133,7 @@ class MotorFit:
         return float(np.exp(np.mean([np.log(np.nanmean(left[:, part] ** 2)) / 2.0 for part in parts])))
 
     def _find_delay(self, values: dict[str, float]) -> dict[str, float]:
-        """Values fitted at the best of many fixed delays.
+        """Return values fitted at the best of many fixed delays.
 
         A delay that is free from the start gets stuck between two physics steps, where the motion has a kink.
         """
@@ -153,7 +158,7 @@ class MotorFit:
         return values
 
     def _scan_delay(self, values: dict[str, float]) -> float:
-        """The best of a grid of delays, with all other parameters at the start."""
+        """Return the best of a grid of delays, with all other parameters at the start."""
         residuals, start, _, _ = self._problem(values)
         candidates = np.arange(0.0, 0.5 * MAX_FIT_DELAY, max(self.recorded.timestep, _FINEST_DELAY))
         points = np.tile(start, (len(candidates), 1))
@@ -162,12 +167,12 @@ class MotorFit:
         return float(candidates[np.argmin((residuals(points) ** 2).sum(axis=(1, 2)))])
 
     def _search(self, values: Mapping[str, float]) -> dict[str, float]:
-        """The best values near a solution, which may be a local minimum of the rough error."""
+        """Return the best values near a solution, which may be a local minimum of the rough error."""
         found = search(*self._problem(values), self._tell)
         return from_coordinates(dict(zip(values, found.tolist(), strict=True)))
 
     def _solve_at(self, delay: float, values: Mapping[str, float]) -> tuple[float, dict[str, float]]:
-        """The smallest error at a fixed delay, and its values."""
+        """Return the smallest error at a fixed delay, and its values."""
         free = {name: value for name, value in values.items() if name != DELAY}
         found = self._solve(free, _ITERATIONS_PER_DELAY, {DELAY: delay})
         residuals, point, _, _ = self._problem(found, {DELAY: delay})
@@ -180,15 +185,15 @@ class MotorFit:
         iterations: int = _ITERATIONS,
         fixed: Mapping[str, float] = {},
     ) -> dict[str, float]:
-        """Values at a local optimum, which may be due to the roughness of the error."""
+        """Return values at a local optimum, which may be due to the roughness of the error."""
         if not values:
             return {}
         residuals, start, low, high = self._problem(values, fixed)
         # The fit could stall on a bound.
         margin = 2e-3 * (high - low)
 
-        def columns(points: NDArray[np.float64]) -> NDArray[np.float64]:
-            """Residuals (M, n) of points (P, n)."""
+        def columns(points: Floats) -> Floats:
+            """Return residuals (M, n) of points (P, n)."""
             found = residuals(points.reshape(len(values), -1).T)
             return found.reshape(len(found), -1).T
 
@@ -209,17 +214,17 @@ class MotorFit:
         self,
         values: Mapping[str, float],
         fixed: Mapping[str, float] = {},
-    ) -> tuple[Callable[[NDArray[np.float64]], NDArray[np.float64]], Any, Any, Any]:
-        """Weighted residuals (n, T, S) as a function of coordinates (n, P), those of the values, and their bounds."""
+    ) -> tuple[Callable[[Floats], Floats], Any, Any, Any]:
+        """Return the weighted residuals (n, T, S) as a function of coordinates (n, P), the start, and both bounds."""
         rows = self._rows()
         measured = self.recorded.measured[rows]
 
-        def residual(signals: NDArray[np.float64]) -> NDArray[np.float64]:
+        def residual(signals: Floats) -> Floats:
             # A diverged simulation gets the maximum error.
             signals = np.nan_to_num(signals, nan=_DIVERGED, posinf=_DIVERGED, neginf=-_DIVERGED)
             return np.where(np.isfinite(measured), (signals - measured) * self._weights, 0.0) / np.sqrt(len(measured))
 
-        def residuals(points: NDArray[np.float64]) -> NDArray[np.float64]:
+        def residuals(points: Floats) -> Floats:
             coordinates = (dict(zip(values, point, strict=True)) for point in np.maximum(points, 0.0).tolist())
             motors = [with_values(self.start, {**from_coordinates(one), **fixed}) for one in coordinates]
             return np.stack([residual(signals) for signals in self._simulate(motors, self.recorded.times[rows])])
@@ -235,7 +240,7 @@ class MotorFit:
             self._progress(self._iterations / max(_EXPECTED_ITERATIONS, 1.25 * self._iterations))
 
     def _intervals(self, values: Mapping[str, float]) -> dict[str, float]:
-        """Half-widths of the 95 % intervals of the values that are determined.
+        """Return half-widths of the 95 % intervals of the values that are determined.
 
         The others are removed one after another, the least certain first: if the recording determines only the sum of
         two parameters, fixing one determines the other.
@@ -246,7 +251,8 @@ class MotorFit:
         scales = np.array([quantity(name).scale for name in values])
         jacobian = jacobian @ coordinate_derivatives(values) * scales
         influence = np.sqrt((jacobian**2).sum(axis=(0, 1)))
-        allowed = _UNDETERMINED * np.maximum(np.array(list(values.values())) / scales, 1.0)
+        # Relative to the start: a value that runs away would allow itself any interval.
+        allowed = _UNDETERMINED * np.maximum([value_of(self.start, name) for name in values] / scales, 1.0)
         left = np.flatnonzero(influence > 1e-9 * influence.max())
         while len(left):
             white, widths = half_widths(jacobian[..., left], left_over, times, joints, kinds)
@@ -260,16 +266,16 @@ class MotorFit:
             left = np.delete(left, worst)
         return {}
 
-    def _inverse_spread(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Weights (S,): the inverse RMS of each signal in values (T, S); 0 for missing signals."""
+    def _inverse_spread(self, values: Floats) -> Floats:
+        """Return weights (S,): the inverse RMS of each signal in values (T, S); 0 for missing signals."""
         weights = np.zeros(values.shape[1])
         for name in self.recorded.signals:
             part = self.recorded.columns(name)
             weights[part] = 1.0 / max(np.sqrt(np.nanmean(values[:, part] ** 2)), 1e-9)
         return weights
 
-    def _rows(self) -> NDArray[np.bool_]:
-        """Mask of the measurements that the fit uses (T,)."""
+    def _rows(self) -> Bools:
+        """Return the mask of the measurements that the fit uses (T,)."""
         times = self.recorded.times
         return self.recorded.train & (times >= self.recorded.timestep - 1e-9) & (times <= self._horizon)
 
@@ -278,13 +284,13 @@ class MotorFit:
         motors.write(spec, self.recorded.robot.joint_kinds, self._max_delay)
         return spec.compile()
 
-    def _simulate(self, motors: Sequence[MotorConfig], times: NDArray[np.float64]) -> Iterator[NDArray[np.float64]]:
-        """Simulated signals with each of these motors, at times (T,) in s from the start of the recording, (T, S)."""
+    def _simulate(self, motors: Sequence[MotorConfig], times: Floats) -> Iterator[Floats]:
+        """Yield the signals (T, S) simulated with each of these motors, at times (T,) from the start in s."""
         recorded, joints = self.recorded, self.recorded.robot.num_joints
         data = mujoco.MjData(model := self._model(self.start))
         positions, velocities = recorded.start
-        if self.base == "free":
-            data.qpos[:7] = recorded.robot.resting_pose(positions)
+        if self.on_ground:
+            data.qpos[:7] = recorded.robot.skeleton.resting_pose(positions)
         data.qpos[-joints:], data.qvel[-joints:] = positions, velocities
         fill_command_history(model, data.history[None], recorded.control[:1])
         kind = mujoco.mjtState.mjSTATE_FULLPHYSICS
@@ -305,8 +311,8 @@ class MotorFit:
                 ]
                 yield self._at(times, np.concatenate(parts, axis=1))
 
-    def _at(self, times: NDArray[np.float64], signals: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Signals (K, S) after each physics step, at times (T,) in s; linear in between."""
+    def _at(self, times: Floats, signals: Floats) -> Floats:
+        """Return signals (K, S) after each physics step, at times (T,) in s; linear in between."""
         place = np.clip(times / self.recorded.timestep - 1.0, 0.0, len(signals) - 1.0)
         whole = np.rint(place)
         place = np.where(np.abs(place - whole) < 1e-6, whole, place)
@@ -316,8 +322,8 @@ class MotorFit:
         return (1.0 - share) * signals[before] + share * signals[after]
 
 
-def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
-    """A robot with its joint sensors only, on a stand (`fixed`) or on the ground (`free`)."""
+def joint_spec(robot: Robot, timestep: float, on_ground: bool = False) -> mujoco.MjSpec:
+    """Return a robot with its joint sensors only, on a stand or on the ground."""
     spec = scene(robot)
     spec.option.timestep = timestep
     wanted = {
@@ -331,7 +337,7 @@ def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
         geom.material = ""
     for looks in [*spec.materials, *spec.textures]:
         spec.delete(looks)
-    if base == "fixed":
+    if not on_ground:
         for key in list(spec.keys):
             spec.delete(key)
         spec.delete(spec.joints[0])  # the free one
@@ -340,7 +346,7 @@ def joint_spec(robot: Robot, base: str, timestep: float) -> mujoco.MjSpec:
     return spec
 
 
-def _centered(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values (T, S) less the mean of each column, NaN aside."""
+def _centered(values: Floats) -> Floats:
+    """Return values (T, S) less the mean of each column, NaN aside."""
     count = np.isfinite(values).sum(axis=0)
     return values - np.nansum(values, axis=0) / np.maximum(count, 1)

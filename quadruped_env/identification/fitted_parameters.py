@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import MotorConfig, Robot
+from quadruped_env.utils.arrays import Floats
 
 DELAY: Final = "delay"
 MAX_FIT_DELAY: Final = 0.2
@@ -47,7 +47,7 @@ FITTED: Final = ("stall_torque", "kp", "kd", "damping", "friction_loss", "armatu
 
 
 def names_of(fitted: Sequence[str], robot: Robot) -> list[str]:
-    """Names of the parameters of some quantities: one for each kind of joint (hips, knees), but only one delay.
+    """Return names of the parameters of some quantities: one for each kind of joint (hips, knees), but only one delay.
 
     Raises:
         QuadrupedError: if a quantity is unknown.
@@ -60,12 +60,12 @@ def names_of(fitted: Sequence[str], robot: Robot) -> list[str]:
 
 
 def quantity(name: str) -> Quantity:
-    """Quantity of a parameter."""
+    """Return the quantity of a parameter."""
     return QUANTITIES[name.rpartition(".")[2]]
 
 
 def to_coordinates(values: Mapping[str, float]) -> dict[str, float]:
-    """Coordinates of the fit: scaled values, with torques relative to the armature if that is fitted too.
+    """Return coordinates of the fit: scaled values, with torques relative to the armature if that is fitted too.
 
     Positions and velocities hardly change when all torques and the armature grow by the same factor. In these
     coordinates that is the direction of one axis instead of a narrow valley across all axes.
@@ -74,15 +74,15 @@ def to_coordinates(values: Mapping[str, float]) -> dict[str, float]:
 
 
 def from_coordinates(coordinates: Mapping[str, float]) -> dict[str, float]:
-    """The inverse of `to_coordinates`."""
+    """Return the inverse of `to_coordinates`."""
     armatures = {
         name: value * quantity(name).scale for name, value in coordinates.items() if name.endswith(".armature")
     }
     return {name: value * quantity(name).scale * _armature(name, armatures) for name, value in coordinates.items()}
 
 
-def coordinate_derivatives(values: Mapping[str, float]) -> NDArray[np.float64]:
-    """Derivatives of the coordinates with respect to the values, (n, n)."""
+def coordinate_derivatives(values: Mapping[str, float]) -> Floats:
+    """Return derivatives of the coordinates with respect to the values, (n, n)."""
     names = list(values)
     coordinates = to_coordinates(values)
     derivatives = np.diag([1.0 / quantity(name).scale / _armature(name, values) for name in names])
@@ -94,7 +94,7 @@ def coordinate_derivatives(values: Mapping[str, float]) -> NDArray[np.float64]:
 
 
 def _armature(name: str, values: Mapping[str, float]) -> float:
-    """Armature by which a torque is divided, in units of its scale; 1 for other quantities."""
+    """Return the armature by which a torque is divided, in units of its scale; 1 for other quantities."""
     armature = f"{name.rpartition('.')[0]}.armature"
     if not quantity(name).torque or armature not in values:
         return 1.0
@@ -102,13 +102,13 @@ def _armature(name: str, values: Mapping[str, float]) -> float:
 
 
 def value_of(motors: MotorConfig, name: str) -> float:
-    """Value of a parameter of some motors."""
+    """Return the value of a parameter of some motors."""
     kind, _, field = name.rpartition(".")
     return float(getattr(getattr(motors, kind) if kind else motors, field))
 
 
 def with_values(motors: MotorConfig, values: Mapping[str, float]) -> MotorConfig:
-    """The motors with some parameters changed."""
+    """Return the motors with some parameters changed."""
     changes: dict[str, Any] = {}
     for name, value in values.items():
         kind, _, field = name.rpartition(".")

@@ -21,7 +21,7 @@ NUMBERS_FILE: Final = "identification.json"
 
 
 def identification_files(directory: Path) -> list[Path]:
-    """Files that are written into a directory."""
+    """Return files that are written into a directory."""
     return [directory / name for name in (MOTORS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
@@ -49,7 +49,7 @@ def write_report(found: Identification, directory: Path, document: dict[str, Any
     context = {
         "title": f"Motors identified from {Path(found.source).name}",
         "headline": found.verdict(),
-        "level": "good" if found.helps and found.base_fits else "poor",
+        "level": "good" if found.helps else "poor",
         "remarks": found.remarks,
         "tables": [*found.tables(), _joints_table(found)],
         "figures": _figures(found),
@@ -91,16 +91,4 @@ def _figures(found: Identification) -> list[dict[str, str]]:
                 "Measured, and simulated with the motors before and after. The time after the grey line is held out.",
             )
         )
-    before, after = (
-        Line(recorded.times, (predicted - recorded.measured)[:, recorded.columns("position")], colour)
-        for predicted, colour in ((found.predicted_before, ORANGE), (found.predicted_after, BLUE))
-    )
-    figures.insert(
-        1,
-        figure(
-            "Position errors",
-            joint_panels(robot, {"before": before, "after": after}, "rad", mark=mark),
-            "Simulated minus measured position. The time after the grey line is held out.",
-        ),
-    )
     return figures

@@ -1,45 +1,31 @@
 """Identification of the motors: the fit, its confidence intervals and its validation on held-out time."""
 
 import importlib.util
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.identification.dataset import UNITS, Recorded, align, remarks, whole
 from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import FITTED, QUANTITIES, names_of, quantity, value_of
-from quadruped_env.identification.recording_checks import check
+from quadruped_env.identification.recording_checks import check, check_stand
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import shown_argument
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.text_table import Table
 
-BASES: Final = ("fixed", "free")
-NO_INTERVALS: Final = (
-    "No intervals: contacts with the ground make the error rough, and forces that the fit does not model shift its "
-    "optimum."
-)
 _INTERVALS: Final = (
     "Intervals account for residuals that are correlated over up to a second, between signals and between joints; "
     "not for external forces."
 )
-_OTHER: Final = {"fixed": "free", "free": "fixed"}
-_FORCES: Final = {
-    "fixed": "of the ground are taken for friction, inertia and strength",
-    "free": "of a ground that was not there are assumed",
-}
-_CURES: Final = {
-    "fixed": "Record the robot on a stand with its feet in the air, or fit with --base free.",
-    "free": "Fit with --base fixed if the robot hangs on a stand.",
-}
 
 
 @dataclass(frozen=True)
@@ -53,9 +39,7 @@ class Estimated:
     after: float
     half_width: float | None
     """Half-width of the 95 % confidence interval, in `unit`, if those `Identification.assumed` are right; None if the
-    recording does not determine the parameter, or no intervals can be given (see `Identification.has_intervals`)"""
-    determined: bool = True
-    """True if the recording determines the parameter; otherwise it keeps its start value"""
+    recording does not determine the parameter, which then keeps its start value"""
 
 
 @dataclass(frozen=True)
@@ -64,29 +48,16 @@ class Identification:
 
     source: str
     commands: str
-    base: str
     recorded: Recorded
     estimates: tuple[Estimated, ...]
     before: MotorConfig
     after: MotorConfig
-    predicted_before: NDArray[np.float64]
+    predicted_before: Floats
     """Simulated signals with the motors before the fit, at the times of the measurements (T, S)"""
-    predicted_after: NDArray[np.float64]
+    predicted_after: Floats
     """Simulated signals with the motors after the fit (T, S)"""
     remarks: tuple[str, ...]
     """Remarks on the recording, in sentences"""
-    mismatches: Mapping[str, float]
-    """Base -> misfit of the simulator with that base before the fit (`MotorFit.mismatch`)"""
-
-    @property
-    def base_fits(self) -> bool:
-        """True if, before the fit, the base explains the recording at least as well as the other base."""
-        return self.mismatches[self.base] <= min(self.mismatches.values())
-
-    @property
-    def has_intervals(self) -> bool:
-        """True if intervals are given. On the ground or with the wrong base they would exclude the true values."""
-        return self.base_fits and self.base == "fixed"
 
     @property
     def assumed(self) -> tuple[str, ...]:
@@ -94,7 +65,7 @@ class Identification:
 
         A quantity in `QUANTITIES`, or one of its parameters, such as `hip.kp`.
         """
-        estimated = {estimate.name for estimate in self.estimates if estimate.determined}
+        estimated = {estimate.name for estimate in self.estimates if estimate.half_width is not None}
         found: list[str] = []
         for field in QUANTITIES:
             names = names_of([field], self.recorded.robot)
@@ -103,14 +74,14 @@ class Identification:
         return tuple(found)
 
     def condition(self) -> str:
-        """The condition of the estimates in a sentence."""
+        """Return the condition of the estimates in a sentence."""
         return (
-            f"Estimates and intervals hold only if the motors' other values are right, which are those of the start: "
+            f"Estimates and intervals hold only if the motors' other values are right, which keep their start values: "
             f"{', '.join(self.assumed)}."
         )
 
-    def errors(self, after: bool, held_out: bool = True) -> dict[str, NDArray[np.float64]]:
-        """Root mean square error (J,) of every measured signal, over the held-out time or the fit's.
+    def errors(self, after: bool, held_out: bool = True) -> dict[str, Floats]:
+        """Return the root mean square error (J,) of every measured signal, over the held-out time or the fit's.
 
         NaN for a joint whose signal was not measured.
         """
@@ -122,17 +93,9 @@ class Identification:
         return {name: rms[self.recorded.columns(name)] for name in self.recorded.signals}
 
     def verdict(self) -> str:
-        """Verdict on the fit, from the position error on held-out time."""
+        """Return the verdict on the fit, from the position error on held-out time."""
         before, after = self._held_out()
         change = f"from {before:.4f} to {after:.4f} rad"
-        if not self.base_fits:
-            other = _OTHER[self.base]
-            return (
-                f"Do not trust these motors: --base {self.base} does not fit. Before the fit, the simulator explains "
-                f"the recording better with --base {other} (error {self.mismatches[other]:.2f} of the motion, against "
-                f"{self.mismatches[self.base]:.2f}), so forces {_FORCES[self.base]}. {_CURES[self.base]} On held-out "
-                f"time the position error goes {change}."
-            )
         if self.helps:
             return f"On held-out time the position error falls {change} ({100 * (1 - after / before):.0f} % less)."
         return f"On held-out time the position error does not fall: {change}. Do not use these motors."
@@ -144,18 +107,15 @@ class Identification:
         return after < before
 
     def _held_out(self) -> tuple[float, float]:
-        """Position error on held-out time before and after, rad."""
+        """Return the position error on held-out time before and after, rad."""
         return pooled(self.errors(after=False)["position"]), pooled(self.errors(after=True)["position"])
 
     def report(self) -> dict[str, Any]:
-        """The identification as JSON-serializable values."""
+        """Return the identification as JSON-serializable values."""
         times = self.recorded.times
         return {
             "recording": shown_argument(self.source),
             "commands": self.commands,
-            "base": self.base,
-            "base_fits": self.base_fits,
-            "mismatch": dict(self.mismatches),
             "seconds": float(times[-1]),
             "fit_seconds": float(times[self.recorded.train][-1]),
             "measurements": len(times),
@@ -178,18 +138,15 @@ class Identification:
         }
 
     def config(self) -> dict[str, Any]:
-        """The motors as a part of the environment's `config`."""
+        """Return the motors as a part of the environment's `config`."""
         return {"motor": asdict(self.after)}
 
     def tables(self) -> list[Table]:
-        """Motors and errors before and after the fit, for a terminal and for a page."""
+        """Return the motors and errors before and after the fit, for a terminal and for a page."""
         rows = []
         for estimate in self.estimates:
-            if not estimate.determined:
-                interval = "not determined: stays"
-            elif estimate.half_width is None:
-                interval = "unknown"
-            else:
+            interval = "not determined: stays"
+            if estimate.half_width is not None:
                 low = max(0.0, estimate.after - estimate.half_width)
                 interval = f"{low:.4g} to {estimate.after + estimate.half_width:.4g}"
             rows.append([estimate.name, f"{estimate.before:.4g}", f"{estimate.after:.4g}", interval, estimate.unit])
@@ -198,7 +155,7 @@ class Identification:
             "The motors",
             ["", "before", "after", "95 % interval", "unit"],
             rows,
-            f"{_INTERVALS if self.has_intervals else NO_INTERVALS}{condition} Parameters that the recording does not "
+            f"{_INTERVALS}{condition} Parameters that the recording does not "
             f"determine keep their start values: a motor's strength, for example, can be identified only where a motor "
             f"is at its limit.",
         )
@@ -221,14 +178,13 @@ class Identification:
         return [motors, errors]
 
     def text(self) -> str:
-        """The tables, the remarks and the verdict as plain text."""
+        """Return the tables, the remarks and the verdict as plain text."""
         return "\n".join([*(f"{table.text()}\n" for table in self.tables()), *self.remarks, self.verdict()])
 
 
 def identify(
     measured: JointTrajectory,
     commands: JointTrajectory,
-    base: str = "fixed",
     start: MotorConfig | None = None,
     fitted: Sequence[str] = FITTED,
     train_share: float = 0.7,
@@ -237,14 +193,12 @@ def identify(
     progress: Progress | None = None,
     robot: Robot = MINI_QUADRUPED,
 ) -> Identification:
-    """Estimate the motors from commands and measurements of one recording.
+    """Estimate the motors of a robot on a stand, its feet in the air, from commands and measurements of one recording.
 
     Args:
         measured: positions, and velocities and efforts if they were recorded, of all joints but those that are left
             out. An effort is the motor's torque in the physics step before its timestamp, as this package records it.
         commands: joint targets on the same clock; each holds until the next.
-        base: `fixed` for a robot that hangs on a stand with its feet in the air; `free` for one that stands or walks
-            on flat ground and begins at rest.
         start: initial motors; None takes the robot's.
         fitted: parameters to fit, names in `QUANTITIES`.
         train_share: fraction of the time, from the beginning, used for the fit.
@@ -261,8 +215,6 @@ def identify(
     """
     if importlib.util.find_spec("scipy") is None:
         raise MissingExtraError("Identification", "identify")
-    if base not in BASES:
-        raise QuadrupedError(f"identify: base must be one of {', '.join(BASES)}; found {base!r}")
     if not 0.1 <= train_share <= 0.9:
         raise QuadrupedError(f"identify: the share for the fit must be from 0.1 to 0.9; found {train_share:g}")
     timestep = TaskConfig().physics_timestep if timestep is None else timestep
@@ -273,9 +225,9 @@ def identify(
     measured = whole(measured, robot, without, robot.stance)
     commands = whole(commands, robot, without, measured.positions[0])
     recorded = align(robot, measured, commands, train_share, timestep, without)
-    fit = MotorFit(recorded, base, before, fitted, progress)
+    fit = MotorFit(recorded, before, fitted, progress)
     check(recorded, measured, commands, without)
-    mismatches = {kind: MotorFit(recorded, kind, before, ()).mismatch() for kind in BASES}
+    check_stand(recorded, before)
     after = fit.run()
     notes = remarks(recorded, measured, commands)
     if absent:
@@ -285,7 +237,6 @@ def identify(
     found = Identification(
         measured.source.name,
         commands.source.name,
-        base,
         recorded,
         (),
         before,
@@ -293,18 +244,16 @@ def identify(
         fit.predict(before),
         fit.predict(after),
         notes,
-        mismatches,
     )
     estimates = []
     for name in fit.names:
-        width = fit.half_width.get(name)
         values = quantity(name).unit, value_of(before, name), value_of(after, name)
-        estimates.append(Estimated(name, *values, width if found.has_intervals else None, width is not None))
+        estimates.append(Estimated(name, *values, fit.half_width.get(name)))
     return replace(found, estimates=tuple(estimates))
 
 
-def pooled(rms: NDArray[np.float64]) -> float:
-    """RMS over the joints of their RMS values (J,), without NaN."""
+def pooled(rms: Floats) -> float:
+    """Return RMS over the joints of their RMS values (J,), without NaN."""
     return float(np.sqrt(np.nanmean(rms**2)))
 
 

@@ -8,11 +8,14 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.identification.dataset import Recorded
+from quadruped_env.identification.fit import MotorFit
 from quadruped_env.identification.fitted_parameters import QUANTITIES
+from quadruped_env.robot import MotorConfig
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.plausibility import findings
+from quadruped_env.utils.arrays import Floats
 
 _MAX_DELAY: Final = 0.25
 """Longest time by which a servo follows its command, s."""
@@ -58,20 +61,35 @@ def check(recorded: Recorded, measured: JointTrajectory, commands: JointTrajecto
         raise QuadrupedError(f"{measured.source.name}: would spoil the fit{more}: {problems[0]}")
 
 
+def check_stand(recorded: Recorded, start: MotorConfig) -> None:
+    """Raise a QuadrupedError if the simulator explains a recording better with the robot on the ground than on a stand.
+
+    Forces of the ground would be taken for friction, inertia and strength.
+    """
+    stand, ground = (MotorFit(recorded, start, (), on_ground=on_ground).mismatch() for on_ground in (False, True))
+    if ground < stand:
+        raise QuadrupedError(
+            f"the robot seems to stand on the ground, whose forces would be taken for friction, inertia and strength: "
+            f"before the fit, the simulator explains the motion better there (error {ground:.2f} of the motion) than "
+            f"on a stand ({stand:.2f}); record it on a stand with its feet in the air, or if it was, start from the "
+            f"motors' data sheet (--start)"
+        )
+
+
 def _read_twice(measured: JointTrajectory, commands: JointTrajectory) -> list[str]:
-    """The problem with targets that are the measurements: the same columns of the same file, as a rule."""
+    """Return the problem with targets that are the measurements: the same columns of the same file, as a rule."""
     pairs = (measured.stamps, commands.stamps), (measured.positions, commands.positions)
     if not all(np.array_equal(*pair) for pair in pairs):
         return []
     return [
         f"all positions are the joint targets of {commands.source.name}, number for number at the same times: the same "
-        f"columns were read twice; name those of the targets (--commands-columns; in a bag, --commands-topic). If the "
+        f"columns were read twice; name the targets' columns (--commands-columns; in a bag, --commands-topic). If the "
         f"log itself holds both, it repeats its targets as positions ({_NO_FEEDBACK})"
     ]
 
 
 def _echoes(measured: JointTrajectory, commands: JointTrajectory, without: Sequence[str]) -> list[str]:
-    """The problem with servos that report no position: their driver repeats the target as the position, maybe later."""
+    """Return the problem with servos without feedback, whose driver repeats the target as the position, maybe later."""
     ages = {}
     for name, positions, targets in zip(measured.names, measured.positions.T, commands.positions.T, strict=True):
         age = _age_of_echo(measured.stamps, positions, commands.stamps, targets)
@@ -90,11 +108,11 @@ def _echoes(measured: JointTrajectory, commands: JointTrajectory, without: Seque
 
 def _age_of_echo(
     stamps: NDArray[np.int64],
-    positions: NDArray[np.float64],
+    positions: Floats,
     command_stamps: NDArray[np.int64],
-    targets: NDArray[np.float64],
+    targets: Floats,
 ) -> float | None:
-    """Age in s of the targets that a joint's positions (T,) repeat; None if they are no targets."""
+    """Return the age in s of the targets that a joint's positions (T,) repeat; None if they are no targets."""
     common = (stamps >= command_stamps[0]) & (stamps <= command_stamps[-1])
     rows = np.flatnonzero(common[1:] & (np.abs(np.diff(positions)) > _ECHO_TOLERANCE))[: _ECHO_ROWS[1]] + 1
     if len(rows) < _ECHO_ROWS[0]:
@@ -108,7 +126,7 @@ def _age_of_echo(
 
 
 def _implausible(one: JointTrajectory, other: JointTrajectory, without: Sequence[str], commands_too: bool) -> list[str]:
-    """Findings in the time that a recording has in common with another."""
+    """Return findings in the time that a recording has in common with another."""
     source = one.source
     inside = np.flatnonzero((one.stamps >= other.stamps[0]) & (one.stamps <= other.stamps[-1]))
     place = f"commands {source.name}: " if commands_too else ""
@@ -121,7 +139,7 @@ def _implausible(one: JointTrajectory, other: JointTrajectory, without: Sequence
 
 
 def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
-    """Contradictions between measurements and commands, in sentences."""
+    """Return contradictions between measurements and commands, in sentences."""
     names, step = recorded.robot.joint_names, recorded.timestep
     times = np.arange(len(recorded.control)) * step
     times = times[times <= recorded.times[-1]]
@@ -163,7 +181,7 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
         if own.max() < 0.5 and own[:early].min() < -0.7:
             reasons.append("moves against its command: its sign is wrong (sign = -1 in a map)")
         if own.max() < 0.5 and others[follows] > 0.9:
-            reasons.append(f"follows that of {names[follows]}: joints are swapped (source or columns in a map)")
+            reasons.append(f"follows the command of {names[follows]}: joints are swapped (source or columns in a map)")
         if reasons:
             problems.append(f"{names[i]} {', or it '.join(reasons)}")
         if own.max() >= 0.8 and gain > _MAX_GAIN:
@@ -184,25 +202,23 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
     return problems
 
 
-def _correlation(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    """Correlation where both are known; 0 if one does not change."""
+def _correlation(one: Floats, other: Floats) -> float:
+    """Return the correlation where both are known; 0 if one does not change."""
     known = np.isfinite(one) & np.isfinite(other)
     if known.sum() < 20 or not np.ptp(one[known]) or not np.ptp(other[known]):
         return 0.0
     return float(np.corrcoef(one[known], other[known])[0, 1])
 
 
-def _correlations(command: NDArray[np.float64], position: NDArray[np.float64], delay: int) -> NDArray[np.float64]:
-    """Correlation of each joint's position with each joint's command some steps earlier (J, J)."""
+def _correlations(command: Floats, position: Floats, delay: int) -> Floats:
+    """Return the correlation of each joint's position with each joint's command some steps earlier (J, J)."""
     target, reached = command[: len(command) - delay], position[delay:]
     with np.errstate(all="ignore"):
         return np.nan_to_num(np.corrcoef(reached.T, target.T)[: len(command.T), len(command.T) :], nan=0.0)
 
 
-def _clock_offset(
-    command: NDArray[np.float64], position: NDArray[np.float64], step: float
-) -> tuple[float, float, float]:
-    """Time in s by which all positions together follow their commands best, its correlation, and that of servos."""
+def _clock_offset(command: Floats, position: Floats, step: float) -> tuple[float, float, float]:
+    """Return the delay, s, at which positions follow their commands best, its correlation, and a servo's best one."""
     target, reached = command - command.mean(axis=0), position - position.mean(axis=0)
     target, reached = target / target.std(axis=0), reached / reached.std(axis=0)
     count = len(target)

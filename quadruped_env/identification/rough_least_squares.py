@@ -10,9 +10,10 @@ from collections.abc import Callable
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
-Residuals = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+from quadruped_env.utils.arrays import Floats
+
+Residuals = Callable[[Floats], Floats]
 """Points (n, P) -> residuals (n, T, S) of T measurements of S signals."""
 
 _STEPS: Final = (0.02, 0.005)
@@ -39,9 +40,7 @@ _BLOCKS: Final = (0.25, 1.0)
 _LEVEL: Final = 0.975
 
 
-def search(
-    residuals: Residuals, start: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64], tell: Any
-) -> NDArray[np.float64]:
+def search(residuals: Residuals, start: Floats, low: Floats, high: Floats, tell: Any) -> Floats:
     """Search for the best point (P,) from a start, within bounds; `tell` is called in every round."""
     rng = np.random.default_rng(0)
     point = start
@@ -77,10 +76,8 @@ def search(
     return point
 
 
-def derivatives(
-    residuals: Residuals, point: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Derivatives (T, S, P) of the residuals at a point, robust against nearby jumps, and the residuals (T, S)."""
+def derivatives(residuals: Residuals, point: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Return the derivatives (T, S, P) of the residuals at a point, robust against jumps, and the residuals (T, S)."""
     places = np.arange(-_FINE_STEPS, _FINE_STEPS + 1)
     columns = []
     step = _FINE_STEP * np.maximum(np.abs(point), _LEAST)
@@ -96,10 +93,8 @@ def derivatives(
     return np.stack(columns, axis=-1), here
 
 
-def half_widths(
-    jacobian: NDArray[np.float64], left: NDArray[np.float64], times: NDArray[np.float64], joints: int, kinds: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Half-widths (P,) of 95 % intervals under white noise, and of robust 95 % intervals.
+def half_widths(jacobian: Floats, left: Floats, times: Floats, joints: int, kinds: int) -> tuple[Floats, Floats]:
+    """Return half-widths (P,) of 95 % intervals under white noise, and of robust 95 % intervals.
 
     The first show which parameters the recording determines: they are infinite for a parameter without influence. Real
     residuals are not white noise: they are correlated over time, between the signals of a joint and between joints,
@@ -144,17 +139,17 @@ def half_widths(
     return widths[0], np.max(widths, axis=0) + np.abs(newton)
 
 
-def _clustered(inverse: NDArray[np.float64], sums: NDArray[np.float64], degrees: int) -> NDArray[np.float64]:
-    """Half-widths from the sums of scores (G, P) over mutually independent groups."""
+def _clustered(inverse: Floats, sums: Floats, degrees: int) -> Floats:
+    """Return half-widths from the sums of scores (G, P) over mutually independent groups."""
     from scipy.stats import t as student
 
     spread = sums @ inverse
-    result: NDArray[np.float64] = student.ppf(_LEVEL, degrees) * np.sqrt((spread**2).sum(axis=0))
+    result: Floats = student.ppf(_LEVEL, degrees) * np.sqrt((spread**2).sum(axis=0))
     return result
 
 
-def _newton(jacobian: NDArray[np.float64], left: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
-    """A Gauss-Newton step (P,), and a root (P, P) of the inverse of the squared Jacobian."""
+def _newton(jacobian: Floats, left: Floats) -> tuple[Floats, Any]:
+    """Return a Gauss-Newton step (P,), and a root (P, P) of the inverse of the squared Jacobian."""
     scale = np.maximum(np.linalg.norm(jacobian, axis=0), 1e-12)
     values, vectors = np.linalg.eigh((jacobian / scale).T @ (jacobian / scale))
     values = np.maximum(values, 1e-9 * values[-1])

@@ -5,10 +5,9 @@ import inspect
 import sys
 from collections.abc import Sequence
 
-from quadruped_env.errors import QuadrupedError
-from quadruped_env.live.nodes import PRINTING, SUMMARIES, node_module
+from quadruped_env.live.nodes import SUMMARIES, node_module
 from quadruped_env.live.session import Session, add_common_arguments
-from quadruped_env.utils.interpreter import COMMAND, pasteable
+from quadruped_env.utils.interpreter import COMMAND
 from quadruped_env.utils.program import ArgumentParser, HelpFormatter, run_program
 
 _DESCRIPTION = "The robot on live ROS 2 topics, without a ROS installation."
@@ -20,7 +19,7 @@ describes each node.
 
 
 def make_parser(only: str | None = None) -> argparse.ArgumentParser:
-    """The parser of the nodes' arguments.
+    """Return the parser of the nodes' arguments.
 
     Args:
         only: the node whose arguments are needed; the other nodes get no arguments, and their modules are not imported.
@@ -33,43 +32,16 @@ def make_parser(only: str | None = None) -> argparse.ArgumentParser:
 def add_nodes(parser: argparse.ArgumentParser, only: str | None = None) -> None:
     """Add the description and the nodes to a parser; `only` as in `make_parser`."""
     parser.description = _DESCRIPTION
-    parser.epilog = pasteable(_EPILOG)
+    parser.epilog = _EPILOG
     parser.formatter_class = HelpFormatter
     nodes = parser.add_subparsers(dest="node", metavar="NODE", required=True, title="nodes")
     for name, summary in SUMMARIES.items():
         node = nodes.add_parser(name, help=summary, formatter_class=HelpFormatter)
         if only in (None, name):
             module = node_module(name)
-            node.description = pasteable(inspect.cleandoc(module.__doc__))
+            node.description = inspect.cleandoc(module.__doc__)
             module.add_arguments(node)
             add_common_arguments(node)
-
-
-def without_ros_arguments(typed: Sequence[str]) -> list[str]:
-    """Arguments with those of `--ros-args` in this program's own form.
-
-    Raises:
-        QuadrupedError: if they hold anything but remapping and the parameter use_sim_time.
-    """
-    own: list[str] = []
-    given = iter(typed)
-    for argument in given:
-        if argument != "--ros-args":
-            own.append(argument)
-            continue
-        for flag in given:
-            if flag == "--":
-                break
-            value = next(given, "")
-            if flag in ("-r", "--remap"):
-                own += ["--remap", value]
-            elif flag in ("-p", "--param") and value in ("use_sim_time:=true", "use_sim_time:=false"):
-                own += ["--sim-time"] * (value.endswith("true") and typed[0] == "controller")
-            else:
-                raise QuadrupedError(
-                    f"--ros-args: found {flag} {value}; expected -r FROM:=TO, -p use_sim_time:=true or --"
-                )
-    return own
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -84,17 +56,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     def run() -> int:
         # Only the node's own module is imported: faster start and less memory on a robot.
         parser = make_parser(only=name)
-        try:
-            args = parser.parse_args(without_ros_arguments(typed))
-        except QuadrupedError as error:
-            parser.error(str(error))
+        args = parser.parse_args(typed)
         module = node_module(args.node)
         if hasattr(module, "start"):
             return int(module.start(args))
         with Session(args.node, args) as session:
             return int(module.run(session, args))
 
-    return run_program(f"{COMMAND} live {name}".strip(), run, needs_output=name in PRINTING)
+    return run_program(f"{COMMAND} live {name}".strip(), run)
 
 
 if __name__ == "__main__":

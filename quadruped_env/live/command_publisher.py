@@ -6,8 +6,9 @@ from collections.abc import Callable
 from quadruped_env.control.joint_command import LIMP, Target, TargetGate
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.messages.joint_messages import Jointed, command_message
-from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_POSITIONS
+from quadruped_env.live.session import Session
+from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.ros import cdr
 
 
@@ -17,28 +18,36 @@ class CommandPublisher:
     Args:
         driver: its joints are commanded.
         arrays: True for the format of ros2_control, which has no limp command.
-        say: called with a line of text at the first invalid target.
+        publishing: as for `SinglePublisherGuard`.
+
+    Raises:
+        QuadrupedError: if another process commands the robot already.
     """
 
-    def __init__(self, node: Node, driver: Jointed, arrays: bool, say: Callable[[str], None]) -> None:
+    def __init__(
+        self, session: Session, driver: Jointed, arrays: bool = False, publishing: Callable[[], bool] = lambda: True
+    ) -> None:
+        topic = JOINT_POSITIONS if arrays else JOINT_COMMANDS
+        self.guard = SinglePublisherGuard(session, topic, publishing)
+        """Watches for other publishers of commands."""
         self._arrays = arrays
-        self._commands = node.publish(JOINT_POSITIONS if arrays else JOINT_COMMANDS)
+        self._commands = session.node.publish(topic)
         self._driver = driver
-        self._gate = TargetGate(driver.joint_names, say)
+        self._gate = TargetGate(driver.joint_names, session.say)
         self._last: Target = LIMP
         self._stamp = 0
 
     def send(self, stamp: int, target: Target) -> None:
         """Send joint targets, or `LIMP`, which an array cannot express: it is not sent.
 
-        In place of targets that are not finite, or too large, the last valid ones are sent again.
+        If targets are not finite, or too large, the last valid ones are sent again.
 
         Args:
             stamp: timestamp of the state that is answered, ns.
             target: for the driver's joints (D,), in its units.
 
         Raises:
-            QuadrupedError: if targets were invalid for `INVALID_TIMEOUT`; `LIMP` was sent in their place.
+            QuadrupedError: if targets were invalid for `INVALID_TIMEOUT`; `LIMP` was sent instead.
         """
         try:
             if target is not LIMP and not self._gate.passes(target, time.monotonic()):

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import Target
 from quadruped_env.control.live_controller import LiveController, Measurement
@@ -21,10 +20,11 @@ from quadruped_env.live.middleware.node import message_reader
 from quadruped_env.live.middleware.topics import CMD_VEL, CMD_VEL_STAMPED, IMU, JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
-from quadruped_env.live.state_checks import ImuRepetition, JointChecks, Sources
+from quadruped_env.live.state_checks import FrozenJoints, ImuRepetition, Sources
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 _STATES_QOS: Final = Qos(depth=50, reliable=False)
 """As for sensor data, but deep enough for states that come as one message per joint."""
@@ -45,7 +45,7 @@ class Measurements:
         robot: the robot.
         driver: conversion of the driver's joints.
         velocities: True if measurements need joint velocities.
-        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: that of the base.
+        mount: orientation of the IMU in the base frame, unit quaternion wxyz (4,); None: the base frame itself.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class Measurements:
         robot: Robot,
         driver: DriverJoints,
         velocities: bool,
-        mount: NDArray[np.float64] | None,
+        mount: Floats | None,
     ) -> None:
         node = session.node
         self._session = session
@@ -69,7 +69,7 @@ class Measurements:
         self._repetition = ImuRepetition()
         self._joint_sources = Sources(node.graph, self._states.topic, driver.joint_names)
         self._imu_sources = Sources(node.graph, self._attitudes.topic, ["an orientation"])
-        self._checks = JointChecks(robot.joint_names, session.say)
+        self._joints = FrozenJoints(robot.joint_names, session.say)
         self._imu_period = Period()
         self._heard = dict.fromkeys((JOINT_STATES.name, IMU.name), time.monotonic())
         """Time at which the last message that can be read was taken, s, by topic."""
@@ -79,7 +79,7 @@ class Measurements:
         """Why the last messages gave no measurement; empty if they gave one."""
 
     def newest(self) -> tuple[Measurement, float] | None:
-        """The newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
+        """Return the newest valid measurement and the `time.monotonic` (s) at which it was taken, or None.
 
         Raises:
             QuadrupedError: if the times of joint states and IMU differ, the IMU only repeats itself, or its orientation
@@ -95,8 +95,10 @@ class Measurements:
             if refusal := self._joint_sources.refusal(received, found.tolist()):
                 self._session.refuse(refusal)
             elif state := self._merger.add(joints):
-                states.append((received, self._driver.to_robot(state)))
-                self._checks.add(states[-1][1], not self._merger.computes_velocities)
+                of_robot = self._driver.to_robot(state)
+                assert of_robot.positions is not None
+                self._joints.add(of_robot.stamp, of_robot.positions)
+                states.append((received, of_robot))
         for received, imu in self._attitudes.messages(functools.partial(self._refuse, IMU.name)):
             self._heard[IMU.name] = received.taken
             self._unread.pop(IMU.name, None)
@@ -104,7 +106,7 @@ class Measurements:
                 self._session.refuse(refusal)
                 continue
             self._imu_period.add(imu.stamp)
-            self._repetition.add(imu, self._checks.moved)
+            self._repetition.add(imu, self._joints.moved)
             self._imu = imu
         if not states or self._imu is None:
             return None
@@ -119,12 +121,12 @@ class Measurements:
 
     def commanded(self, target: Target) -> None:
         """Take the joint targets (J,) that the robot was sent, in rad."""
-        self._checks.commanded(target)
+        self._joints.commanded(target)
 
     @property
     def problems(self) -> tuple[str, ...]:
         """Problems of messages that can be read."""
-        return tuple(filter(None, (self._joint_sources.problem, self._imu_sources.problem, *self._checks.problems)))
+        return tuple(filter(None, (self._joint_sources.problem, self._imu_sources.problem, *self._joints.problems)))
 
     def _paired(self, joints: Joints, imu: Imu) -> Measurement:
         if self._repetition.frozen:
@@ -155,7 +157,7 @@ class Measurements:
         return {name: rate for name, rate in found.items() if rate is not None}
 
     def missing(self) -> str:
-        """Why there are no measurements; empty if they come."""
+        """Return why there are no measurements; empty if they come."""
         silent = [one.topic.name for one in (self._states, self._attitudes) if not one.writers]
         if silent:
             return f"a publisher of {' and of '.join(silent)}"
@@ -185,19 +187,15 @@ class SlowInputs:
         """Take the present rates of the inputs in Hz, by topic; call it often."""
         if not self._pace.tick():
             return
-        before, self._slow = (
-            self._slow,
-            {
-                name: rate < self._control_rate * (_FAST if self._slow.get(name) else _SLOW)
-                for name, rate in rates.items()
-            },
-        )
-        slow = [f"{name} at {rates[name]:.0f} Hz" for name, is_slow in self._slow.items() if is_slow]
+        before, texts = self._slow, {name: f"{name} at {rate:.0f} Hz" for name, rate in rates.items()}
+        limits = {name: self._control_rate * (_FAST if before.get(name) else _SLOW) for name in rates}
+        self._slow = {name: rate < limits[name] for name, rate in rates.items()}
+        slow = [texts[name] for name, is_slow in self._slow.items() if is_slow]
         self.warning = f"{', '.join(slow)}, below the control rate of {self._control_rate:g} Hz" if slow else ""
         if self._slow != before:
-            found = ", ".join(f"{name} at {rate:.0f} Hz" for name, rate in rates.items())
             effect = ": control steps without a new state use the last one, and the policy may walk worse"
-            self._say(f"{self.warning}{effect}" if slow else f"{found}; control rate {self._control_rate:g} Hz")
+            known = f"{', '.join(texts.values())}; control rate {self._control_rate:g} Hz"
+            self._say(f"{self.warning}{effect}" if slow else known)
 
 
 class VelocityCommands:

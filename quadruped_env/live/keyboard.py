@@ -50,7 +50,7 @@ class Keyboard:
             termios.tcsetattr(self._terminal, termios.TCSADRAIN, self._settings)
 
     def pressed(self, seconds: float) -> list[str]:
-        """Keys pressed since the last call: characters, or `UP`, `DOWN`, `LEFT`, `RIGHT`. Waits if there are none.
+        """Return the keys since the last call: characters, `UP`, `DOWN`, `LEFT`, `RIGHT`. Waits if there are none.
 
         Args:
             seconds: timeout, s.
@@ -67,7 +67,7 @@ class Keyboard:
 
 
 def split_keys(data: bytes) -> tuple[list[str], bytes]:
-    """The keys in a terminal's bytes, and the remaining bytes of an incomplete key sequence."""
+    """Return the keys in a terminal's bytes, and the remaining bytes of an incomplete key sequence."""
     unfinished = _UNFINISHED.search(data)
     rest = unfinished[0] if unfinished else b""
     keys = []

@@ -3,11 +3,9 @@
 import functools
 import math
 import time
-from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
@@ -22,16 +20,13 @@ from quadruped_env.live.middleware.topics import (
     GAIT_SETTINGS,
     JOINT_STATES,
     ODOMETRY,
-    PAUSE,
     PUSH,
-    RESET,
-    STEP,
 )
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS, cdr
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import rotate
-from quadruped_env.viewer import ViewController
 from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, ViewedTrace, heading, sample, world_vector
 
 NAME: Final = "live robot"
@@ -84,10 +79,6 @@ class LiveRobot(ViewedRobot):
         self._odometry = node.subscribe(ODOMETRY, SENSOR_DATA_QOS, read=message_reader(ODOMETRY, _read_odometry))
         self._velocities, self._pushes = node.publish(CMD_VEL), node.publish(PUSH)
         self._gaits = node.publish(GAIT)
-        self._resets, self._pauses, self._single_steps = node.publish(RESET), node.publish(PAUSE), node.publish(STEP)
-        self._pauses_received = node.subscribe(PAUSE, ignore_own=True)
-        self.paused = False
-        """True if a message of this node or another one has paused the simulation."""
         read = functools.partial(read_settings, robot=robot)
         self._gait_settings = node.subscribe(GAIT_SETTINGS, read=message_reader(GAIT_SETTINGS, read))
         self._settings: GaitSettings | None = None
@@ -95,7 +86,7 @@ class LiveRobot(ViewedRobot):
         self._positions, self._joint_velocities, self._efforts = robot.stance, *np.zeros((2, robot.num_joints))
         self.receives_states = False
         """True once a joint of the robot has been received."""
-        self._pose = robot.resting_pose(robot.stance)
+        self._pose = robot.skeleton.resting_pose(robot.stance)
         self._twist = np.zeros(6)
         self._odometry_at = -_ODOMETRY_TIMEOUT
         self._command = np.zeros(2)
@@ -114,19 +105,6 @@ class LiveRobot(ViewedRobot):
         self.history.clear()
         self._place()
 
-    def restart(self) -> None:
-        """Send a reset to simulator and controller."""
-        self._resets.send(cdr.message(RESET.type_name))
-
-    def pause(self, paused: bool) -> None:
-        """Pause the simulation, or let it run again."""
-        self.paused = paused
-        self._pauses.send(cdr.message(PAUSE.type_name, data=paused))
-
-    def single_step(self) -> None:
-        """Let the paused simulation perform one control step."""
-        self._single_steps.send(cdr.message(STEP.type_name))
-
     def set_command(self, command: tuple[float, float]) -> None:
         """Set the velocity command: forward velocity in m/s and yaw rate in rad/s. Sent with the next message."""
         self._command = np.array(command)
@@ -141,8 +119,8 @@ class LiveRobot(ViewedRobot):
         now = time.monotonic()
         self._listen(now)
         self._steer(self._command, now)
-        if now - self._odometry_at > _ODOMETRY_TIMEOUT and not self.paused:
-            resting = self.robot.resting_pose(self._positions)
+        if now - self._odometry_at > _ODOMETRY_TIMEOUT:
+            resting = self.robot.skeleton.resting_pose(self._positions)
             resting[2] += highest_ground(self._simulation, self._pose[:2])
             self._pose, self._twist = np.concatenate([self._pose[:2], resting[2:]]), np.zeros(6)
         self._steps += 1
@@ -184,7 +162,7 @@ class LiveRobot(ViewedRobot):
         self._settings, self._changed_at = settings, time.monotonic()
 
     def complaints(self) -> list[str]:
-        """Descriptions of the joint limits that the last states of the `gait` node's gait exceed."""
+        """Return the descriptions of the joint limits that the last states of the `gait` node's gait exceed."""
         if self.gait is None:
             return []
         positions = np.array([moment.joint_position for moment in self.history])
@@ -192,11 +170,10 @@ class LiveRobot(ViewedRobot):
         return limit_violations(self.robot, positions.min(axis=0), positions.max(axis=0), speed, _OVERTRAVEL)
 
     def offered(self) -> Offered:
-        """The available controls, those with a subscriber, and readings. Only a simulator subscribes to `/step`."""
+        """Return the available controls, those with a subscriber, and readings."""
         return Offered(
             command=bool(self._velocities.readers),
             push=bool(self._pushes.readers),
-            clock=bool(self._single_steps.readers),
             sources=False,
             motion=time.monotonic() - self._odometry_at <= _ODOMETRY_TIMEOUT,
         )
@@ -208,8 +185,6 @@ class LiveRobot(ViewedRobot):
         if newest is not None:
             self._odometry_at = now
             self._pose, self._twist = newest[1]
-        for _, message in self._pauses_received.messages(self._refused):
-            self.paused = message.data
         settings = self._gait_settings.newest(self._refused)
         # While a slider is dragged, received settings are older than the slider.
         if settings is not None and now - self._changed_at > _SETTINGS_HOLD:
@@ -227,7 +202,7 @@ class LiveRobot(ViewedRobot):
         self._efforts = np.where(found, efforts, self._efforts)
         self.receives_states |= bool(found.any())
 
-    def _steer(self, command: NDArray[np.float64], now: float) -> None:
+    def _steer(self, command: Floats, now: float) -> None:
         """Send the viewer's command while it is not zero, and zero for a moment afterwards."""
         if command.any():
             self._commanded_at = now
@@ -237,45 +212,8 @@ class LiveRobot(ViewedRobot):
         self._velocities.send(velocity_message((command[0], command[1])))
 
 
-class LiveViewController(ViewController):
-    """A view controller whose pause, step and reset are those of the simulator that the live robot is in.
-
-    Args:
-        robot: the live robot.
-        results: directory of recordings.
-    """
-
-    def __init__(self, robot: LiveRobot, results: Path) -> None:
-        self._live = robot
-        super().__init__({NAME: lambda: robot}, [NAME], results, robot.robot)
-        self.restart_after_fall = False
-
-    @property
-    def paused(self) -> bool:
-        """True if the simulation is paused; the view goes on."""
-        return self._live.paused
-
-    @paused.setter
-    def paused(self, paused: bool) -> None:
-        with self._lock:
-            self._live.pause(paused)
-
-    def reset(self) -> None:
-        """Reset simulator, controller and plots."""
-        with self._lock:
-            super().reset()
-            self._live.restart()
-
-    def step(self) -> None:
-        """Pause, and advance by one control step."""
-        with self._lock:
-            if not self.paused:
-                self.paused = True
-            self._live.single_step()
-
-
-def _read_odometry(odometry: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Base pose (7,) and velocity (6,) of an `/odom` message, in MuJoCo's conventions.
+def _read_odometry(odometry: Any) -> tuple[Floats, Floats]:
+    """Read base pose (7,) and velocity (6,) of an `/odom` message, in MuJoCo's conventions.
 
     Raises:
         QuadrupedError: if a value is not finite or too large, or the orientation is zero.

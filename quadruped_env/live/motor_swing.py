@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import Final, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import MAX_MEASURED
 from quadruped_env.control.live_controller import Safety
@@ -19,6 +18,7 @@ from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.pace import Pace
 from quadruped_env.live.session import Session
 from quadruped_env.ros import Qos
+from quadruped_env.utils.arrays import Floats
 
 PERIOD: Final = 0.02
 """Time between commands, s."""
@@ -58,11 +58,11 @@ class MotorSwing:
     def __init__(self, session: Session, motors: Motors) -> None:
         self._states = session.node.subscribe(JOINT_STATES, _QOS, read=JointReader(motors, states=True))
         self._merger = JointMerger(motors, velocities=False)
-        self._publisher = CommandPublisher(session.node, motors, False, session.say)
+        self._publisher = CommandPublisher(session, motors)
         self._stops = EmergencyStop(session)
         session.every_turn.append(self._take)
         self._session, self._motors = session, motors
-        self._recent: deque[NDArray[np.float64]] = deque(maxlen=Safety.fresh_states)
+        self._recent: deque[Floats] = deque(maxlen=Safety.fresh_states)
         """The last positions (D,), in the motors' unit."""
         self._stamp = 0
         self._heard = -math.inf
@@ -76,8 +76,8 @@ class MotorSwing:
                 self._recent.append(state.positions)
                 self._stamp, self._heard = state.stamp, received.taken
 
-    def positions(self) -> NDArray[np.float64]:
-        """Mean of the last positions (D,), in the motors' unit; waits until they are fresh and the motors at rest.
+    def positions(self) -> Floats:
+        """Return the mean of the last positions (D,), in the motors' unit, once they are fresh and the motors at rest.
 
         Raises:
             QuadrupedError: if the session ends.
@@ -90,7 +90,7 @@ class MotorSwing:
         raise QuadrupedError("ended before the motors were at rest; nothing more was moved")
 
     def _missing(self) -> str:
-        """Condition that is missing before a motor is moved; empty if there is none."""
+        """Return the condition that is missing before a motor is moved; empty if there is none."""
         if self._stops.stopped:
             return f"the release of the emergency stop ({self._stops.name})"
         if time.monotonic() - self._heard > Safety.hold_after or len(self._recent) < Safety.fresh_states:
@@ -139,14 +139,14 @@ class MotorSwing:
         return "the session ended"
 
     def _offset(self, elapsed: float) -> float:
-        """Distance from the start, in the motors' unit, at a time in s."""
+        """Return the distance from the start, in the motors' unit, at a time in s."""
         out = _SWING_TIME
         at = elapsed % (2.0 * out + sum(_PAUSES))
         share = min(at / out, 1.0, max(0.0, (2.0 * out + _PAUSES[0] - at) / out))
         return ANGLE / self._motors.unit * share * share * (3.0 - 2.0 * share)
 
-    def _danger(self, now: float, since: float, target: NDArray[np.float64]) -> str:
-        """Why the robot must not be moved; empty if it may. `since` is the time since the last command, s."""
+    def _danger(self, now: float, since: float, target: Floats) -> str:
+        """Return why the robot must not be moved, or an empty text. `since`: time since the last command, s."""
         if self._stops.stopped:
             return f"emergency stop ({self._stops.name})"
         if max(now - self._heard, since) > Safety.limp_after:
@@ -157,7 +157,7 @@ class MotorSwing:
             return ""
         return f"{self._motors.joint_names[worst]} is {errors[worst]:.2f} rad away from its target"
 
-    def _report(self, motor: int, start: NDArray[np.float64]) -> None:
+    def _report(self, motor: int, start: Floats) -> None:
         """Log motors that do not move as they should at the end of the way out."""
         moved = (self._recent[-1] - start) * self._motors.unit
         for index, name in enumerate(self._motors.joint_names):

@@ -24,7 +24,7 @@ def add_robot_argument(parser: argparse.ArgumentParser, joint_map: bool = True) 
 
 
 def robot_of(arguments: argparse.Namespace) -> Robot:
-    """The robot that `--task` names, or the built-in one; a QuadrupedError if the file does not define one."""
+    """Return the robot of `--task`, or the built-in one. Raises a QuadrupedError if the file defines none."""
     return load_robot(arguments.task)
 
 
@@ -49,7 +49,7 @@ def add_terrain_arguments(parser: argparse.ArgumentParser, seed: str) -> None:
 
 
 def chosen_terrain(arguments: argparse.Namespace) -> "Terrain":
-    """The terrain that the arguments name.
+    """Return the terrain that the arguments name.
 
     Raises:
         QuadrupedError: if there is no such terrain or level, or the file of `--task` cannot be loaded.

@@ -1,4 +1,4 @@
-"""Real time: periodic deadlines and rate measurement."""
+"""Real time: periodic deadlines and priority."""
 
 import os
 import time
@@ -43,8 +43,6 @@ class Pace:
         """Number of deadlines met or skipped."""
         self.lost = 0
         """Number of deadlines skipped."""
-        self.latest = 0.0
-        """Largest delay of a deadline so far, s."""
         self._clock = clock
         self._start = clock()
 
@@ -63,29 +61,9 @@ class Pace:
         late = -self.remaining
         if late < 0.0:
             return False
-        self.latest = max(self.latest, late)
         if late > _MAX_LAG:
             missed = int(late / self.period)
             self.ticks += missed
             self.lost += missed
         self.ticks += 1
         return True
-
-
-class Rate:
-    """Rate of a counter between calls.
-
-    Args:
-        since: `time.monotonic` at which the count was 0, s.
-    """
-
-    def __init__(self, since: float) -> None:
-        self._then = since
-        self._count = 0
-
-    def per_second(self, count: int) -> float:
-        """Increase per second since the last call."""
-        now = time.monotonic()
-        elapsed, self._then = now - self._then, now
-        grown, self._count = count - self._count, count
-        return grown / elapsed if elapsed > 0.0 else 0.0

@@ -1,32 +1,37 @@
-"""A node as a program: its loop, log, status line, and clean shutdown."""
+"""A node as a program: its loop, log, and clean shutdown."""
 
 import argparse
-import shutil
 import sys
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
-from typing import Any, Final, Self, TextIO
+from typing import Final, Self, TextIO
 
 from quadruped_env.errors import escaped
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE, Network
 from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.node import Node, Publisher
-from quadruped_env.live.pace import Pace, Rate, request_realtime_priority
-from quadruped_env.live.refusals import Refusals
-from quadruped_env.utils.program import CLEAR_LINE, on_stop
+from quadruped_env.live.pace import Clock, Pace, request_realtime_priority
+from quadruped_env.utils.program import on_stop
 
 POLL_PERIOD: Final = 0.1
 """Maximum time between checks whether to end, s."""
 STATUS_PERIOD: Final = 1.0
-"""Time between status lines, checks of the ROS graph for problems, and log lines about what a node waits for, s."""
+"""Time between checks of the ROS graph for problems, and between log lines about what a node waits for, s."""
 _SAME_SIGNAL: Final = 0.5
 """Time within which repeated signals count as one Ctrl-C, s."""
 _REMEMBERED: Final = 256
 """Number of lines that `say_once` remembers."""
 _ARRIVING: Final = 0.05
 """Time for which the loop continues after the end, since acknowledged messages may still be in delivery, s."""
+
+REFUSALS_PERIOD: Final = 1.0
+"""Time between log lines for the same reason, s."""
+MAX_REASONS: Final = 3
+"""Maximum number of reasons logged per period; further reasons are only counted."""
+_MAX_REASON: Final = 300
+"""Maximum length of a logged reason in characters, since a message may contain names of any length."""
 
 
 def add_common_arguments(parser: argparse.ArgumentParser) -> None:
@@ -48,8 +53,7 @@ def add_common_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="FROM:=TO",
-        help="use another topic; __node:=NAME renames the node. ROS's form works too: --ros-args -r FROM:=TO "
-        "-r __ns:=/NS -p use_sim_time:=true",
+        help="use another topic",
     )
 
 
@@ -60,13 +64,61 @@ def add_realtime_argument(parser: argparse.ArgumentParser) -> None:
     )
 
 
+class Refusals:
+    """Counts refused messages by reason, and writes them to the log.
+
+    The first message of a reason is logged at once, and later ones once per second, with their number. Memory use is
+    bounded, whatever the messages contain.
+
+    Args:
+        say: writes one line to the log.
+        clock: a monotonic clock such as `time.monotonic`.
+    """
+
+    def __init__(self, say: Callable[[str], None], clock: Clock = time.monotonic) -> None:
+        self._say = say
+        self._clock = clock
+        self._counts: dict[str, int] = {}
+        """Reason -> number of messages not logged yet."""
+        self._since = clock()
+        self.count = 0
+        """Number of messages refused."""
+
+    def __call__(self, reason: str) -> None:
+        """Count a refused message, and log it if its reason is new."""
+        self.report()
+        self.count += 1
+        reason = escaped(reason if len(reason) <= _MAX_REASON else f"{reason[:_MAX_REASON]}...")
+        if not self._counts:
+            self._since = self._clock()
+        if reason not in self._counts and len(self._counts) >= MAX_REASONS:
+            reason = "for other reasons"
+        if reason in self._counts:
+            self._counts[reason] += 1
+        else:
+            self._counts[reason] = 0
+            self._say(f"refused: {reason}")
+
+    def report(self, last: bool = False) -> None:
+        """Log the counts if the period is over, or if `last`. Call this often."""
+        elapsed = self._clock() - self._since
+        if not self._counts or (elapsed < REFUSALS_PERIOD and not last):
+            return
+        for reason, count in self._counts.items():
+            if count:
+                self._say(f"refused: {reason} ({count} message{'s' * (count > 1)} in {elapsed:.1f} s)")
+        # A reason that did not occur in this period counts as new when it occurs again.
+        self._counts = {reason: 0 for reason, count in self._counts.items() if count}
+        self._since = self._clock()
+
+
 class Session:
     """A running node: a context manager with a loop (`turns`) that ends with Ctrl-C, after a time, or by `stop`.
 
     Args:
         name: the node's name.
         arguments: parsed arguments, including those of `add_common_arguments`, and perhaps `realtime` and `seconds`.
-        log: text stream for the log, and on a terminal the status line; by default standard error.
+        log: text stream for the log; by default standard error.
 
     Raises:
         QuadrupedError: as `Node`.
@@ -79,8 +131,6 @@ class Session:
         self.node = Node(name, Network.from_environment(arguments.subnet), names)
         self.every_turn: list[Callable[[], object]] = []
         """Called at every turn of the loop, before the node's own work."""
-        self.details: Sequence[str] = ()
-        """The node's own part of the status line; empty texts are left out."""
         self.refuse = Refusals(self.say)
         """Counts a refused message, and logs the reason once per second."""
         self._log = log or sys.stderr
@@ -91,7 +141,6 @@ class Session:
         self._waiting_for = ""
         self._waiting_since = self._waiting_logged = self._start
         self._said: deque[str] = deque(maxlen=_REMEMBERED)
-        self._rates: dict[Any, Rate] = {}
         self._pace = Pace(STATUS_PERIOD)
         self._ends_with = ExitStack()
         if refusal:
@@ -105,9 +154,6 @@ class Session:
     def __exit__(self, kind: type[BaseException] | None, *error: object) -> None:
         self._ends_with.close()
         self.refuse.report(last=True)
-        if self._log.isatty():
-            # Clear the status line before an error is printed.
-            self._log.write(CLEAR_LINE)
         if kind is None:
             counts = [
                 f"{one.count} {'on' if isinstance(one, Publisher) else 'from'} {one.topic.name}"
@@ -138,7 +184,7 @@ class Session:
         return self.node.wait(min(seconds, POLL_PERIOD))
 
     def turns(self, remaining: Callable[[], float] = lambda: POLL_PERIOD, drain: bool = False) -> Iterator[None]:
-        """The loop of every node: each turn waits for a message and calls `every_turn`; the caller then does its work.
+        """Run the loop of every node: each turn waits for a message and calls `every_turn`; then the caller works.
 
         Args:
             remaining: returns the time after which a turn is due without a message, s; at most `POLL_PERIOD`.
@@ -162,8 +208,7 @@ class Session:
 
     def say(self, text: str) -> None:
         """Write a line to the log."""
-        line = f"[{self.node.name}] {escaped(text)}\n"
-        self._log.write(f"{CLEAR_LINE}{line}" if self._log.isatty() else line)
+        self._log.write(f"[{self.node.name}] {escaped(text)}\n")
         self._log.flush()
 
     def say_once(self, text: str) -> None:
@@ -173,7 +218,7 @@ class Session:
             self.say(text)
 
     def wait_for(self, what: str) -> None:
-        """Log what the node waits for, once per second with the time. On a terminal, the status line has the repeats.
+        """Log what the node waits for, once per second with the time.
 
         Args:
             what: description of what is missing; empty if nothing is.
@@ -185,32 +230,17 @@ class Session:
             self.say(f"waiting for {what}")
         elif before and not what:
             self.say(f"waited {now - self._waiting_since:.1f} s for {before}")
-        elif what and now - self._waiting_logged >= STATUS_PERIOD and not self._log.isatty():
+        elif what and now - self._waiting_logged >= STATUS_PERIOD:
             self._waiting_logged = now
-            self.say(self._waiting())
-
-    def _waiting(self) -> str:
-        return f"waiting for {self._waiting_for} ({time.monotonic() - self._waiting_since:.0f} s)"
+            self.say(f"waiting for {what} ({now - self._waiting_since:.0f} s)")
 
     def report(self) -> None:
-        """Log problems of the ROS graph, and on a terminal the status line, if it is time."""
+        """Log refused messages and problems of the ROS graph, if it is time."""
         self.refuse.report()
         if not self._pace.tick():
             return
         for problem in self.node.graph.problems():
             self.say_once(problem)
-        if self._log.isatty():
-            # A line that wraps could not be cleared.
-            width = shutil.get_terminal_size().columns - 1
-            self._log.write(f"{CLEAR_LINE}{f'[{self.node.name}] {self._status()}'[:width]}")
-            self._log.flush()
-
-    def _status(self) -> str:
-        parts = [f"{self.elapsed:.0f} s", *filter(None, self.details)]
-        for one in self.node.ends:
-            rate = self._rates.setdefault(one, Rate(since=self._start)).per_second(one.count)
-            parts.append(f"{one.topic.name} {rate:.1f} Hz")
-        return " | ".join([*parts, *[self._waiting()] * bool(self._waiting_for)])
 
     def _interrupted(self, number: int) -> None:
         # A terminal and a launcher may both forward the same Ctrl-C; a later one means that the node hangs.

@@ -4,7 +4,6 @@ import math
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, Target
 from quadruped_env.live.middleware.topics import PUSH
@@ -13,6 +12,7 @@ from quadruped_env.robot.motors import servo_target
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import SingleSimulation, Terrain, build_model, flat, highest_ground
 from quadruped_env.simulation.push_limit import PushLimit
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import from_yaw, yaw
 
 TIMESTEP: Final = 0.005
@@ -57,7 +57,7 @@ class SimulatedRobot:
         start = np.zeros(2)
         self.put(np.concatenate([start, [self._standing_height(start)], heading, self.robot.stance]))
 
-    def put(self, qpos: NDArray[np.float64]) -> None:
+    def put(self, qpos: Floats) -> None:
         """Set the robot's pose, at rest, with motors enabled as at the start.
 
         Args:
@@ -83,11 +83,11 @@ class SimulatedRobot:
         place, heading = self.state.base_position[0, :2], from_yaw(yaw(self.state.orientation[0]))
         self.put(np.concatenate([place, [self._standing_height(place)], heading, self.robot.stance]))
 
-    def _standing_height(self, place: NDArray[np.float64]) -> float:
-        """Height of the base's centre in the stance, over the highest ground around a position (2,), m."""
+    def _standing_height(self, place: Floats) -> float:
+        """Return the height of the base's centre in the stance, over the highest ground around a position (2,), m."""
         return self.robot.stance_height + float(highest_ground(self._simulation, place))
 
-    def push(self, velocity: NDArray[np.float64]) -> None:
+    def push(self, velocity: Floats) -> None:
         """Add a velocity (3,) in the world frame, m/s, to the base's velocity.
 
         Raises:

@@ -19,11 +19,14 @@ CONTEST: Final = 3.0
 
 
 class SinglePublisherGuard:
-    """Detects other publishers of a topic that this process publishes.
+    """Listens for `LISTEN` seconds, and then watches at every turn of the session's loop for other publishers.
 
     Args:
-        topic: the topic that must have a single publisher.
+        topic: the topic that must have a single publisher, and that this process is going to publish.
         publishing: returns False while this process sends no messages: any other publisher then has precedence.
+
+    Raises:
+        QuadrupedError: if another process sends messages. A publisher of a killed process sends none.
     """
 
     def __init__(
@@ -33,23 +36,15 @@ class SinglePublisherGuard:
         self._others = session.node.subscribe(topic, SENSOR_DATA_QOS, ignore_own=True, read=bytes)
         self._topic = self._others.topic
         self._publishing = publishing
-        self._contest_until = self._problem_until = 0.0
-        self._problem = ""
-
-    def check(self) -> None:
-        """Listen for `LISTEN` seconds, and then watch for other publishers at every turn of the session's loop.
-
-        Raises:
-            QuadrupedError: if another process sends messages. A publisher of a killed process sends none.
-        """
+        self._problem, self._problem_until = "", 0.0
         end = time.monotonic() + LISTEN
-        while self._session.running and time.monotonic() < end:
-            self._session.wait(end - time.monotonic())
+        while session.running and time.monotonic() < end:
+            session.wait(end - time.monotonic())
             if received := self._others.take():
                 other = self._sender(received[0])
-                raise self._second("another process" if other is None else self._session.node.graph.owner(other))
+                raise self._second("another process" if other is None else session.node.graph.owner(other))
         self._contest_until = time.monotonic() + CONTEST
-        self._session.every_turn.append(self._watch)
+        session.every_turn.append(self._watch)
 
     def _watch(self) -> None:
         """Raise a QuadrupedError if another publisher has started too, and has precedence."""

@@ -31,7 +31,7 @@ class ControllerSpec:
 
 
 def policy_spec(name: str, where: str | Path, load: Load) -> ControllerSpec:
-    """A policy by name. It is read at every `make`, because training may still be writing it."""
+    """Return a policy by name. It is read at every `make`, because training may still be writing it."""
     return ControllerSpec(name, lambda: PolicyController(load(where), name))
 
 
@@ -49,7 +49,7 @@ def _gait(preset: str, robot: Robot) -> SinusoidalGait | CommandedGait:
 
 
 def find_controller(text: str, load: Load = read_policy, robot: Robot = MINI_QUADRUPED) -> ControllerSpec:
-    """The controller that a user names.
+    """Return the controller that a user names.
 
     Args:
         text: a shipped policy, a scripted gait, a run's directory, an address of the hub, a Python file that defines a

@@ -27,15 +27,15 @@ def find_controllers(
     trust_task: bool = False,
     robot: Robot | None = None,
 ) -> tuple[dict[str, ControllerSpec], tuple[str, ...]]:
-    """All available controllers by name, and the names of those to start with.
+    """Return all available controllers by name, and the names of those to start with.
 
     Args:
         names: controllers to start with, each as in `find_controller`, or an agent, of which each robot gets a copy;
             if empty, the latest run that fits this robot, or else the shipped `DEFAULT`.
         runs: directory of the training runs.
         task_file: the user's file of the policies' terms or robot, which is executed.
-        trust_task: execute the files that the named runs keep, but not those of the runs that are offered besides.
-        robot: robot that is controlled. None: that of the file, or the built-in one.
+        trust_task: execute the files that the named runs keep, but no files of other runs.
+        robot: robot that is controlled. None: the file's, or the built-in one.
 
     Raises:
         QuadrupedError: if one of `names` cannot be used.

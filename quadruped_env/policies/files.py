@@ -52,22 +52,22 @@ SHOWN: Final = SHIPPED[1]
 
 
 def is_code(source: str | Path) -> bool:
-    """True for the name of a Python file, which defines a policy as code; a run's directory may have such a name."""
+    """Return True for the name of a Python file, which defines a policy as code, but not for a directory."""
     return str(source).endswith(".py") and not os.path.isdir(source)
 
 
 def training_advice() -> str:
-    """The command that trains a policy, as the end of an error message."""
+    """Return the command that trains a policy, as the end of an error message."""
     return f"train one with '{program_command('train')}'"
 
 
 def shipped_directory(name: str) -> Path:
-    """Directory of a shipped policy."""
+    """Return the directory of a shipped policy."""
     return Path(__file__).parent / "shipped" / name
 
 
 def finished_directory(run: Path) -> Path:
-    """Directory of a run's policy: that of the run, or that of its last checkpoint if it was killed or still trains.
+    """Return the directory of a run's policy: the run, or its last checkpoint if it was killed or still trains.
 
     Warns:
         QuadrupedWarning: if a checkpoint is used.
@@ -89,9 +89,9 @@ def finished_directory(run: Path) -> Path:
 
 
 def policy_directory(source: str | Path) -> Path:
-    """Directory of the policy that a name, a directory or an address of the hub means.
+    """Return the directory of the policy that a name, a directory or an address of the hub means.
 
-    For a run that was killed, it is that of its last checkpoint; for a policy of the hub, one of the client's cache.
+    For a run that was killed, it is its last checkpoint; for a policy of the hub, a directory of the client's cache.
 
     Raises:
         MissingExtraError: for an address without the hub's client.
@@ -120,12 +120,12 @@ def policy_directory(source: str | Path) -> Path:
 
 
 def trained_with(task: Mapping[str, Any]) -> TaskFile | None:
-    """The user's file that a config's plain values name, for its terms or its terrain; None for the built-in task."""
+    """Return the user's file of terms or of the terrain that a config's plain values name; None if they name none."""
     return recorded_file(task.get(TASK_FILE)) or recorded_file(task.get(TERRAIN_FILE), TERRAIN_FILE)
 
 
 def kept_file(source: str | Path) -> tuple[Path, TaskFile] | None:
-    """The copy of the user's file that a policy's run keeps, with its name and hash; None for a run without a file.
+    """Return the copy of the user's file that a run keeps, with its name and hash; None for a run without a file.
 
     Raises:
         QuadrupedError: if there is no such policy, a file is damaged, or the run keeps no copy.
@@ -146,7 +146,7 @@ def kept_file(source: str | Path) -> tuple[Path, TaskFile] | None:
 
 
 def kept_content(directory: Path, recorded: TaskFile) -> bytes:
-    """Content of the copy that a run keeps of its task file; empty without one, or if it is not as recorded."""
+    """Return content of the copy that a run keeps of its task file; empty without one, or if it is not as recorded."""
     path = directory / KEPT_FILE
     content = path.read_bytes() if path.is_file() else b""
     return content if hashlib.sha256(content).hexdigest() == recorded.sha256 else b""
@@ -223,7 +223,7 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> PolicyData:
 
 
 def unusable(path: Path | str, error: QuadrupedError) -> QuadrupedError:
-    """The error for a policy's file whose task cannot be used here."""
+    """Return the error for a policy's file whose task cannot be used here."""
     fix = "" if isinstance(error, TaskFileError) else "; train again, or install the version that made it"
     return QuadrupedError(f"{path}: {error}{fix}")
 
@@ -240,7 +240,7 @@ def _check_built_in(document: dict[str, Any], terms: Terms, file: TaskFile) -> N
 
 
 def _document(path: Path) -> dict[str, Any]:
-    """A policy's JSON, whose fields are checked one by one."""
+    """Return a policy's JSON, whose fields are checked one by one."""
     document = read_json(path, "the file is damaged, train again")
     version = document.get("format_version") if isinstance(document, dict) else None
     if version != FORMAT_VERSION:
@@ -293,7 +293,7 @@ def _check_hash(document: dict[str, Any], field: str, found: str, card_path: Pat
 def _layers(
     count: int, tensors: dict[str, NDArray[Any]], tensors_path: Path, inputs: int, outputs: int
 ) -> tuple[tuple[NDArray[np.float32], ...], tuple[NDArray[np.float32], ...]]:
-    """Weights and biases that fit together."""
+    """Return the weights and biases that fit together."""
     weights, biases = [], []
     width = inputs
     for i in range(count):

@@ -16,12 +16,12 @@ TIMEOUT: Final = 10.0
 
 
 def is_on_hub(source: object) -> bool:
-    """True for the address of a policy on the hub."""
+    """Return True for the address of a policy on the hub."""
     return str(source).startswith(SCHEME)
 
 
 def hub_directory(address: str) -> Path:
-    """Directory of the cache with the two files of a policy, which are downloaded if the hub has newer ones.
+    """Return the directory of the cache with the two files of a policy, which are downloaded if the hub has newer ones.
 
     Raises:
         MissingExtraError: if the hub's client is not installed.
@@ -44,7 +44,7 @@ def hub_directory(address: str) -> Path:
         url = hf_hub_url(repository, CARD_FILE, revision=revision or None)
         try:  # once, where the client would try for minutes
             if get_hf_file_metadata(url, timeout=TIMEOUT).commit_hash is None:
-                unreachable = "the answer is not that of a hub"
+                unreachable = "the answer does not come from a hub"
         except named:
             raise
         except errors.OfflineModeIsEnabled:
@@ -55,19 +55,18 @@ def hub_directory(address: str) -> Path:
             hf_hub_download(repository, name, revision=revision or None, local_files_only=bool(unreachable))
             for name in (CARD_FILE, TENSORS_FILE)
         )
-    except errors.LocalEntryNotFoundError as error:
-        problem = "and its policy is not in the cache; connect, or name a directory"
-        raise QuadrupedError(f"{address}: the hub cannot be reached ({unreachable}), {problem}") from error
-    except errors.RevisionNotFoundError as error:
-        raise QuadrupedError(f"{address}: the repository has no revision {short(revision)}; leave it out") from error
-    except errors.RepositoryNotFoundError as error:
-        problem = "there is no such repository, or it is private or gated; check its name, or run 'hf auth login'"
-        raise QuadrupedError(f"{address}: {problem}") from error
-    except errors.EntryNotFoundError as error:
-        problem = f"has no {CARD_FILE} with {TENSORS_FILE}, so it is not a policy of this package"
-        raise QuadrupedError(f"{address}: {problem}; upload one with 'mini-quadruped export --hub'") from error
-    except Exception as error:  # as above
-        problem = f"cannot be downloaded ({_first_line(error)}); check the name, and try again"
+    except Exception as error:  # of the client or, as above, of its HTTP library
+        problems: dict[type[Exception], str] = {  # a class comes before its base
+            errors.LocalEntryNotFoundError: f"the hub cannot be reached ({unreachable}), and its policy is not in the "
+            f"cache; connect, or name a directory",
+            errors.RevisionNotFoundError: f"the repository has no revision {short(revision)}; leave it out",
+            errors.RepositoryNotFoundError: "there is no such repository, or it is private or gated; check its name, "
+            "or run 'hf auth login'",
+            errors.EntryNotFoundError: f"has no {CARD_FILE} with {TENSORS_FILE}, so it is not a policy of this "
+            f"package; upload one with 'mini-quadruped export --hub'",
+            Exception: f"cannot be downloaded ({_first_line(error)}); check the name, and try again",
+        }
+        problem = next(text for kind, text in problems.items() if isinstance(error, kind))
         raise QuadrupedError(f"{address}: {problem}") from error
     if unreachable:
         problem = f"the hub cannot be reached ({unreachable}); its policy in the cache is used"

@@ -29,7 +29,7 @@ class Network(NamedTuple):
 
 
 def affine_before(layer: Layer, scale: NDArray[Any], shift: NDArray[Any]) -> Layer:
-    """The layer for inputs x (in,) where `layer` gets scale * x + shift, computed in float64."""
+    """Return the layer for inputs x (in,) where `layer` gets scale * x + shift, computed in float64."""
     weight, bias = (part.astype(np.float64) for part in layer)
     folded = scale[:, None] * weight, bias + shift @ weight
     return folded[0].astype(np.float32), folded[1].astype(np.float32)
@@ -40,12 +40,12 @@ def check_fits(source: Path, observation: object, action: object, config: TaskCo
 
     Args:
         source: the file that holds it.
-        observation: shape of its observations; those of the task have (columns,).
+        observation: shape of its observations; the task's is (columns,).
         action: shape of its actions, (joints,).
         config: config of the task.
 
     Raises:
-        QuadrupedError: if a shape is not that of the task.
+        QuadrupedError: if a shape is not the task's.
     """
     history, fields = config.control.observation_history, config.definition.observations
     width = history * ObservationLayout(config.robot, fields).width

@@ -22,11 +22,10 @@ SB3_MEMBERS: Final = frozenset({"data", "policy.pth"})
 _HEAD: Final = 1 << 16
 """Bytes from which a file is recognized."""
 _RECORDINGS: Final = (".csv", ".mcap", ".db3", ".bag", ".tsv", ".yaml", ".yml")
-_HUB_PAGE: Final = "huggingface.co/"
 
 
 def not_a_policy(source: str, recordings: bool = True) -> str:
-    """Message for a file, folder or name that is known to be no policy; empty for policies and all that is not known.
+    """Return the message for a file, folder or name that is known to be no policy; else an empty string.
 
     Args:
         source: what the user typed.
@@ -40,38 +39,25 @@ def not_a_policy(source: str, recordings: bool = True) -> str:
     elif is_file and os.path.isfile(path.parent / CARD_FILE):
         problem = f"this is a file of a policy's folder; name the folder, {path.parent}"
     else:
-        problem = _kind_of_file(path) if is_file else _kind_of_folder(path)
+        problem = _kind_of_file(path) if is_file else ""
     return f"{source}: {problem}" if problem else ""
 
 
 def _kind_of_name(source: str) -> str:
-    """Kind of a name that no file has."""
+    """Return the kind of a name that no file has."""
     if source in PRESETS:
         return (
             f"this is a scripted gait, which has no weights; '{program_command('baseline', '--preset', source)}' "
             f"measures it, and '{program_command('view', source)}' shows it"
         )
-    address = source.partition(_HUB_PAGE)[2] if _HUB_PAGE in source else source
-    owner, slash, name = address.strip("/").partition("/")
-    if slash and name and "/" not in name and (address != source or not os.path.exists(owner)):
-        return f"there is no such folder; a policy of the hub is {SCHEME}{owner}/{name}"
+    address = source.rpartition("huggingface.co/")[2].strip("/")
+    if address.count("/") == 1 and not os.path.exists(address.partition("/")[0]):
+        return f"there is no such folder; a policy of the hub is {SCHEME}{address}"
     return ""
 
 
-def _kind_of_folder(path: Path) -> str:
-    """Kind of a folder without a policy."""
-    try:
-        names = sorted(os.listdir(path))
-    except OSError:
-        return ""
-    zips = [name for name in names if name.endswith(".zip") and _is_sb3(path / name)]
-    if not zips or CARD_FILE in names:
-        return ""
-    return f"this folder holds models of Stable-Baselines3; {import_advice(path / zips[-1])}"
-
-
 def _kind_of_file(path: Path) -> str:
-    """Kind of a file that is in no policy's folder."""
+    """Return the kind of a file that is in no policy's folder."""
     suffix = path.suffix.lower()
     try:
         with path.open("rb") as file:
@@ -94,7 +80,7 @@ def _kind_of_file(path: Path) -> str:
 
 
 def import_advice(*arguments: str | Path) -> str:
-    """The command that makes a policy of another program's model, as the end of a message."""
+    """Return the command that makes a policy of another program's model, as the end of a message."""
     return (
         f"'{program_command('import-policy', *arguments)}' makes a policy of it "
         f"(docs/training.md#a-model-of-another-trainer)"

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.policies.layers import SAMPLES, Network, check_fits, check_same_actions
 from quadruped_env.task import TaskConfig
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.documents import check_regular
-
-Floats = NDArray[np.float64]
 
 _ACTIVATIONS: Final = MappingProxyType(
     {
@@ -65,7 +64,7 @@ class OnnxActor:
             raise MissingExtraError("A policy from ONNX", "export") from error
         check_regular(path, "name an ONNX file")
         try:
-            model = onnx.load(path)  # with the weights next to it, where torch writes those of large networks
+            model = onnx.load(path)  # with the weights next to it, where torch writes them for large networks
             onnx.checker.check_model(model)
             network = _network(path, model.graph, onnx)
         except QuadrupedError:
@@ -108,13 +107,13 @@ def _refused(path: Path) -> Callable[[str], QuadrupedError]:
 
 
 def _inputs(graph: Any) -> list[Any]:
-    """Inputs of a graph that are not weights."""
+    """Return the inputs of a graph that are not weights."""
     weights = {entry.name for entry in graph.initializer}
     return [entry for entry in graph.input if entry.name not in weights]
 
 
 def _network(path: Path, graph: Any, onnx: Any) -> Network:
-    """The network of a graph in which each node reads the value of the one before."""
+    """Return the network of a graph in which each node reads the value of the one before."""
     refused = _refused(path)
     if len(_inputs(graph)) != 1 or len(graph.output) != 1:
         raise refused(f"the graph has {len(_inputs(graph))} inputs and {len(graph.output)} outputs, not one of each")
@@ -183,7 +182,7 @@ class _Chain:
             raise self._refused(f"it has the operator {kind} here")
 
     def network(self) -> Network:
-        """The network, which has to end with a layer, or with Tanh behind it."""
+        """Return the network, which has to end with a layer, or with Tanh behind it."""
         activations, output = list(self.activations), "clip"
         if activations[-1:] == ["tanh"] and len(activations) == len(self._layers):
             output = activations.pop()

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import PolicyController
-from quadruped_env.control.task_file import KEPT_FILE, TASK_FILE, Terms, execute, recorded_terms
+from quadruped_env.control.task_file import KEPT_FILE, TASK_FILE, execute, recorded_terms
 from quadruped_env.envs import ENV_ID
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
@@ -22,7 +22,7 @@ from quadruped_env.policies import onnx_file, sb3
 from quadruped_env.policies.files import is_code, kept_file, policy_directory, read_policy, trained_with, unusable
 from quadruped_env.policies.layers import Network
 from quadruped_env.policies.policy_data import PolicyData
-from quadruped_env.robot.robot import Robot, check_same_robot
+from quadruped_env.robot.robot import Robot
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
 from quadruped_env.task.task_config import known_values
 from quadruped_env.utils.files import shown_path
@@ -36,7 +36,7 @@ class Agent(Protocol):
     """A policy that is code: recurrent, convolutional, of another library, or written by hand.
 
     An agent may also have the attribute `env_kwargs`: arguments of `gymnasium.make` (action_mode, config, task_file,
-    robot, terrain) for the env that it was made for, in place of the default one.
+    robot, terrain) for the env that it was made for, instead of the default one.
     """
 
     def reset(self, begun: NDArray[np.bool_]) -> None:
@@ -48,7 +48,7 @@ class Agent(Protocol):
         ...
 
     def predict(self, observation: NDArray[np.float32]) -> NDArray[np.floating[Any]]:
-        """Actions (N, J) for the observations (N, width) of one control step; they are clipped to [-1, 1]."""
+        """Return actions (N, J) for the observations (N, width) of one control step; they are clipped to [-1, 1]."""
         ...
 
 
@@ -56,11 +56,11 @@ class Agent(Protocol):
 class Policy(PolicyData):
     """A deterministic policy with its task: a small multilayer perceptron, or code.
 
-    A policy that is code has an `Agent` in place of weights. It can be evaluated, viewed and filmed, but has no file.
+    A policy that is code has an `Agent` instead of weights. It can be evaluated, viewed and filmed, but has no file.
 
     Args:
         config: config of the task that it was trained for, with the terms that are known here.
-        agent: object that acts in place of the weights, of which there are none then.
+        agent: object that acts instead of the weights, of which there are none then.
     """
 
     config: TaskConfig = field(repr=False, compare=False)
@@ -77,7 +77,7 @@ class Policy(PolicyData):
         output: str = "clip",
         agent: Agent | None = None,
     ) -> Self:
-        """A policy of a task, from the task's config; the other arguments are those of the class."""
+        """Make a policy from the config of its task; the other arguments are as for the class."""
         return cls(
             weights=tuple(weights),
             biases=tuple(biases),
@@ -94,7 +94,7 @@ class Policy(PolicyData):
 
     @classmethod
     def from_sb3(cls, model: Any, card: dict[str, Any] | None = None) -> Self:
-        """The deterministic part of a Stable-Baselines3 (or sb3-contrib) model that was trained on this package's env.
+        """Return the deterministic part of a model of Stable-Baselines3 or sb3-contrib that was trained on this env.
 
         Every multilayer perceptron with one activation function of `ACTIVATIONS` fits: the actors of PPO, A2C, TRPO,
         SAC, TD3, DDPG, TQC, CrossQ and ARS with their MLP policies. Observations that `VecNormalize` normalizes are
@@ -119,7 +119,7 @@ class Policy(PolicyData):
 
     @classmethod
     def from_onnx(cls, path: str | os.PathLike[str], card: dict[str, Any] | None = None, **env_kwargs: Any) -> Self:
-        """The policy of an ONNX file from observations to actions, such as rsl_rl's and mjlab's export.
+        """Return the policy of an ONNX file from observations to actions, such as rsl_rl's and mjlab's export.
 
         The graph is a multilayer perceptron as in `from_sb3`: linear layers, one activation function between them,
         with or without a normalization of the observations. Its actions are clipped to [-1, 1].
@@ -128,7 +128,7 @@ class Policy(PolicyData):
             path: the file.
             card: provenance; None: the file's name and SHA-256.
             env_kwargs: arguments of `gymnasium.make` for the env in which it acts: action_mode, config, task_file,
-                robot, terrain. Its observations, action scale and control rate have to be those of the training.
+                robot, terrain. Its observations, action scale and control rate have to be as in the training.
 
         Raises:
             MissingExtraError: if onnx is not installed.
@@ -146,7 +146,7 @@ class Policy(PolicyData):
         return cls.for_task(weights, biases, network.activation, config, card, network.output)
 
     def make_env(self, **kwargs: Any) -> gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]:
-        """The environment that the policy was trained for: its task, action mode and control rate.
+        """Return the environment that the policy was trained for: its task, action mode and control rate.
 
         Args:
             **kwargs: arguments of `gymnasium.make`, such as `render_mode`, or `terrain` for another ground.
@@ -157,7 +157,7 @@ class Policy(PolicyData):
         return gymnasium.make(ENV_ID, **self._task_arguments(kwargs), **kwargs)
 
     def make_vec_env(self, num_envs: int, **kwargs: Any) -> gymnasium.vector.VectorEnv[Any, Any, Any]:
-        """A native vector environment of the task that the policy was trained for.
+        """Return a native vector environment of the task that the policy was trained for.
 
         Args:
             num_envs: number of robots.
@@ -187,7 +187,7 @@ class Policy(PolicyData):
             self.agent.reset(begun)
 
     def predict(self, observation: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Actions (..., 8) in [-1, 1] for observations (..., obs).
+        """Return the actions (..., 8) in [-1, 1] for observations (..., obs).
 
         Raises:
             QuadrupedError: if the observations have another width, or an agent's actions another shape or type, or
@@ -230,9 +230,7 @@ class Policy(PolicyData):
         inner = getattr(env, "unwrapped", env)
         task, members = getattr(inner, "task", None), getattr(inner, "envs", None)
         if isinstance(task, Task):
-            check_same_robot(self.robot.identity, task.config.robot)
-            self.check_control(task.config.control)
-            self.check_observations(task.control.layout)
+            self.check_fits(task.config.robot, task.config.control, task.control.layout)
         elif isinstance(members, (list, tuple)) and members:
             for member in members:
                 self.check_env(member)
@@ -250,13 +248,13 @@ def load_policy(
     The name of a Python file means the policy that it defines as code; see `load_agent`. The file is executed.
 
     For a run that was killed, this is the policy of its last checkpoint. Nothing is unpickled, and neither torch nor
-    stable-baselines3 is needed. The numbers of its task are always those of the run's config.
+    stable-baselines3 is needed. The numbers of its task always come from the run's config.
 
     Args:
         source: name, directory, or `hf://OWNER/NAME[@REVISION]` (extra `hub`): only its JSON and safetensors are read.
         task_file: the user's file of terms or robot that the policy was trained with, which is executed. Without it,
             the task has the built-in terms alone.
-        robot: robot that the policy was trained for. None: that of the file, or the built-in one.
+        robot: robot that the policy was trained for. None: the file's, or the built-in one.
         trust_task: execute the copy of the user's file that the run keeps, if it was trained with one. Without
             `task_file` and this, no code is executed.
 
@@ -289,7 +287,7 @@ def load_policy(
 def task_definition(
     source: str | Path, task_file: str | Path | None = None, trust_task: bool = False
 ) -> TaskDefinition:
-    """The definition from a user's file, or with `trust_task` from the copy that a run keeps; it is executed.
+    """Return the definition from a user's file, or with `trust_task` from the copy that a run keeps; it is executed.
 
     Raises:
         QuadrupedError: as `kept_file` and `load_task_file`.
@@ -301,7 +299,7 @@ def task_definition(
 
 
 def at_checkpoint(policy: Policy, checkpoint: Path) -> Policy:
-    """A loaded policy as it was at a checkpoint of its training, in the same task.
+    """Return a loaded policy as it was at a checkpoint of its training, in the same task.
 
     Raises:
         QuadrupedError: if the checkpoint cannot be read.
@@ -310,9 +308,8 @@ def at_checkpoint(policy: Policy, checkpoint: Path) -> Policy:
 
 
 def _with_task(directory: Path, definition: TaskDefinition) -> Policy:
-    """The policy of a directory with its task: the terms of a definition, the numbers of the policy's config."""
-    terms = Terms(definition.observations, definition.commands, definition.robot, definition.file)
-    data = read_policy(directory, terms)
+    """Return the policy of a directory with its task: the terms of a definition, the numbers of the policy's config."""
+    data = read_policy(directory, definition)
     try:
         # A policy that needs nothing of a user's file is not affected by one.
         own = definition if trained_with(data.task) is not None else BUILT_IN.with_robot(data.robot)
@@ -323,7 +320,7 @@ def _with_task(directory: Path, definition: TaskDefinition) -> Policy:
 
 
 def task_note(policy: Policy) -> str:
-    """A sentence if a policy is used without the user's file of its training or with another version; else empty."""
+    """Return a note if a policy is used without the user's file of its training, or with another version of it."""
     recorded, file = trained_with(policy.task), policy.config.file
     if recorded is None or (file is not None and file.sha256 == recorded.sha256):
         return ""
@@ -341,14 +338,14 @@ def task_note(policy: Policy) -> str:
 
 
 def task_of(controller: Controller, robot: Robot = BUILT_IN.robot) -> TaskConfig:
-    """Task for a controller: that of its policy, or for other controllers the default task of a robot."""
+    """Return the task of a controller's policy, or for other controllers the default task of a robot."""
     if isinstance(controller, PolicyController) and isinstance(controller.policy, Policy):
         return controller.policy.config
     return TaskConfig(definition=BUILT_IN.with_robot(robot))
 
 
 def as_policy(policy: Policy | Agent, source: str = "policy", **env_kwargs: Any) -> Policy:
-    """A policy, or the policy of an agent, which acts for one set of envs at a time.
+    """Return a policy, or the policy of an agent, which acts for one set of envs at a time.
 
     Args:
         policy: either of both.
@@ -380,7 +377,7 @@ def as_policy(policy: Policy | Agent, source: str = "policy", **env_kwargs: Any)
 
 
 def load_agent(path: str | Path, **env_kwargs: Any) -> Policy:
-    """The policy that a user's file defines, with memory of its own; the file is executed.
+    """Return the policy that a user's file defines, with memory of its own; the file is executed.
 
     Args:
         path: Python file with an agent, or its class, under the name `policy`.
@@ -401,7 +398,7 @@ def load_agent(path: str | Path, **env_kwargs: Any) -> Policy:
 
 
 def own_copy(agent: Agent | type[Agent], source: str) -> Agent:
-    """An agent of a class, or a copy of one: two robots do not share a memory.
+    """Return an agent of a class, or a copy of one: two robots do not share a memory.
 
     Raises:
         QuadrupedError: if it cannot be made.

@@ -17,7 +17,7 @@ from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.observations import ObservationField, ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies.activations import ACTIVATIONS, OUTPUTS
-from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.robot import Robot, check_same_robot
 from quadruped_env.utils.files import unwritable, write_whole
 
 FORMAT_VERSION: Final = 1
@@ -56,7 +56,7 @@ class PolicyData:
     source: str = CARD_FILE
 
     def with_card(self, card: dict[str, Any]) -> Self:
-        """The same policy with another card."""
+        """Return the same policy with another card."""
         return replace(self, card=card)
 
     @property
@@ -73,7 +73,7 @@ class PolicyData:
         """Called before `predict` where an episode begins in some envs, a mask (N,); a network has no memory."""
 
     def predict(self, observation: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Actions (..., 8) in [-1, 1] for observations (..., obs).
+        """Return the actions (..., 8) in [-1, 1] for observations (..., obs).
 
         Raises:
             QuadrupedError: if the last axis has another length than an observation.
@@ -123,14 +123,21 @@ class PolicyData:
                 largest = bound.astype(np.float32)
                 bound = np.maximum(np.abs(activate(largest)), np.abs(activate(-largest))).astype(np.float64)
 
-    def check_control(self, control: ControlConfig) -> None:
-        """Check that actions have the same meaning in a task as in training.
+    def check_fits(self, robot: Robot, control: ControlConfig, layout: ObservationLayout | None = None) -> None:
+        """Check that actions and observations have the same meaning in a task as in training.
+
+        Args:
+            robot: robot of the task.
+            control: its action mode, control rate, clock and history.
+            layout: its observations; None: the policy's own.
 
         Raises:
-            QuadrupedError: if the action mode, action scale, control rate, gait clock or length of the observation's
-                history differs from the policy's.
+            QuadrupedError: if the robot, action mode, action scale, scripted gait, control rate, gait clock, length of
+                the history, or a field of the observations or its width, unit, scale or bounds is another one.
         """
-        own = self.control
+        check_same_robot(self.robot.identity, robot)
+        own, fields = self.control, self.layout.document()
+        other = fields if layout is None else layout.document()
         for name, expected, found in (
             ("action.mode", own.action.mode, control.action.mode),
             (f"action.{own.action.mode}_scale", own.action.scale, control.action.scale),
@@ -138,28 +145,14 @@ class PolicyData:
             ("control_timestep", own.timestep, control.timestep),
             ("clock_frequency", own.clock_frequency, control.clock_frequency),
             ("observation_history", own.observation_history, control.observation_history),
+            ("the observations", *(", ".join(entry["name"] for entry in each) for each in (fields, other))),
+            *((f"the observation {mine['name']}", mine, theirs) for mine, theirs in zip(fields, other, strict=False)),
         ):
             if expected != found:
                 raise QuadrupedError(
                     f"policy: it was trained with {name} {expected!r}, and this environment has {found!r}; "
                     f"make its own with policy.make_env()"
                 )
-
-    def check_observations(self, layout: ObservationLayout) -> None:
-        """Check that a task's observations are those that the policy was trained on.
-
-        Raises:
-            QuadrupedError: if a field is missing or another one, or differs in its width, unit, scale or bounds.
-        """
-        expected, found = self.layout.document(), layout.document()
-        if expected != found:
-            own, other = ([entry["name"] for entry in fields] for fields in (expected, found))
-            differing = [a["name"] for a, b in zip(expected, found, strict=False) if a != b]
-            what = f"has {', '.join(other)}" if own != other else f"differs in {', '.join(differing)}"
-            raise QuadrupedError(
-                f"policy: it was trained on the observations {', '.join(own)}, and this environment {what}; make its "
-                f"own with policy.make_env()"
-            )
 
     def save(self, directory: str | Path) -> None:
         """Write the policy's two files into a directory, which is created if it does not exist.
@@ -175,7 +168,7 @@ class PolicyData:
         write_whole({directory / name: content for name, content in files.items()})
 
     def files(self) -> dict[str, bytes]:
-        """Contents of the files that `save` writes, by name; the card is last.
+        """Return the contents of the files that `save` writes, by name; the card is last.
 
         Raises:
             QuadrupedError: as `check_is_data`.
@@ -204,11 +197,11 @@ class PolicyData:
 
 
 def config_hash(config: Any) -> str:
-    """SHA-256 of a task's config, independent of the layout of the JSON."""
+    """Return the SHA-256 of a task's config, independent of the layout of the JSON."""
     return hashlib.sha256(json.dumps(config, sort_keys=True).encode()).hexdigest()
 
 
 def gait_document(control: ControlConfig, robot: Robot) -> dict[str, Any] | None:
-    """Scripted gait of a residual policy as JSON values; None for other policies."""
+    """Return the scripted gait of a residual policy as JSON values; None for other policies."""
     gait = control.action.scripted_gait(robot, control.clock_frequency)
     return None if gait is None else gait.parameters()

@@ -40,30 +40,20 @@ _ARGUMENTS: Final = MappingProxyType(
 """Arguments of these classes that a policy's file has no place for, with their defaults."""
 _TRANSPARENT: Final = frozenset({"Flatten", "Identity", "Dropout"})
 """Modules that change nothing when a policy acts."""
-_WRAPPERS: Final = frozenset({"VecMonitor", "VecCheckNan", "VecNormalize", "VecVideoRecorder"})
-"""Wrappers of the env after which a policy still sees the env's observation, apart from its normalization."""
-_ENV_WRAPPERS: Final = (gymnasium.ObservationWrapper, gymnasium.ActionWrapper)
-"""Base classes of Gymnasium's wrappers that change observations or actions."""
-_NEUTRAL: Final = (
-    "Monitor",
-    "TimeLimit",
-    "OrderEnforcing",
-    "PassiveEnvChecker",
-    "Record",
-    "HumanRendering",
-    "Autoreset",
-)
-"""Beginnings of the names of wrappers that change neither."""
+_REWRITING: Final = (gymnasium.ObservationWrapper, gymnasium.ActionWrapper)
+"""Base classes of wrappers that change observations or actions."""
+_LIBRARIES: Final = frozenset({"gymnasium", "stable_baselines3"})
+"""Packages whose other wrappers leave observations as they are, or change their number of columns."""
 PROTOCOL: Final = (
     "evaluate, compare, view and film it as it is with the protocol of two methods, reset and predict "
     "(docs/training.md#your-own-algorithm)"
 )
 
-NORMALIZED_ENV: Final = "env=VecNormalize.load(FILE, make_sb3_vec_env(1)), where FILE is that of VecNormalize.save"
+NORMALIZED_ENV: Final = "env=VecNormalize.load(FILE, make_sb3_vec_env(1)), where FILE was written by VecNormalize.save"
 
 
 def refused(reason: str) -> QuadrupedError:
-    """The error for a model that a policy's file cannot hold."""
+    """Return the error for a model that a policy's file cannot hold."""
     return QuadrupedError(
         f"Policy.from_sb3: {reason}; a policy's file holds linear layers with one activation function between them "
         f"({', '.join(MODULES)}, with their default arguments), for the export and for a robot's controller: {PROTOCOL}"
@@ -115,7 +105,7 @@ class Actor:
         return cls(model, config, network, normalization)
 
     def check(self, predict: Callable[[NDArray[np.float32]], NDArray[np.float32]]) -> None:
-        """Refuse a policy whose actions differ from the model's, such as that of a subclass with its own `forward`."""
+        """Refuse a policy whose actions differ from the model's, as for a subclass with its own `forward`."""
         inputs = len(self.network.layers[0][0])
         limit = 2.0 if self.normalization is None else min(2.0, self.normalization.clip)
         seen = np.random.default_rng(0).uniform(-limit, limit, (SAMPLES, inputs)).astype(np.float32)
@@ -130,7 +120,7 @@ class Actor:
 
 
 def was_normalized(model: Any) -> bool:
-    """True if a model is known to have been trained in a `VecNormalize`, which its zip does not hold.
+    """Return True if a model is known to have been trained in a `VecNormalize`, which its zip does not hold.
 
     The on-policy algorithms of Stable-Baselines3 keep an observation before its normalization, and in other envs none.
     Those with a replay buffer keep one in any env.
@@ -139,23 +129,32 @@ def was_normalized(model: Any) -> bool:
 
 
 def _task_of(venv: Any) -> TaskConfig:
-    """Config of the task of SB3's vector env."""
-    inner = venv
+    """Return the config of the task of SB3's vector env, whose wrappers may change neither observations nor actions."""
+    inner, wrappers = venv, []
     while hasattr(inner, "venv"):
-        if type(inner).__name__ not in _WRAPPERS:
-            raise refused(f"its env has the wrapper {type(inner).__name__}, which changes observations or actions")
+        wrappers.append(inner)
         inner = inner.venv
-    for wrapper in _ENV_WRAPPERS:
-        if any(inner.env_is_wrapped(wrapper)):
-            raise refused(f"its env has an {wrapper.__name__}, which changes observations or actions")
-    for env in getattr(inner, "envs", ()):
-        _check_wrappers(env)
-    task = getattr(inner, "task", None)
-    if task is None:
-        try:
-            task = inner.get_attr("task", 0)[0]
-        except AttributeError:
-            task = None
+    for base in _REWRITING:
+        if any(inner.env_is_wrapped(base)):
+            raise refused(f"its env has an {base.__name__}, which changes observations or actions")
+    for member in getattr(inner, "envs", ()):
+        env = member
+        while isinstance(env, gymnasium.Wrapper):
+            wrappers.append(env)
+            env = env.env
+    for wrapper in wrappers:
+        kind = type(wrapper)
+        if kind.__module__.partition(".")[0] not in _LIBRARIES and not issubclass(kind, gymnasium.RewardWrapper):
+            warnings.warn(
+                f"Policy.from_sb3: the env has the wrapper {kind.__name__}, which the policy leaves out; what it "
+                f"changes in observations or actions is missing",
+                QuadrupedWarning,
+                stacklevel=4,
+            )
+    try:
+        task = inner.get_attr("task", 0)[0]
+    except AttributeError:
+        task = None
     if not isinstance(task, Task):
         raise QuadrupedError(
             f"Policy.from_sb3: {type(inner).__name__} is not an env of this package; train in make_sb3_vec_env(...), "
@@ -164,22 +163,8 @@ def _task_of(venv: Any) -> TaskConfig:
     return task.config
 
 
-def _check_wrappers(env: Any) -> None:
-    """Warn of wrappers that may change observations or actions in a `step` of their own."""
-    while isinstance(env, gymnasium.Wrapper):
-        name = type(env).__name__
-        if not name.startswith(_NEUTRAL) and not isinstance(env, gymnasium.RewardWrapper):
-            warnings.warn(
-                f"Policy.from_sb3: the env has the wrapper {name}, which the policy leaves out; what it changes in "
-                f"observations or actions is missing",
-                QuadrupedWarning,
-                stacklevel=4,
-            )
-        env = env.env
-
-
 def actor_network(policy: Any) -> Network:
-    """The network of an SB3 policy's actor.
+    """Return the network of an SB3 policy's actor.
 
     Raises:
         QuadrupedError: if a policy's file cannot hold it.
@@ -219,7 +204,7 @@ def _parts(module: Any) -> list[Any]:
 
 
 def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
-    """Weights and biases of a perceptron's layers, and the activation function between them.
+    """Return the weights and biases of a perceptron's layers, and the activation function between them.
 
     A batch renormalization before a layer, which in use is an affine function of its inputs, becomes a part of it.
 
@@ -254,7 +239,7 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
 
 
 def _clipped(layers: list[Layer], activation: str, limit: float) -> list[Layer]:
-    """Layers whose values are those of `layers`, clipped to +-limit: relu(x + limit) - relu(x - limit) - limit."""
+    """Return layers that give the values of `layers` clipped to +-limit: relu(x + limit) - relu(x - limit) - limit."""
     if activation != "relu":
         raise refused(f"its actor explores with gSDE and clips its mean (clip_mean={limit:g}), and is no ReLU network")
     *inner, (weight, bias) = layers
@@ -271,7 +256,7 @@ def _array(tensor: Any) -> NDArray[np.float32]:
 
 
 def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
-    """The symmetric policy over a plain network as one plain network of twice the width: f and its mirror, averaged."""
+    """Return one network of twice the width that is symmetric: the average of a network and its mirror image."""
     (first, first_bias), *inner, (last, last_bias) = layers
     half = np.float32(0.5)
     mirrored = (first * mirror.observation_sign[:, None])[np.argsort(mirror.observation_order)]
@@ -291,7 +276,7 @@ class _Normalization(NamedTuple):
 
     @classmethod
     def of(cls, model: Any, inputs: int) -> Self | None:
-        """Normalization by the model's `VecNormalize`; None without one."""
+        """Return the normalization by the model's `VecNormalize`; None without one."""
         normalize = model.get_vec_normalize_env()
         if normalize is None or not normalize.norm_obs:
             return None

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.recorded_episode import Recording, play
 from quadruped_env.evaluation.trace import Trace
-from quadruped_env.replay.saturation import saturation
-from quadruped_env.replay.signal_comparison import Signals, lag, side_by_side
+from quadruped_env.replay.signal_comparison import comparison_report, comparison_table, lag, saturation, side_by_side
 from quadruped_env.report.films.film import FRAME_RATE, Clip
 from quadruped_env.report.report_directory import REPORT_FILE
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig, Robot
@@ -21,6 +20,7 @@ from quadruped_env.simulation import Terrain, build_model
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.trajectory import JointTrajectory
 from quadruped_env.trajectory.formats.project_csv import write_table
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import check_free, shown_argument, write_json
 from quadruped_env.utils.progress import Progress
 from quadruped_env.utils.text_table import Table
@@ -64,25 +64,25 @@ class Replay:
     """Recording of the real robot on the same clock, for the comparison; None compares with `recorded`"""
 
     def link_poses(self) -> dict[str, Pose]:
-        """Link name -> (position in m (T, 3), quaternion wxyz (T, 4)).
+        """Return link name -> (position in m (T, 3), quaternion wxyz (T, 4)).
 
         In the world in dynamic mode, and in the frame of the base in kinematic mode.
         """
         base_pose = None if self.motion is None else self.motion.base_pose
         return self.robot.forward_kinematics(self.played.positions, base_pose)
 
-    def tracking_error(self) -> NDArray[np.float64]:
-        """Played minus recorded position at the same time, rad (T, J)."""
+    def tracking_error(self) -> Floats:
+        """Return played minus recorded position at the same time, rad (T, J)."""
         return self.played.positions - self.recorded.positions_at(self.played.times)
 
     @cached_property
-    def torques(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def torques(self) -> tuple[Floats, Floats]:
         """Requested torques and their part beyond the motors' limits in dynamic mode, N m, each (T, J)."""
         return saturation(self.targets, self.played, self.motors, self.robot.joint_kinds)
 
     @cached_property
-    def comparison(self) -> Signals:
-        """Recorded against simulated positions, velocities and efforts.
+    def comparison(self) -> tuple[JointTrajectory, JointTrajectory]:
+        """Recorded and simulated joint states at the same times.
 
         Raises:
             QuadrupedError: if `measured` has no time in common with the replay.
@@ -90,7 +90,7 @@ class Replay:
         return side_by_side(self.measured or self.recorded, self.played)
 
     def film(self) -> Clip:
-        """Clip for a film. In a kinematic replay the base stays level and the lowest foot is on the ground."""
+        """Return the clip for a film; in a kinematic replay the base is level and the lowest foot on the ground."""
         name = Path(self.recorded.source.name).name
         if self.motion is not None:
             return Clip(name, self.motion)
@@ -134,7 +134,7 @@ class Replay:
         clearance = self.robot.sole_heights(self.played.positions[0], start)
         field = HeightField.of(build_model(terrain=self.motion.terrain, robot=self.robot))
         if field is not None:
-            clearance -= field.at(self.robot.foot_centres(self.played.positions[0], start))
+            clearance -= field.at(self.robot.skeleton.foot_centres(self.played.positions[0], start))
         return {
             **self.motion.terrain.provenance(),
             "seconds": self.motion.joints.duration,
@@ -175,7 +175,7 @@ class Replay:
         return found
 
     def tables(self, compare: bool = False) -> list[Table]:
-        """The report's tables, for a terminal and for a page; `compare` adds the comparison's."""
+        """Return the report's tables, for a terminal and for a page; `compare` adds the comparison's."""
         report, recorded, ranges = self.report, self.recorded, []
         for low, high in zip(recorded.positions.min(axis=0), recorded.positions.max(axis=0), strict=True):
             # Adding 0.0 turns a rounded -0.0 into 0.0.
@@ -219,14 +219,21 @@ class Replay:
             "A motor is at its limit where its controller requests more torque than it can apply at its speed.",
         )
         tables = [tracking] if self.motion is None else [tracking, limits]
-        return [*tables, self.comparison.table()] if compare else tables
+        if not compare:
+            return tables
+        source = self.measured or self.recorded
+        derived = "" if source.velocities is not None else " Its velocities were computed from its positions."
+        return [
+            *tables,
+            comparison_table(comparison_report(*self.comparison), f"{Path(source.source.name).name}.{derived}"),
+        ]
 
     def text(self, compare: bool = False) -> str:
-        """The tables and remarks as plain text."""
+        """Return the tables and remarks as plain text."""
         return "\n".join([*(f"{table.text()}\n" for table in self.tables(compare)), *self.remarks()])
 
     def remarks(self) -> list[str]:
-        """Remarks on the recording and the replay, in sentences."""
+        """Return remarks on the recording and the replay, in sentences."""
         remarks = list(self.recorded.source.notes)
         if self.clipped.any():
             names = ", ".join(name for name, count in zip(self.robot.joint_names, self.clipped, strict=True) if count)
@@ -269,7 +276,7 @@ class Replay:
         write_table(directory / POSES_FILE, self.played.stamps, titles, poses, overwrite, progress)
         if self.mode == "dynamic":
             self.played.save(directory / JOINTS_FILE, overwrite, robot=self.robot)
-        comparison = {"comparison": self.comparison.report()} if compare else {}
+        comparison = {"comparison": comparison_report(*self.comparison)} if compare else {}
         write_json(directory / NUMBERS_FILE, {**self.report, **comparison})
 
 
@@ -314,12 +321,12 @@ def replay(
 
 
 def replay_files(directory: Path) -> list[Path]:
-    """Files that a replay may write into a directory."""
+    """Return files that a replay may write into a directory."""
     return [directory / name for name in (POSES_FILE, JOINTS_FILE, NUMBERS_FILE, REPORT_FILE)]
 
 
 def _within_limits(robot: Robot, trajectory: JointTrajectory) -> tuple[JointTrajectory, NDArray[np.intp]]:
-    """The trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
+    """Return the trajectory clipped to the joint limits, and the number of clipped positions of each joint."""
     positions, low, high = trajectory.positions, robot.joint_position_low, robot.joint_position_high
     excess = np.maximum(low - positions, positions - high)
     beyond = excess > LIMIT_TOLERANCE
@@ -337,7 +344,7 @@ def _within_limits(robot: Robot, trajectory: JointTrajectory) -> tuple[JointTraj
     return JointTrajectory(trajectory.stamps, robot.joint_names, within, source=trajectory.source), beyond.sum(axis=0)
 
 
-def _summary(error: NDArray[np.float64]) -> dict[str, float]:
+def _summary(error: Floats) -> dict[str, float]:
     return {"rms": float(np.sqrt(np.mean(error * error))), "max": float(np.max(np.abs(error)))}
 
 

@@ -7,11 +7,12 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.replay.replay import Replay
-from quadruped_env.replay.signal_comparison import SIGNALS
+from quadruped_env.replay.signal_comparison import SIGNALS, common_signals
 from quadruped_env.report.pages.page import figure, provenance, write_html
 from quadruped_env.report.palette import BLUE, INK, VERMILION
 from quadruped_env.report.plots.joint_plots import Line, joint_panels
 from quadruped_env.report.report_directory import REPORT_FILE
+from quadruped_env.ros.timestamps import NS_PER_SECOND
 
 _GOOD: Final = 0.05
 """Maximum RMS tracking error of a good replay, rad; the robot also stays on its feet."""
@@ -88,19 +89,20 @@ def _motor_figures(replay: Replay) -> list[dict[str, str]]:
 
 
 def _comparison_figures(replay: Replay) -> list[dict[str, str]]:
-    signals = replay.comparison
+    recorded, simulated = replay.comparison
+    times = recorded.times + (int(recorded.stamps[0]) - int(replay.played.stamps[0])) / NS_PER_SECOND
     return [
         figure(
             f"Recorded and simulated {name}",
             joint_panels(
                 replay.robot,
                 {
-                    "recorded": Line(signals.times, signals.recorded[name], INK),
-                    "simulated": Line(signals.times, signals.simulated[name], BLUE),
+                    "recorded": Line(times, here, INK),
+                    "simulated": Line(times, there, BLUE),
                 },
                 SIGNALS[name],
             ),
             "At the times of the simulation that the recording covers.",
         )
-        for name in signals.recorded
+        for name, (here, there) in common_signals(recorded, simulated).items()
     ]

@@ -1,15 +1,15 @@
-"""Comparison of recorded and simulated joint signals."""
+"""Comparison of recorded and simulated joint signals, and of requested torques with the motors' limits."""
 
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Sequence
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.robot import MotorConfig
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import JointTrajectory
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.text_table import Table
 
 SIGNALS: Final = {"positions": "rad", "velocities": "rad/s", "efforts": "N m"}
@@ -29,56 +29,8 @@ _MIN_RANGE: Final = 0.01
 """Minimum range of a joint's target for which a lag is computed, rad."""
 
 
-@dataclass(frozen=True)
-class Signals:
-    """Recorded and simulated joint states at the same times.
-
-    Arrays are (T, J), in the order of the joints; a signal that one side does not have is left out.
-    """
-
-    joint_names: tuple[str, ...]
-    """(J,)"""
-
-    times: NDArray[np.float64]
-    """Times from the start of the simulation, s (T,)"""
-    recorded: dict[str, NDArray[np.float64]]
-    simulated: dict[str, NDArray[np.float64]]
-    derived: bool
-    """True if the recorded velocities were computed from the recorded positions"""
-    source: str
-    """Name of the recording"""
-
-    def report(self) -> dict[str, Any]:
-        """The comparison as JSON-serializable values."""
-        return {
-            signal: {
-                "unit": SIGNALS[signal],
-                "joints": {
-                    name: _agreement(self.recorded[signal][:, i], self.simulated[signal][:, i])
-                    for i, name in enumerate(self.joint_names)
-                },
-            }
-            for signal in self.recorded
-        }
-
-    def table(self) -> Table:
-        """The comparison as a table."""
-        rows = []
-        for signal, entry in self.report().items():
-            for name, found in entry["joints"].items():
-                cells = [found[key] for key in ("rms", "mean", "max", "correlation")]
-                rows.append([f"{name}, {signal} ({entry['unit']})", *("-" if c is None else f"{c:.4f}" for c in cells)])
-        derived = " The recording has no velocities: they were computed from its positions." if self.derived else ""
-        return Table(
-            "Recorded against simulated",
-            ["simulated minus recorded", "RMS", "mean", "largest", "correlation"],
-            rows,
-            f"Recorded: {self.source}.{derived}",
-        )
-
-
-def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signals:
-    """Resample a recording at the times of the simulation that it covers.
+def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> tuple[JointTrajectory, JointTrajectory]:
+    """Return a recording and a simulation at the times of the simulation that the recording covers.
 
     Args:
         recorded: all joints of the simulation, on its clock. Missing velocities are computed from positions.
@@ -94,24 +46,75 @@ def side_by_side(recorded: JointTrajectory, simulated: JointTrajectory) -> Signa
             f"{simulated.stamps[0]} to {simulated.stamps[-1]} ns; compare recordings from the same clock"
         )
     ordered = recorded.select(simulated.names)
-    derived = ordered.velocities is None and len(ordered) > 1
-    if derived:
+    if ordered.velocities is None and len(ordered) > 1:
         ordered = ordered.differentiate()
-    at = ordered.at(simulated.stamps[inside])
-    here, there = ({kind: getattr(part, kind) for kind in SIGNALS} for part in (at, simulated))
-    both = [kind for kind in SIGNALS if here[kind] is not None and there[kind] is not None]
-    return Signals(
-        simulated.names,
-        simulated.times[inside],
-        {kind: here[kind] for kind in both},
-        {kind: there[kind][inside] for kind in both},
-        derived,
-        Path(recorded.source.name).name,
+    stamps = simulated.stamps[inside]
+    return ordered.at(stamps), simulated.at(stamps)
+
+
+def common_signals(recorded: JointTrajectory, simulated: JointTrajectory) -> dict[str, tuple[Floats, Floats]]:
+    """Return the signals that both have: name in `SIGNALS` -> recorded and simulated values, each (T, J)."""
+    pairs = {name: (getattr(recorded, name), getattr(simulated, name)) for name in SIGNALS}
+    return {name: pair for name, pair in pairs.items() if pair[0] is not None and pair[1] is not None}
+
+
+def comparison_report(recorded: JointTrajectory, simulated: JointTrajectory) -> dict[str, Any]:
+    """Return the differences of a recording and a simulation at the same times as JSON-serializable values."""
+    return {
+        signal: {
+            "unit": SIGNALS[signal],
+            "joints": {name: _agreement(here[:, i], there[:, i]) for i, name in enumerate(simulated.names)},
+        }
+        for signal, (here, there) in common_signals(recorded, simulated).items()
+    }
+
+
+def comparison_table(report: dict[str, Any], source: str) -> Table:
+    """Return a comparison as a table; `source` names the recording, and says if velocities were computed."""
+    rows = []
+    for signal, entry in report.items():
+        for name, found in entry["joints"].items():
+            cells = [found[key] for key in ("rms", "mean", "max", "correlation")]
+            rows.append([f"{name}, {signal} ({entry['unit']})", *("-" if c is None else f"{c:.4f}" for c in cells)])
+    return Table(
+        "Recorded against simulated",
+        ["simulated minus recorded", "RMS", "mean", "largest", "correlation"],
+        rows,
+        f"Recorded: {source}",
     )
 
 
+def saturation(
+    targets: JointTrajectory, played: JointTrajectory, motors: MotorConfig, kinds: Sequence[str]
+) -> tuple[Floats, Floats]:
+    """Return torques that the controllers requested, and their part beyond the motors' limits, N m, each (T, J).
+
+    Args:
+        targets: joint targets.
+        played: measurements of the simulation with velocities, one row at the end of each control step; its joints
+            have the order of the targets'.
+        motors: motors of the simulation.
+        kinds: kinds of the joints (`Robot.joint_kinds`).
+    """
+    assert played.velocities is not None
+    times = played.times
+    step = float(np.median(np.diff(times))) if len(times) > 1 else 0.0
+    # A target is held over its control step, and arrives later by the motors' delay.
+    sent = np.maximum(np.ceil((times - motors.delay) / step - 1e-6) - 1.0, 0.0) * step if step else times
+    speed = played.velocities
+    kp, kd, stall, top = (
+        np.array([getattr(motor, name) for motor in motors.of_joints(kinds)])
+        for name in ("kp", "kd", "stall_torque", "no_load_speed")
+    )
+    asked = kp * (targets.positions_at(sent) - played.positions) - kd * speed
+    slope = stall / top
+    excess = np.maximum(asked - np.minimum(stall, stall - slope * speed), 0.0)
+    excess += np.maximum(np.maximum(-stall, -stall - slope * speed) - asked, 0.0)
+    return asked, excess
+
+
 def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
-    """Lag of each joint behind its target, s.
+    """Return the lag of each joint behind its target, s.
 
     The lag is the first time shift, up to `MAX_LAG`, with about the smallest error: a motion that repeats fits again
     after a period. None for a joint that hardly moves. Both trajectories have the same joints in the same order.
@@ -132,8 +135,8 @@ def lag(target: JointTrajectory, played: JointTrajectory) -> list[float | None]:
     ]
 
 
-def _first_minimum(error: NDArray[np.float64]) -> int:
-    """Index of the first minimum of an error (K,) that is about as small as the smallest."""
+def _first_minimum(error: Floats) -> int:
+    """Return the index of the first minimum of an error (K,) that is about as small as the smallest."""
     height = (error - error.min()) / max(float(np.ptp(error)), 1e-300)
     # Noise has minima within a valley, so valleys are parted by a clear rise.
     valleys = np.split(np.arange(len(error)), np.flatnonzero(np.diff(height > _RISE)) + 1)
@@ -141,7 +144,7 @@ def _first_minimum(error: NDArray[np.float64]) -> int:
     return next(index for index in lowest if height[index] <= _ALIKE)
 
 
-def _agreement(recorded: NDArray[np.float64], simulated: NDArray[np.float64]) -> dict[str, float | None]:
+def _agreement(recorded: Floats, simulated: Floats) -> dict[str, float | None]:
     known = np.isfinite(recorded)
     if not known.any():
         return {"rms": None, "mean": None, "max": None, "correlation": None}

@@ -43,7 +43,7 @@ def check_bent_legs(robot: Robot) -> None:
     Raises:
         QuadrupedError: if a leg is straight in the stance, so that they have none.
     """
-    whole = robot.foot_jacobians(robot.stance)[:, ::2]
+    whole = robot.skeleton.foot_jacobians(robot.stance)[:, ::2]
     of_legs = np.stack([whole[leg, :, 2 * leg : 2 * leg + 2] for leg in range(robot.num_legs)])
     if np.abs(np.linalg.det(of_legs)).min() < _MIN_DETERMINANT:
         raise QuadrupedError(
@@ -59,14 +59,14 @@ def postures_with_feet_at(robot: Robot, feet: Floats) -> Floats:
     """
     positions = np.tile(robot.stance, (len(feet), 1))
     for _ in range(_INVERSE_STEPS):
-        missing = feet - robot.foot_centres(positions)[..., ::2]
+        missing = feet - robot.skeleton.foot_centres(positions)[..., ::2]
         jacobians = np.empty((*missing.shape, 2))
         for joint in range(2):
             ahead = positions.copy()
             ahead[:, joint::2] += _DIFFERENCE
             behind = positions.copy()
             behind[:, joint::2] -= _DIFFERENCE
-            difference = robot.foot_centres(ahead) - robot.foot_centres(behind)
+            difference = robot.skeleton.foot_centres(ahead) - robot.skeleton.foot_centres(behind)
             jacobians[..., joint] = difference[..., ::2] / (2.0 * _DIFFERENCE)
         transposed = jacobians.swapaxes(-1, -2)
         # Near a straight leg an undamped step is far too long.

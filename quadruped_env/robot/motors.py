@@ -2,17 +2,16 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any, Final, Self
+from typing import Annotated, Any, Final, Self
 
 import mujoco
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.utils.arrays import Floats
-from quadruped_env.utils.parameters import LARGEST, SMALLEST, is_quantity
-from quadruped_env.utils.plain import PlainFields
+from quadruped_env.utils.fields import Fields
+from quadruped_env.utils.parameters import Parameter
 
 VOLTAGE: Final = 24.0
 """Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""
@@ -31,36 +30,41 @@ _POSITION: Final = 1
 """MuJoCo's mode of a DC motor whose control is a joint position."""
 _LINEAR: Final = 1
 """MuJoCo's mode of interpolation between stored commands."""
-_POSITIVE: Final = ("stall_torque", "no_load_speed", "armature")
 
 SERVO_ERRORS: Final = ("target_step", "backlash", "dead_band")
 """Fields of `JointMotor` that keep a position servo from following its target exactly; see `servo_target`."""
 
 
 @dataclass(frozen=True)
-class JointMotor(PlainFields):
+class JointMotor(Fields, path="motor"):
     """A motor and the joint that it turns. The defaults are the built-in robot's."""
 
-    stall_torque: float = 10.0
+    stall_torque: Annotated[float, Parameter.positive("N m")] = 10.0
     """Torque at full voltage and zero speed, N m."""
-    no_load_speed: float = 5.0
+    no_load_speed: Annotated[float, Parameter.positive("rad/s")] = 5.0
     """Speed at full voltage and zero torque, rad/s."""
-    kp: float = 40.0
+    kp: Annotated[float, Parameter("N m/rad", 0.0)] = 40.0
     """Position gain, N m/rad, within the motor's torque-speed line."""
-    kd: float = 1.0
+    kd: Annotated[float, Parameter("N m s/rad", 0.0)] = 1.0
     """Velocity gain, N m s/rad."""
-    damping: float = 0.05
+    damping: Annotated[float, Parameter("N m s/rad", 0.0)] = 0.05
     """Viscous damping of bearings and gears, N m s/rad."""
-    friction_loss: float = 0.0
+    friction_loss: Annotated[float, Parameter("N m", 0.0)] = 0.0
     """Dry friction, N m."""
-    armature: float = 0.01
+    armature: Annotated[float, Parameter.positive("kg m^2")] = 0.01
     """Rotor inertia reflected to the joint, kg m^2."""
-    target_step: float = 0.0
+    target_step: Annotated[float, Parameter("rad", 0.0)] = 0.0
     """Step to which the servo's input rounds the joint target, rad; 0 for none."""
-    backlash: float = 0.0
+    backlash: Annotated[float, Parameter("rad", 0.0)] = 0.0
     """Play of the gears, rad: after a reversal the target moves this far before the joint follows."""
-    dead_band: float = 0.0
+    dead_band: Annotated[float, Parameter("rad", 0.0)] = 0.0
     """Error of the position, to either side, up to which the servo does not pull, rad."""
+
+    def __post_init__(self) -> None:
+        given = {**vars(self)}
+        super().__post_init__()
+        # A whole number stays one: the SHA-256 of robots that older versions stored tells 10 from 10.0.
+        vars(self).update({name: value for name, value in given.items() if type(value) is int})
 
     @classmethod
     def hobby_servo(
@@ -96,11 +100,6 @@ class JointMotor(PlainFields):
             dead_band=dead_band,
         )
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        for entry in fields(self):
-            _check(entry.name, getattr(self, entry.name), positive=entry.name in _POSITIVE)
-
     @property
     def torque_constant(self) -> float:
         """Torque per current, and voltage per speed, at the joint: K in N m/A = V s/rad."""
@@ -123,21 +122,15 @@ class JointMotor(PlainFields):
 
 
 @dataclass(frozen=True)
-class MotorConfig(PlainFields):
+class MotorConfig(Fields, path="motor"):
     """All motors of a robot, of two kinds; the robot says which joint has which (`Robot.joint_kinds`)."""
 
     hip: JointMotor = field(default_factory=JointMotor)
     """Motor of the hips: by default of all joints but the knees."""
     knee: JointMotor = field(default_factory=JointMotor)
     """Motor of the knees: by default of each leg's last joint, if it is not the only one."""
-    delay: float = 0.0
+    delay: Annotated[float, Parameter("s", 0.0, MAX_DELAY)] = 0.0
     """Delay from joint target to motor, s; interpolated between physics steps."""
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        _check("delay", self.delay)
-        if self.delay > MAX_DELAY:
-            raise QuadrupedError(f"motor: delay must be at most {MAX_DELAY:g} s; found {self.delay!r}; give it in s")
 
     def of_joints(self, kinds: Sequence[str]) -> list[JointMotor]:
         """The motor of each joint, for the kinds of the joints (`Robot.joint_kinds`)."""
@@ -151,9 +144,9 @@ class MotorConfig(PlainFields):
         """The `SERVO_ERRORS` of each joint, (J,) each, rad; `kinds` as in `of_joints`."""
         return [np.array([getattr(motor, name) for motor in self.of_joints(kinds)]) for name in SERVO_ERRORS]
 
-    def to_dict(self) -> dict[str, Any]:
-        """Plain values, with the `SERVO_ERRORS` only of servos that have them."""
-        values = asdict(self)
+    def content(self) -> dict[str, Any]:
+        """Plain values, with the `SERVO_ERRORS` only of servos that have them: a part of a robot's identity."""
+        values = self.to_dict()
         for kind in JOINT_KINDS:
             values[kind] = {k: v for k, v in values[kind].items() if v or k not in SERVO_ERRORS}
         return values
@@ -232,12 +225,6 @@ def fill_command_history(model: mujoco.MjModel, history: Floats, joint_target: F
             # A buffer has two internal numbers of MuJoCo, then the times, then the values.
             values = slice(start + 2 + samples, start + 2 + 2 * samples)
             history[:, values] = joint_target[:, actuator, None]
-
-
-def _check(name: str, value: Any, positive: bool = False) -> None:
-    if not is_quantity(value, SMALLEST if positive else 0.0):
-        rule = f"positive, {SMALLEST:g} or more" if positive else "0 or more"
-        raise QuadrupedError(f"motor: {name} must be a number, {rule}, at most {LARGEST:g}; found {short(value)}")
 
 
 _MG996R: Final = JointMotor.hobby_servo(stall_torque=1.08, no_load_speed=math.radians(60.0) / 0.14)

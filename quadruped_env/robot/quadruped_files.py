@@ -7,10 +7,12 @@ import functools
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from string import Template
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE
-from quadruped_env.robot.quadruped_dimensions import QuadrupedDimensions
+
+if TYPE_CHECKING:
+    from quadruped_env.robot.quadruped_design import QuadrupedDesign
 
 _FRONT_SHARE: Final = 0.1
 """Length of the mark at the front of the base, relative to the base."""
@@ -20,7 +22,7 @@ _TOUCH_MARGIN: Final = 0.005
 """Distance by which the zone of a touch sensor is larger than the surface it watches, m; twice that for the base."""
 
 
-def mjcf(design: QuadrupedDimensions) -> str:
+def mjcf(design: "QuadrupedDesign") -> str:
     """The robot alone: bodies, joints, motors, sensors, home keyframe; the ground is in scene.xml."""
     values, legs, joints = _values(design), design.leg_names, design.joint_names
     pairs = [[leg for leg in legs if leg[0] == side] for side in sorted({leg[0] for leg in legs})]
@@ -43,7 +45,7 @@ def mjcf(design: QuadrupedDimensions) -> str:
     )
 
 
-def urdf(design: QuadrupedDimensions) -> str:
+def urdf(design: "QuadrupedDesign") -> str:
     """The robot for ROS and other simulators: links, joints, limits, inertia, collision, and its drives."""
     values = _values(design)
     drives = [
@@ -84,7 +86,7 @@ def numbers(*values: float) -> str:
     return " ".join(f"{float(value) + 0.0:.15g}" for value in values)  # + 0.0 turns -0.0 into 0.0
 
 
-def _values(design: QuadrupedDimensions) -> dict[str, str]:
+def _values(design: "QuadrupedDesign") -> dict[str, str]:
     """Numbers of the whole robot and of each of its legs, by their names in the templates."""
     length, width, height = design.base_size
     front = _FRONT_SHARE * length + _PROUD, width + 2.0 * _PROUD, height + 2.0 * _PROUD
@@ -136,7 +138,7 @@ def _values(design: QuadrupedDimensions) -> dict[str, str]:
     return values
 
 
-def _legs(name: str, design: QuadrupedDimensions, values: Mapping[str, str], between: str) -> str:
+def _legs(name: str, design: "QuadrupedDesign", values: Mapping[str, str], between: str) -> str:
     places = {leg: numbers(*design.hip_position(leg), 0) for leg in design.leg_names}
     return between.join(filled(name, values, leg=leg, hip=place).rstrip() for leg, place in places.items())
 

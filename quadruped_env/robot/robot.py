@@ -14,10 +14,9 @@ from xml.etree import ElementTree
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.robot.kinematics import Kinematics
 from quadruped_env.robot.model_completion import (
     add_sensors,
     check_structure,
@@ -26,9 +25,10 @@ from quadruped_env.robot.model_completion import (
     parsed,
     read_model,
 )
-from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
-from quadruped_env.robot.skeleton import Skeleton
+from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
+from quadruped_env.robot.skeleton import Pose, Skeleton
 from quadruped_env.utils.arrays import Floats, frozen
+from quadruped_env.utils.fields import with_values
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
 
@@ -58,7 +58,7 @@ _OF_THE_MODEL: Any = None
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Robot(Kinematics):
+class Robot:
     """A legged robot as a value: names, stance, symmetry, motors, and its model as text.
 
     Arrays are read-only and in the order of `joint_names` or `leg_names`, which is the order of the model. Masses and
@@ -431,10 +431,23 @@ class Robot(Kinematics):
         yield self.foot_radius if np.isnan(radii).any() else float(radii[0])
         yield self.foot_radius - float(self._skeleton.foot_centres(self.stance)[:, 2].min())
 
+    @property
+    def total_mass(self) -> float:
+        """Mass of the whole robot, kg."""
+        return self.skeleton.total_mass
+
+    def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
+        """Pose of every link; see `Skeleton.forward_kinematics`."""
+        return self.skeleton.forward_kinematics(positions, base_pose)
+
+    def sole_heights(self, positions: ArrayLike, base_pose: ArrayLike) -> Floats:
+        """Height of each foot's lowest point above the ground (..., L) in m; arguments as in `forward_kinematics`."""
+        return self.skeleton.foot_centres(positions, base_pose)[..., 2] - self.foot_radius
+
     def to_dict(self) -> dict[str, Any]:
         """Plain values for `from_dict` and JSON."""
         values = {
-            entry.name: value.to_dict() if isinstance(value, MotorConfig) else value
+            entry.name: value.content() if isinstance(value, MotorConfig) else value
             for entry, value in self._content()
             if value is not None or entry.name not in _OPTIONAL
         }
@@ -457,10 +470,9 @@ class Robot(Kinematics):
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
             for name, value in values.items()
         }
-        motors = values["motors"]
         if made.get("assets") is not None:
             made["assets"] = {name: base64.b64decode(text) for name, text in made["assets"].items()}
-        made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
+        made["motors"] = with_values(MotorConfig(), values["motors"], "robot.motors")
         return cls(**made)
 
     @property

@@ -21,7 +21,7 @@ _ENCAPSULATION: Final = 4
 
 
 def message(type_name: str, **fields: Any) -> Any:
-    """A message, from fields by name; a field that is a message may be given as a mapping.
+    """Make a message from fields by name; a field that is a message may be given as a mapping.
 
     Arrays are converted to the field's type: `rosbags` would write an array of another type as garbage.
 
@@ -38,31 +38,26 @@ def message(type_name: str, **fields: Any) -> Any:
 
 
 def seconds_of(stamp: int) -> tuple[int, int]:
-    """Seconds and ns of a timestamp in ns. Raises a QuadrupedError if it does not fit into a message."""
+    """Split a timestamp in ns into s and ns. Raises a QuadrupedError if it does not fit into a message."""
     sec, nanosec = divmod(stamp, NS_PER_SECOND)
     if not -(2**31) <= sec < 2**31:
         raise QuadrupedError(f"timestamp {stamp} ns: a ROS message holds -2^31 to 2^31 - 1 s")
     return sec, nanosec
 
 
-def time(stamp: int) -> Any:
-    """A `builtin_interfaces/msg/Time` from a timestamp in ns."""
-    sec, nanosec = seconds_of(stamp)
-    return message("builtin_interfaces/msg/Time", sec=sec, nanosec=nanosec)
-
-
 def header(stamp: int, frame_id: str = "") -> Any:
-    """A `std_msgs/msg/Header` from a timestamp in ns."""
-    return message("std_msgs/msg/Header", stamp=time(stamp), frame_id=frame_id)
+    """Return a `std_msgs/msg/Header` from a timestamp in ns."""
+    types = typestore().types
+    return types["std_msgs/msg/Header"](types["builtin_interfaces/msg/Time"](*seconds_of(stamp)), frame_id)
 
 
 def serialize(value: Any) -> bytes:
-    """The CDR bytes of a message, little endian, with the four bytes of encapsulation in front."""
+    """Serialize a message to CDR, little endian, with the four bytes of encapsulation in front."""
     return bytes(typestore().serialize_cdr(value, value.__msgtype__, little_endian=True))
 
 
 def deserialize(data: bytes, type_name: str) -> Any:
-    """The message that CDR bytes of either byte order hold; bytes behind it are ignored, as ROS does.
+    """Decode CDR bytes of either byte order; bytes behind the message are ignored, as ROS does.
 
     rclpy's `serialize_message` writes up to 8 of them behind empty sequences. `rosbags` accepts 3.
 
@@ -86,7 +81,7 @@ def deserialize(data: bytes, type_name: str) -> Any:
 
 
 def _value(kind: MessageType, field: Field, given: Any) -> Any:
-    """Value of one field of a message, converted from the given one, or the default."""
+    """Convert the value of one field of a message, or return its default."""
     if not field.many:
         return _single(kind.name, field, given)
     given = () if given is None else given

@@ -88,7 +88,7 @@ class MessageType:
 
 @cache
 def typestore() -> Any:
-    """The message types of ROS 2 Humble, as `rosbags` knows them, with the keys of DDS entities of Iron and later.
+    """Return ROS 2 Humble's message types, as `rosbags` knows them, with the keys of DDS entities from Iron on.
 
     Raises:
         MissingExtraError: if rosbags is not installed.
@@ -108,7 +108,7 @@ def typestore() -> Any:
 
 @cache
 def message_type(name: str) -> MessageType:
-    """The type of a name.
+    """Return the type of a name.
 
     Raises:
         QuadrupedError: if it is not one of `MESSAGE_TYPES`.

@@ -1,16 +1,16 @@
 """The messages of which recordings consist: joint states in their several types, and the transforms of the links."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cache
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.ros import cdr
 from quadruped_env.ros.message_types import typestore
 from quadruped_env.ros.timestamps import NS_PER_SECOND, read_stamp
+from quadruped_env.utils.arrays import Floats
 
 JOINT_STATE = "sensor_msgs/msg/JointState"
 _DYNAMIC = "control_msgs/msg/DynamicJointState"
@@ -26,32 +26,29 @@ class RawJointState(NamedTuple):
     stamp: int
     """ns"""
     names: tuple[str, ...]
-    position: NDArray[np.float64]
-    velocity: NDArray[np.float64]
-    effort: NDArray[np.float64]
+    position: Floats
+    velocity: Floats
+    effort: Floats
 
 
 def read_joint_state(data: bytes) -> RawJointState:
-    """The joint state that CDR bytes hold. Raises a QuadrupedError if they do not hold one."""
+    """Read a joint state from CDR bytes. Raises a QuadrupedError if they do not hold one."""
     return _raw(cdr.deserialize(data, JOINT_STATE), len(data))
 
 
-def read_recorded(
-    data: bytes, type_name: str, time: int, header: bool = True, ros1: bool = False
-) -> list[RawJointState]:
-    """The joint states that a message holds: one, or the points of a `JointTrajectory`.
+def read_recorded(data: bytes, type_name: str, time: int, header: bool = True) -> list[RawJointState]:
+    """Read the joint states of a message: one, or the points of a `JointTrajectory`.
 
     Args:
-        data: CDR bytes, or those of ROS 1.
+        data: CDR bytes.
         type_name: one of `RECORDED_TYPES`.
         time: of recording, ns: the timestamp of a message that has none.
-        header: whether the header's timestamp counts, where there is one.
-        ros1: whether the bytes are ROS 1's.
+        header: True if the header's timestamp counts, where there is one.
 
     Raises:
         QuadrupedError: if they do not hold such a message.
     """
-    message = _ros1_message(data, type_name) if ros1 else cdr.deserialize(data, type_name)
+    message = cdr.deserialize(data, type_name)
     if type_name == _ARRAY:
         return [RawJointState(time, (), message.data, np.empty(0), np.empty(0))]
     if type_name == JOINT_STATE:
@@ -78,7 +75,7 @@ def read_recorded(
 def dynamic_state(
     stamp: int, names: Sequence[str], interfaces: Sequence[tuple[Sequence[str], ArrayLike]]
 ) -> RawJointState:
-    """The joint state in a `DynamicJointState`: of each joint the names of its interfaces, and their values.
+    """Return the joint state of a `DynamicJointState`, which holds names and values of each joint's interfaces.
 
     Raises:
         QuadrupedError: if the lengths differ.
@@ -96,7 +93,7 @@ def dynamic_state(
 def joint_state(
     stamp: int, names: Sequence[str], position: ArrayLike = (), velocity: ArrayLike = (), effort: ArrayLike = ()
 ) -> bytes:
-    """The CDR bytes of a joint state.
+    """Serialize a joint state to CDR.
 
     Args:
         stamp: ns, below 2^31 s.
@@ -110,11 +107,11 @@ def joint_state(
     """
     types = typestore().types
     arrays = (np.asarray(values, dtype=np.float64) for values in (position, velocity, effort))
-    return cdr.serialize(types[JOINT_STATE](_header(stamp, ""), list(names), *arrays))
+    return cdr.serialize(types[JOINT_STATE](cdr.header(stamp), list(names), *arrays))
 
 
 def transform_messages(stamps: Sequence[int], transforms: Iterable[Any]) -> Iterator[bytes]:
-    """The CDR bytes of a `tf2_msgs/msg/TFMessage` for each timestamp.
+    """Yield the CDR bytes of a `tf2_msgs/msg/TFMessage` for each timestamp.
 
     Args:
         stamps: ns (T,).
@@ -131,33 +128,8 @@ def transform_messages(stamps: Sequence[int], transforms: Iterable[Any]) -> Iter
         for one, place, rotation in zip(transforms, places, rotations, strict=True):
             w, *xyz = rotation[row]
             moved = transform(vector(*place[row]), quaternion(*xyz, w))
-            found.append(stamped(_header(stamp, one.parent), one.child, moved))
+            found.append(stamped(cdr.header(stamp, one.parent), one.child, moved))
         yield cdr.serialize(types["tf2_msgs/msg/TFMessage"](found))
-
-
-def _header(stamp: int, frame_id: str) -> Any:
-    """As `cdr.header`, in a third of the time."""
-    types = typestore().types
-    return types["std_msgs/msg/Header"](types["builtin_interfaces/msg/Time"](*cdr.seconds_of(stamp)), frame_id)
-
-
-def ros1_digest(type_name: str) -> str:
-    """The MD5 digest of ROS 1's definition of a message type."""
-    return str(_ros1_typestore().generate_msgdef(type_name)[1])
-
-
-@cache
-def _ros1_typestore() -> Any:
-    from rosbags.typesys import Stores, get_typestore
-
-    return get_typestore(Stores.ROS1_NOETIC)
-
-
-def _ros1_message(data: bytes, type_name: str) -> Any:
-    try:
-        return _ros1_typestore().deserialize_ros1(data, type_name)
-    except Exception as error:  # rosbags does not document which errors it raises for damaged bytes
-        raise QuadrupedError(f"{len(data)} bytes do not hold a {type_name}: {error}") from error
 
 
 def _raw(message: Any, size: int) -> RawJointState:

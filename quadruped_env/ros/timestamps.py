@@ -5,11 +5,6 @@ from typing import Any, Final
 NS_PER_SECOND: Final = 1_000_000_000
 
 
-def write_stamp(time: Any, stamp: int) -> None:
-    """Write a timestamp in ns into a `builtin_interfaces/msg/Time`."""
-    time.sec, time.nanosec = divmod(stamp, NS_PER_SECOND)
-
-
 def read_stamp(time: Any) -> int:
-    """The timestamp of a `builtin_interfaces/msg/Time`, ns."""
+    """Return the timestamp of a `builtin_interfaces/msg/Time`, ns."""
     return int(time.sec) * NS_PER_SECOND + int(time.nanosec)

@@ -25,7 +25,7 @@ from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs.arguments import changed, task_config
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import asset_path
-from quadruped_env.sweep.search import STORAGE, TASK, ends, in_words, optuna_module, size
+from quadruped_env.sweep.space import TASK, ends, in_words, optuna_module, size
 from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.recipes import with_recipe
@@ -39,6 +39,8 @@ from quadruped_env.utils.seeds import check_training_seeds
 
 FORMAT_VERSION: Final = 2
 SWEEP_FILE: Final = "sweep.json"
+STORAGE: Final = "OPTUNA_STORAGE"
+"""Environment variable of Optuna's: address of a database for studies, perhaps with a password, so in no file."""
 MAX_TRIALS: Final = 100_000
 _POLL: Final = 1.0
 """Time between looks at the trials that other workers do, s."""
@@ -69,10 +71,10 @@ class Sweep:
     def __post_init__(self) -> None:
         for name, count in (("seeds", self.seeds), ("trials", self.settings)):
             if not 1 <= count <= MAX_TRIALS or self.seeds * self.settings > MAX_TRIALS:
-                raise QuadrupedError(f"{name}: expected 1 to {MAX_TRIALS:,} trainings in all; found {count:,} {name}")
+                raise QuadrupedError(f"sweep.{name}: expected 1 to {MAX_TRIALS:,} trainings in all; found {count:,}")
         if self.settings > self.size:
             raise QuadrupedError(
-                f"trials: found {self.settings}, and each of the {self.size:g} different settings is tried once; "
+                f"sweep.trials: found {self.settings}, and each of the {self.size:g} different settings is tried once; "
                 f"lower it, vary more, or give more --seeds"
             )
         check_fields({**self.training, "seed": self.first_seed + self.seeds - 1})
@@ -141,7 +143,7 @@ class Sweep:
                 config = self.config(values, self.first_seed, definition)
                 task_config(config.action_mode, config.task, definition.path)
             except QuadrupedError as error:
-                raise QuadrupedError(f"vary {in_words(values)}: {error}" if values else str(error)) from error
+                raise QuadrupedError(f"sweep.vary {in_words(values)}: {error}" if values else str(error)) from error
 
     def create(self, command: str, definition: TaskDefinition = BUILT_IN) -> "Sweep":
         """Write the definition into the directory, which must not exist.

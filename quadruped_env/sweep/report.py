@@ -10,16 +10,17 @@ from typing import Any
 import numpy as np
 
 from quadruped_env.evaluation.confidence import Estimate, student_mean
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.report.pages.page import figure, provenance, write_html
 from quadruped_env.report.palette import BLUE
 from quadruped_env.report.plots.canvas import draw_figure
 from quadruped_env.report.plots.learning_plots import learning_curve, read_progress
 from quadruped_env.report.report_directory import REPORT_FILE
 from quadruped_env.sweep.folder import Sweep
-from quadruped_env.sweep.search import ends, in_words, shown
+from quadruped_env.sweep.space import ends, in_words, shown
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.files import write_json
+from quadruped_env.utils.text_table import Table
 
 
 def score_of(results: Sequence[Mapping[str, Any] | None], component: str | None = None) -> Estimate:
@@ -64,14 +65,20 @@ def headline(found: Mapping[str, Any]) -> str:
     return f"{', '.join(parts)}{end}."
 
 
-def setting_in_words(entry: Mapping[str, Any], seeds: int) -> str:
-    """A setting, and its seeds that were trained to the end: `gamma=0.98: 2 of 3 seeds, 1 failed`."""
-    failed = sum(result["state"] == "failed" for result in entry["results"])
-    count = f"{len(entry['results']) - failed} of {seeds} seeds{f', {failed} failed' if failed else ''}"
-    return f"{in_words(entry['values'])}: {count}" if entry["values"] else count
+def table(found: Mapping[str, Any], seeds: int) -> Table:
+    """The settings, the best first: values of the fields, seeds that were trained to the end, score and components."""
+    rows = []
+    for entry in found["settings"]:
+        failed = sum(result["state"] == "failed" for result in entry["results"])
+        count = f"{len(entry['results']) - failed} of {seeds} seeds{f', {failed} failed' if failed else ''}"
+        scores = [score_of(entry["results"], component) for component in COMPONENTS]
+        cells = [estimate_in_words(score_of(entry["results"]), 3), *(estimate_in_words(score, 2) for score in scores)]
+        rows.append([in_words(entry["values"]) or "all", count, *cells])
+    note = "Quick suite: mean over all seeds [95 % interval]; a failed seed counts as the zero action."
+    return Table("Scores", ["setting", "", "score", *COMPONENTS], rows, note)
 
 
-def estimate_in_words(estimate: Estimate, digits: int = 3) -> str:
+def estimate_in_words(estimate: Estimate, digits: int) -> str:
     """A mean with its interval; a dash if it is not known."""
     interval = "" if math.isnan(estimate.low) else f" [{estimate.low:.{digits}f}, {estimate.high:.{digits}f}]"
     return "-" if math.isnan(estimate.mean) else f"{estimate.mean:.{digits}f}{interval}"
@@ -96,9 +103,8 @@ def write_report(sweep: Sweep) -> Path:
             "name": sweep.path.resolve().name,
             "definition": str(sweep),
             "headline": headline(found),
-            "components": list(COMPONENTS),
-            "settings": [_setting_row(entry, sweep.seeds) for entry in found["settings"]],
-            "trials": [_trial_row(trial) for trial in found["trials"]],
+            "settings": table(found, sweep.seeds),
+            "trials": _trials(found),
             "figures": _figures(sweep, found),
             "best": found["best"] and {**found["best"], "path": str(sweep.path / found["best"]["run"])},
         }
@@ -106,17 +112,14 @@ def write_report(sweep: Sweep) -> Path:
     return page
 
 
-def _setting_row(entry: Mapping[str, Any], seeds: int) -> dict[str, Any]:
-    scores = [score_of(entry["results"], component) for component in COMPONENTS]
-    cells = [estimate_in_words(score_of(entry["results"])), *(estimate_in_words(score, 2) for score in scores)]
-    return {"label": setting_in_words(entry, seeds), "cells": cells}
-
-
-def _trial_row(trial: Mapping[str, Any]) -> dict[str, Any]:
-    score = "-" if trial["score"] is None else f"{trial['score']['total']:.3f}"
-    facts = [str(trial.get(name, "-")) for name in ("seconds", "starts", "node", "error")]
-    cells = [str(trial["seed"]), in_words(trial["values"]) or "-", trial["state"], score, *facts]
-    return {"label": f"trial {trial['trial']}", "cells": cells}
+def _trials(found: Mapping[str, Any]) -> Table:
+    rows = []
+    for trial in found["trials"]:
+        score = "-" if trial["score"] is None else f"{trial['score']['total']:.3f}"
+        facts = [str(trial.get(name, "-")) for name in ("seconds", "starts", "node", "error")]
+        name = f"trial {trial['trial']}"
+        rows.append([name, str(trial["seed"]), in_words(trial["values"]) or "-", trial["state"], score, *facts])
+    return Table("Trials", ["", "seed", "setting", "state", "score", "time (s)", "starts", "node", "error"], rows)
 
 
 def _figures(sweep: Sweep, found: Mapping[str, Any]) -> list[dict[str, str]]:

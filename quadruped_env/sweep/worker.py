@@ -14,7 +14,7 @@ from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import run_suite
 from quadruped_env.evaluation.suite.suite_definition import quick_suite
 from quadruped_env.policies import ZeroController
@@ -23,13 +23,13 @@ from quadruped_env.report.pages.suite_section import write_results
 from quadruped_env.report.plots.learning_plots import read_progress
 from quadruped_env.sweep.folder import Sweep
 from quadruped_env.sweep.report import write_report
-from quadruped_env.sweep.search import in_words, setting_values
+from quadruped_env.sweep.search import setting_values
+from quadruped_env.sweep.space import in_words
 from quadruped_env.task import TaskDefinition
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE
 from quadruped_env.utils.documents import read_json
-from quadruped_env.utils.program import Stopped
 
 Say = Callable[[str], None]
 _TRAINING_SHARE: Final = 0.9
@@ -132,7 +132,7 @@ def _train(config: TrainConfig, directory: Path, command: str, parent: Parent | 
     """Train to the end of the budget, from a checkpoint if there is one; the run directory.
 
     Raises:
-        Stopped: after a signal; what was learned is saved.
+        KeyboardInterrupt: after a signal; what was learned is saved.
     """
     from quadruped_env.training.train import train
 
@@ -145,7 +145,7 @@ def _train(config: TrainConfig, directory: Path, command: str, parent: Parent | 
         config = parent.resumed(left)
     run, whole = train(config, directory, command, parent, task_file, threads=1)
     if not whole:
-        raise Stopped(signal.Signals[read_json(run / CARD_FILE)["card"]["interrupted"]])
+        raise KeyboardInterrupt(signal.Signals[read_json(run / CARD_FILE)["card"]["interrupted"]])
     return run
 
 
@@ -157,7 +157,7 @@ def score_of_run(run: Path, task_file: Path | None) -> dict[str, Any]:
     """
     try:
         evaluated = find_policy(str(run), None, task_file)
-        found = run_suite(MeasuredController.of_policy(evaluated.policy, evaluated.name), quick_suite())
+        found = run_suite(Candidate.of_policy(evaluated.policy, evaluated.name), quick_suite())
         write_results(evaluated, found, "mini-quadruped sweep")
     except QuadrupedError as error:
         _raise_if_of_the_machine(error)
@@ -170,8 +170,8 @@ def score_of_zero_action(config: TrainConfig | None, base: TrainConfig, task_fil
     for candidate in filter(None, (config, base)):
         with contextlib.suppress(QuadrupedError):
             task = task_config(candidate.action_mode, candidate.task, task_file)
-            measured = MeasuredController("zero action", ZeroController(candidate.action_mode), task)
-            return run_suite(measured, quick_suite())["score"]
+            zero = Candidate("zero action", ZeroController(candidate.action_mode), task)
+            return run_suite(zero, quick_suite())["score"]
     return None
 
 

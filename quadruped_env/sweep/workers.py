@@ -13,8 +13,7 @@ from typing import Final
 
 import quadruped_env
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.sweep.folder import Sweep
-from quadruped_env.sweep.search import STORAGE
+from quadruped_env.sweep.folder import STORAGE, Sweep
 from quadruped_env.sweep.worker import work
 
 _GRACE: Final = 10.0
@@ -102,8 +101,8 @@ def run_on_ray(sweep: Sweep, count: int | None, trusted: bool, address: str, sho
     except Exception as error:  # of several types
         reason = (str(error).strip().splitlines() or [type(error).__name__])[0]
         raise QuadrupedError(
-            f"ray: no cluster can be used at {short(address)} ({reason}); check that `ray status` works here, that all "
-            f"nodes have the same Python, Ray and token (docs/scaling.md)"
+            f"sweep.ray: no cluster can be used at {short(address)} ({reason}); check that `ray status` works here, "
+            f"that all nodes have the same Python, Ray and token (docs/scaling.md)"
         ) from error
     try:
         task = ray.remote(num_cpus=1, max_retries=_RETRIES)(_work_as_task)

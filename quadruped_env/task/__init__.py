@@ -6,9 +6,8 @@ from quadruped_env.simulation.terrain import Grid, Terrain, terrain
 from quadruped_env.task.command_sampling import CommandSection
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.privileged import PrivilegedReading, TrueState, privileged
-from quadruped_env.task.randomization.event import Event
 from quadruped_env.task.randomization.model_fields import ModelField
-from quadruped_env.task.randomization.randomization import Randomization, SensorError
+from quadruped_env.task.randomization.randomization import Event, Randomization, SensorError
 from quadruped_env.task.randomization.randomization_presets import PRESETS, preset_values
 from quadruped_env.task.task import Task, Transition
 from quadruped_env.task.task_config import (

@@ -5,15 +5,14 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.control_config import Command, CommandRate
 from quadruped_env.task.randomization.draws import Purposes
 from quadruped_env.task.randomization.randomization import between
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.fields import Range, Section, check
 from quadruped_env.utils.parameters import Parameter
 
-Floats = NDArray[np.float64]
 Share = Annotated[float, Parameter(low=0.0)]
 
 
@@ -54,7 +53,7 @@ class CommandSampler:
         self._low, self._high = ranges[:, 0], ranges[:, 1]
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:
-        """Commands (R, C) and times until the next command (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
+        """Return commands (R, C) and times until the next ones (R,) in s, from uniform draws (R, 2 + C) in [0, 1)."""
         kind, config = draws[:, 0], self._config
         interval = between(config.resample_interval, draws[:, -1])
         command = self._low + (self._high - self._low) * draws[:, 1:-1]

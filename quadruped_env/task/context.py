@@ -13,8 +13,7 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import quantities
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 class TaskContext:
@@ -139,11 +138,11 @@ class TaskContext:
         self._airborne[:] = airborne[-1]
 
     def ground_height(self, positions: Floats) -> Floats:
-        """Height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""
+        """Return the height of the ground (N, ...) at positions (N, ..., 2 or 3) in the world frame, m."""
         if self._height_field is None:
             return np.zeros_like(positions[..., 0])
         return self._height_field.at(positions)
 
     def command_of(self, name: str) -> Floats:
-        """One component of the command by name, (N,)."""
+        """Return one component of the command by name, (N,)."""
         return self.control.command_of(name)

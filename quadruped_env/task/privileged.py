@@ -22,8 +22,7 @@ from quadruped_env.simulation import Simulation
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.sensor_errors import Sensors
 from quadruped_env.task.reward_function import checked
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 @dataclass(frozen=True)
@@ -37,7 +36,7 @@ class TrueState:
     """Errors of the sensors; None if they have none."""
 
     def model_values(self, field: str) -> Floats:
-        """A field of MuJoCo's model in each env (N, ...), with what randomizations have changed; read-only."""
+        """Return a field of MuJoCo's model in each env (N, ...), with what randomizations have changed; read-only."""
         values = self.simulation.field_values(field)
         return np.broadcast_to(values, (self.simulation.num_envs, *values.shape[1:]))
 
@@ -103,7 +102,7 @@ def friction(state: TrueState) -> Floats:
 
 @privileged(unit="kg", mirror=(1.0,), scale=lambda robot: 4.0 / robot.total_mass, bound=4.0)
 def added_mass(state: TrueState) -> Floats:
-    """Mass of the whole robot relative to that of its model: payload and masses of the links."""
+    """Mass of the whole robot minus its model's: payload and masses of the links."""
     own = state.simulation.compiled_field("body_mass")
     return (state.model_values("body_mass") - own).sum(axis=1, keepdims=True)
 
@@ -154,7 +153,7 @@ class PrivilegedReadings:
             checked(f"privileged reading {field.name}", shape, functools.partial(field.read, state))
 
     def values(self) -> NDArray[np.float32]:
-        """Scaled readings (N, layout.width) in a new array.
+        """Return the scaled readings (N, layout.width) in a new array.
 
         Raises:
             QuadrupedError: if one of them is not finite.

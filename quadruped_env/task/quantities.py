@@ -9,13 +9,14 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
+
 Real = NDArray[np.floating]
 """Values that a metric may have in another precision."""
 
 
 def clock_agreement(lift: Real, clock_sine: Real) -> Floats:
-    """Agreement between foot heights and the gait clock (N,), in [-1, 1].
+    """Return the agreement between foot heights and the gait clock (N,), in [-1, 1].
 
     Args:
         lift: 1 for a foot in the air, -1 on the ground, or a value between (N, L).
@@ -25,7 +26,7 @@ def clock_agreement(lift: Real, clock_sine: Real) -> Floats:
 
 
 def foot_lift(sole_height: Floats, full: float) -> Floats:
-    """Lift of each foot (N, L): 1 - 2 (1 - height / full)^2, at least -1: -1 on the ground, 1 at the full height.
+    """Return the lift of each foot (N, L): 1 - 2 (1 - height / full)^2, at least -1; 1 at the full height.
 
     Unlike contact it is continuous, so a small increase in height already increases the reward. The slope is largest
     at the ground, so it does not pay to drag one foot and lift the others higher. Beyond the full height it falls
@@ -42,12 +43,12 @@ def foot_lift(sole_height: Floats, full: float) -> Floats:
 
 
 def mechanical_power(torque: Real, velocity: Real) -> Floats:
-    """Mechanical power of the motors (...,), W; negative power counts as zero."""
+    """Return the mechanical power of the motors (...,), W; negative power counts as zero."""
     return np.add.reduce(np.maximum(torque * velocity, 0.0), axis=-1)
 
 
 def electrical_power(torque: Real, velocity: Real, joule_coefficient: Floats) -> Floats:
-    """Electrical power of the motors (...,), W: `mechanical_power`, and the heat in their windings.
+    """Return the electrical power of the motors (...,), W: `mechanical_power`, and the heat in their windings.
 
     Args:
         torque: motor torques (..., J), N m.
@@ -58,13 +59,13 @@ def electrical_power(torque: Real, velocity: Real, joule_coefficient: Floats) ->
 
 
 def mean_over_steps(values: Floats) -> Floats:
-    """Mean (N, ...) over physics steps of values (S, N, ...)."""
-    # One by one, as `accumulate` adds: `sum` adds those of a single env in pairs.
+    """Return the mean (N, ...) over physics steps of values (S, N, ...)."""
+    # One by one, as `accumulate` adds: `sum` adds the values of a single env in pairs.
     return np.add.accumulate(values, axis=0)[-1] / len(values)
 
 
 def sliding_squared(foot_velocity: Floats, foot_angular_velocity: Floats, radius: float) -> Floats:
-    """Squared horizontal velocity of each foot's lowest point (..., L), m^2/s^2.
+    """Return the squared horizontal velocity of each foot's lowest point (..., L), m^2/s^2.
 
     The lowest point of a ball that rolls without slipping is at rest: v + omega x (0, 0, -r).
 

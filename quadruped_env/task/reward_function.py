@@ -6,15 +6,12 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardSection, RewardTerm, Termination, TerminationSection
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.fields import Section
-
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 class RewardFunction:
@@ -42,7 +39,7 @@ class RewardFunction:
         self._values = np.zeros((len(self.names), len(context.velocity)))
 
     def __call__(self, context: TaskContext) -> Floats:
-        """Weighted terms (T, N) in a new array."""
+        """Return the weighted terms (T, N) in a new array."""
         for index, function in self._paid:
             self._values[index] = function(context).T
         return self._values * self._weights
@@ -93,7 +90,7 @@ class Terminations:
         ]
 
     def __call__(self, context: TaskContext, diverged: Bools) -> Bools:
-        """Mask (N,) of the envs in which a condition holds or the simulation diverged, in a new array."""
+        """Return the mask (N,) of the envs in which a condition holds or the simulation diverged, in a new array."""
         ended = diverged.copy()
         for function in self._functions:
             np.logical_or(ended, function(context), out=ended)
@@ -107,7 +104,7 @@ class Terminations:
 
 
 def _with_parameters(term: RewardTerm | Termination, config: Section, context: TaskContext) -> Any:
-    """Function of a term with the config's parameters; for a class, an instance of it."""
+    """Return the function of a term with the config's parameters; for a class, an instance of it."""
     parameters = {name: config[name] for name in term.parameters}
     if inspect.isclass(term.function):
         return term(context, **parameters)

@@ -8,14 +8,13 @@ context.
 from typing import Annotated, Final, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.task import quantities
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardTerm, reward, reward_group
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import Parameter
 
-Floats = NDArray[np.float64]
 Positive = Parameter.positive
 
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
@@ -39,7 +38,7 @@ class tracking:  # noqa: N801  named like the other terms
         self._std = np.array([forward_velocity_std, yaw_rate_std])
 
     def __call__(self, context: TaskContext) -> Floats:
-        """Values (N, 2)."""
+        """Return the values (N, 2)."""
         return np.exp(-((context.tracking_error / self._std) ** 2))
 
 
@@ -99,7 +98,7 @@ class electrical_power:  # noqa: N801
         self._heat = context.motors.joule_coefficients(context.robot.joint_kinds)
 
     def __call__(self, context: TaskContext) -> Floats:
-        """Values (N,)."""
+        """Return the values (N,)."""
         substeps = context.substeps
         power = quantities.electrical_power(substeps.joint_torque, substeps.joint_velocity, self._heat)
         return quantities.mean_over_steps(power)

@@ -5,8 +5,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Annotated, Any, Final
 
-from quadruped_env.control.clock import FIELD as CLOCK
-from quadruped_env.control.clock import UNITS as CLOCK_UNITS
 from quadruped_env.control.control_config import commands_for
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
@@ -45,7 +43,7 @@ Own = tuple[str, Any, Plain]
 
 
 def section_of(base: type[SectionKind], definition: TaskDefinition, values: Plain) -> SectionKind:
-    """One of the `SECTIONS` with nested plain values; missing fields have their defaults.
+    """Return one of the `SECTIONS` with nested plain values; missing fields have their defaults.
 
     Raises:
         QuadrupedError: if a field is unknown or a value is not valid; the message names the field.
@@ -56,13 +54,13 @@ def section_of(base: type[SectionKind], definition: TaskDefinition, values: Plai
 
 
 def section_type(base: type[SectionKind], definition: TaskDefinition, values: Plain) -> type[SectionKind]:
-    """The dataclass of a section; that of `terrain` depends on the terrain and the level that its values name."""
+    """Return the dataclass of a section; for `terrain` it depends on the terrain and the level that the values name."""
     found: Any = terrain_type(definition, values) if issubclass(base, TerrainSection) else _types(definition)[base]
     return found
 
 
 def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
-    """Nested values of a config for the built-in robot and its terms, as plain values for another robot.
+    """Return the nested values of a config for the built-in robot and its terms, as plain values for another robot.
 
     Numbers follow its size by their units; a preset is replaced by its values.
 
@@ -72,7 +70,7 @@ def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
     values = {**values}
     if "randomization" in values:
         values["randomization"] = with_preset(values["randomization"], BUILT_IN.robot)
-    units: dict[str, Plain] = {CLOCK: CLOCK_UNITS if isinstance(values.get(CLOCK), Mapping) else "Hz"}
+    units: dict[str, Plain] = {"clock_frequency": "Hz"}
     units |= {
         name: units_of(section_type(base, BUILT_IN, values[name])) for name, base in SECTIONS.items() if name in values
     }
@@ -81,7 +79,7 @@ def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
 
 @functools.cache
 def _types(definition: TaskDefinition) -> dict[type[Section], type[Section]]:
-    """The dataclass of every section but `terrain`."""
+    """Return the dataclass of every section but `terrain`."""
     robot = definition.robot
     command = [
         (entry.name, Annotated[Range, Parameter(entry.unit)], entry.range)
@@ -106,7 +104,7 @@ def _types(definition: TaskDefinition) -> dict[type[Section], type[Section]]:
 
 
 def _type(base: type[Section], own: Iterable[Own], definition: TaskDefinition) -> type[Section]:
-    """A section with the fields of terms, and with the defaults of its own ones for the robot."""
+    """Return a section with the fields of terms, and with the defaults of its own ones for the robot."""
     fields: dict[str, tuple[Any, Plain]] = {}
     for name, hint in hints_of(base).items():
         default = getattr(base, name, None)
@@ -123,7 +121,7 @@ def _type(base: type[Section], own: Iterable[Own], definition: TaskDefinition) -
 
 
 def _nested(base: type[Section], own: Iterable[Own]) -> Own:
-    """A section within a section, as its field."""
+    """Return a section within a section, as its field."""
     section = extended(base, {name: (hint, default) for name, hint, default in own})
     return base.path.rpartition(".")[2], section, section()
 
@@ -135,12 +133,12 @@ def _parameters(terms: Iterable[RewardTerm | Termination], definition: TaskDefin
 
 
 def _settings(definition: TaskDefinition) -> Iterator[Own]:
-    """Range, interval and duration of every randomization."""
+    """Return the range, interval and duration of every randomization."""
     for entry in definition.randomizations:
         factor, valid = definition.scale(entry, entry.unit), entry.valid
         if valid.unit != "s":  # a limit of the simulation
             valid = valid.scaled(max(factor, 1.0))  # for a small robot, too, what is possible is checked later
-        kind = Amplitude if isinstance(entry.default, (int, float)) else Range | None
+        kind = Amplitude if isinstance(entry.default, float) else Range | None
         yield entry.name, Annotated[kind, replace(valid, unit=entry.unit)], scaled(entry.default, factor)
         for times in (entry.interval, entry.duration):
             if times is not None:

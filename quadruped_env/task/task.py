@@ -26,10 +26,8 @@ from quadruped_env.task.randomization.tile_assignment import TileAssignment
 from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
 from quadruped_env.task.task_config import TaskConfig
 from quadruped_env.task.terrain_section import TilesSection
+from quadruped_env.utils.arrays import Bools, EnvIds, Floats
 from quadruped_env.utils.plain import whole_number
-
-Floats = NDArray[np.float64]
-EnvIds = NDArray[np.intp]
 
 _PURPOSES = Purposes({"episode/shortened": 1})
 
@@ -44,11 +42,11 @@ class Transition:
     """Sum of the weighted terms, added in their order, (N,)."""
     terms: Floats
     """Weighted reward terms in the order of `Task.term_names`, (N, T)."""
-    terminated: NDArray[np.bool_]
+    terminated: Bools
     """True where the robot fell or the simulation diverged, (N,)."""
-    truncated: NDArray[np.bool_]
+    truncated: Bools
     """True where the time limit was reached, (N,)."""
-    diverged: NDArray[np.bool_]
+    diverged: Bools
     """True where MuJoCo reported divergence, (N,)."""
 
 
@@ -105,9 +103,9 @@ class Task:
         self.reward_keys = tuple(f"reward_{name}" for name in self.term_names)
 
         self._memory = EpisodeMemory(n)
-        self._fixed: NDArray[np.bool_] = self._memory.zeros("command_is_fixed", dtype=np.bool_)
-        self._started: NDArray[np.bool_] = self._memory.zeros("started", dtype=np.bool_)
-        self.finished: NDArray[np.bool_] = self._memory.zeros("finished", dtype=np.bool_)
+        self._fixed: Bools = self._memory.zeros("command_is_fixed", dtype=np.bool_)
+        self._started: Bools = self._memory.zeros("started", dtype=np.bool_)
+        self.finished: Bools = self._memory.zeros("finished", dtype=np.bool_)
         """Mask (N,) of the envs whose episode has ended and that have not been reset since."""
         self._shortened: NDArray[np.int64] = self._memory.zeros("shortened", dtype=np.int64)
         self._all_started = False
@@ -221,12 +219,12 @@ class Task:
         self._fixed[env_ids] = True
         self.control.set_command(env_ids, np.tile(checked_command, (len(env_ids), 1)))
 
-    def step(self, action: ArrayLike, restart: NDArray[np.bool_] | None = None) -> Transition:
+    def step(self, action: ArrayLike, restart: Bools | None = None) -> Transition:
         """Advance every env by one control step. No env is reset except those in `restart`.
 
         Args:
             action: actions (N, J), clipped to [-1, 1].
-            restart: mask (N,) of envs that begin a new episode in place of this step. Their actions are ignored, their
+            restart: mask (N,) of envs that begin a new episode instead of this step. Their actions are ignored, their
                 observations are the first of the new episode, and their rewards are zero. None: no env.
 
         Raises:
@@ -260,7 +258,7 @@ class Task:
         self._check_values(target, "joint target")
         return self._move(self.control.within_limits(target))
 
-    def _move(self, target: Floats, restart: NDArray[np.bool_] | None = None) -> Transition:
+    def _move(self, target: Floats, restart: Bools | None = None) -> Transition:
         """Simulate one control step, compute its results, and prepare the next step."""
         running = None if restart is None else np.flatnonzero(~restart)
         self.simulation.step(self._randomizer.motor_target(target), self.config.decimation, running)
@@ -292,7 +290,7 @@ class Task:
         return Transition(self.observe(), reward, terms.T, terminated, truncated, diverged)
 
     def privileged_readings(self) -> PrivilegedReadings:
-        """The privileged readings of the task's definition, which no observation has.
+        """Return the privileged readings of the task's definition, which no observation has.
 
         Raises:
             QuadrupedError: if one of them is not valid.
@@ -301,14 +299,14 @@ class Task:
         return PrivilegedReadings(self.config.definition.privileged, state)
 
     def observe(self) -> NDArray[np.float32]:
-        """Observations (N, width) of all envs in a new array."""
+        """Return the observations (N, width) of all envs in a new array."""
         noise = self._randomizer.observation_noise() if self._noise else None
         sensors = self._randomizer.sensors
         readings = self.simulation.readings if sensors is None else sensors.read(self.steps)
         return self.control.observe(readings, noise)
 
     def get_state(self, env_id: int) -> State:
-        """Complete state of an env: physics, episode, draws and random generator."""
+        """Return the complete state of an env: physics, episode, draws and random generator."""
         return {
             "simulation": self.simulation.get_state(env_id),
             "generator": self.generators[env_id].bit_generator.state,

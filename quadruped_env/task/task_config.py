@@ -7,21 +7,19 @@ task's terms, so they depend on the task's definition (`quadruped_env.task.secti
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Final, Self, TypeVar
+from typing import Final, Self
 
 import mujoco
 
-from quadruped_env.control.clock import UNITS as CLOCK_UNITS
-from quadruped_env.control.clock import CommandedFrequency
 from quadruped_env.control.control_config import ClockFrequency, Command, ControlConfig, LoopConfig, clock_frequency
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import MOTOR_PRESETS, MotorConfig
 from quadruped_env.robot.robot import Robot, check_same_robot
-from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation import build_model
 from quadruped_env.simulation.terrain import Terrain
 from quadruped_env.task.command_sampling import CommandSection
+from quadruped_env.task.randomization.model_fields import longest_delay
 from quadruped_env.task.randomization.randomization import RandomizationSection
 from quadruped_env.task.randomization.randomization_presets import PRESET, preset_values
 from quadruped_env.task.sections import SECTIONS, section_of, section_type
@@ -34,7 +32,6 @@ from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
 ROBOT: Final = "robot"
 """Field of a config's plain values that names the robot, if it is not the built-in one."""
-Config = TypeVar("Config", bound="TaskConfig")
 _OF_THE_DEFINITION: Final[Plain] = None
 """Default of the fields whose defaults depend on the task's definition."""
 
@@ -50,17 +47,16 @@ class TaskConfig(LoopConfig):
     termination: TerminationSection = _OF_THE_DEFINITION
     randomization: RandomizationSection = _OF_THE_DEFINITION
     motor: MotorConfig = _OF_THE_DEFINITION
-    """Motors of the robot, those of `mini-quadruped identify`, or the name of one of `MOTOR_PRESETS` in plain values.
-    Default: those of the definition's robot."""
+    """Motors of the robot, as `mini-quadruped identify` writes them, or the name of one of `MOTOR_PRESETS` in plain
+    values. Default: the motors of the definition's robot."""
     terrain: TerrainSection = _OF_THE_DEFINITION
     """Name, seed and parameters of the ground."""
     definition: TaskDefinition = field(default=BUILT_IN, repr=False)
-    """Robot and terms of the task; `load_task_file` adds those of a user's file."""
+    """Robot and terms of the task; `load_task_file` adds what a user's file defines."""
 
     def __post_init__(self) -> None:
         definition = self.definition
-        if self.motor is None:
-            object.__setattr__(self, "motor", definition.robot.motors)
+        object.__setattr__(self, "motor", _motor(self.motor, definition.robot))
         if self.clock_frequency is None:
             object.__setattr__(self, "clock_frequency", clock_frequency(definition.robot))
         for name, base in SECTIONS.items():
@@ -84,7 +80,7 @@ class TaskConfig(LoopConfig):
         return self.definition.robot
 
     def with_definition(self, definition: TaskDefinition) -> Self:
-        """A copy with other terms or another robot, whose motors and defaults replace those of the old one."""
+        """Return a copy with other terms or another robot, with that robot's motors and defaults."""
         motor = _OF_THE_DEFINITION if self.motor == self.robot.motors else self.motor
         clock = _OF_THE_DEFINITION if self.clock_frequency == clock_frequency(self.robot) else self.clock_frequency
         sections: dict[str, Plain] = {}
@@ -95,7 +91,7 @@ class TaskConfig(LoopConfig):
         return dataclasses.replace(self, motor=motor, clock_frequency=clock, definition=definition, **sections)
 
     def for_robot(self, robot: Robot) -> Self:
-        """A copy for another robot; see `with_definition`."""
+        """Return a copy for another robot; see `with_definition`."""
         return self.with_definition(self.definition.with_robot(robot))
 
     @property
@@ -104,11 +100,11 @@ class TaskConfig(LoopConfig):
         return self.terrain.ground
 
     def on_terrain(self, terrain: str | Terrain, seed: int | None = None) -> Self:
-        """A copy of the config on another terrain; the terrain that it already has keeps its level and parameters.
+        """Return a copy on another terrain; the terrain that the config already has keeps its level and parameters.
 
         Args:
             terrain: name of a terrain of the task's definition, or any terrain; it may be a variant.
-            seed: seed of the terrain; None keeps that of the config.
+            seed: seed of the terrain; None keeps the config's.
 
         Raises:
             QuadrupedError: if there is no such terrain; the message names those that there are.
@@ -127,12 +123,12 @@ class TaskConfig(LoopConfig):
         return dataclasses.replace(self, definition=definition, terrain=section_of(TerrainSection, definition, values))
 
     def without_randomization(self) -> Self:
-        """A copy of the config without randomizations, a user's own included, and without observation noise."""
+        """Return a copy of the config without randomizations, a user's own included, and without observation noise."""
         off = dict.fromkeys(entry.name for entry in self.definition.randomizations)
         return self._with_randomization({**off, "observation_noise": 0.0})
 
     def randomized(self, preset: str) -> Self:
-        """A copy with a preset in place of the config's randomization: `none`, `moderate` or `hard`.
+        """Return a copy whose randomization is a preset: `none`, `moderate` or `hard`.
 
         A user's own randomizations are off, and so is one that replaces a built-in one.
 
@@ -148,10 +144,10 @@ class TaskConfig(LoopConfig):
     @property
     def max_delay(self) -> float:
         """Longest delay from joint target to motor that the config allows, s."""
-        return self.randomization.longest_delay(self.motor.delay, self.definition.randomizations)
+        return longest_delay(self.motor.delay, self.randomization.active(self.definition.randomizations))
 
     def compiled_model(self) -> mujoco.MjModel:
-        """Compiled model of the task's robot on its terrain; every call returns a new copy."""
+        """Return the compiled model of the task's robot on its terrain; every call returns a new copy."""
         return build_model(self.physics_timestep, self.motor, self.ground, self.robot, max_delay=self.max_delay)
 
     @property
@@ -166,7 +162,7 @@ class TaskConfig(LoopConfig):
         return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands)
 
     def to_dict(self) -> dict[str, Plain]:
-        """Nested plain values for `from_dict` and JSON; user's files and robots are given by name and SHA-256."""
+        """Return nested plain values for `from_dict` and JSON, with the name and SHA-256 of files and robots."""
         values, definition = super().to_dict(), self.definition
         del values["definition"]
         if definition.file is not None:
@@ -205,30 +201,17 @@ class TaskConfig(LoopConfig):
                 definition = definition if file is not None else BUILT_IN.with_robot(definition.robot)
                 for terrain in terrains:
                     definition = definition.with_terrain(terrain)
-        return _restored(cls, values, definition)
-
-
-def _restored(kind: type[Config], values: Plain, definition: TaskDefinition) -> Config:
-    """A config from nested plain values that name neither files nor a robot."""
-    default = kind(definition=definition)
-    if not isinstance(values, dict):
-        raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
-    check_names(values, [name for name in hints_of(kind) if name != "definition"], "config")
-    values = {**values}
-    for name, base in SECTIONS.items():
-        if name in values:
-            values[name] = section_of(base, definition, values[name])
-    if "motor" in values:
-        values["motor"] = _motor(values["motor"], definition.robot)
-    if isinstance(clock := values.get("clock_frequency"), dict):
-        arm = scaled(CommandedFrequency.turn_arm, scale_of(CLOCK_UNITS["turn_arm"], definition.robot))
-        values["clock_frequency"] = {"turn_arm": arm, **clock}
-    return with_values(default, values, "config")
+        if not isinstance(values, dict):
+            raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
+        check_names(values, [name for name in hints_of(cls) if name != "definition"], "config")
+        return cls(**values, definition=definition)
 
 
 def _motor(values: Plain, robot: Robot) -> MotorConfig:
-    """Motors whose missing fields are those of the robot, or of the preset that the values name."""
+    """Return the motors whose missing fields are a robot's, or the named preset's."""
     base = robot.motors
+    if values is None or isinstance(values, MotorConfig):
+        return base if values is None else values
     if isinstance(values, str):
         values = {PRESET: values}
     if isinstance(values, dict) and PRESET in values:
@@ -238,14 +221,14 @@ def _motor(values: Plain, robot: Robot) -> MotorConfig:
 
 
 def _terrain_names(section: Plain) -> list[Plain]:
-    """The terrains that a section of plain values names, itself or as kinds of its tiles."""
+    """Return the terrains that a section of plain values names, itself or as kinds of its tiles."""
     values = section if isinstance(section, Mapping) else {}
     kinds = values.get("kinds")
     return [values.get("name"), *(kinds if isinstance(kinds, (list, tuple)) else ())]
 
 
 def _terrains_of_file(recorded: Plain, section: Plain, definition: TaskDefinition) -> list[Terrain]:
-    """The terrains that a section names and that are from a user's file, as they must be if one is recorded."""
+    """Return the terrains that a section names and that are from a user's file, as they must be if one is recorded."""
     names = _terrain_names(section)
     found = [entry for entry in definition.terrains if entry.name in names and entry.file is not None]
     file = recorded_file(recorded, TERRAIN_FILE)
@@ -255,7 +238,7 @@ def _terrains_of_file(recorded: Plain, section: Plain, definition: TaskDefinitio
 
 
 def known_values(values: Mapping[str, Plain], definition: TaskDefinition) -> dict[str, Plain]:
-    """Plain values of a config without the user's file that they name, and without terms that a definition lacks.
+    """Return plain values of a config without the user's file and without the terms that a definition lacks.
 
     So a run's numbers count with any version of its file, or without the file.
 
@@ -277,7 +260,7 @@ def known_values(values: Mapping[str, Plain], definition: TaskDefinition) -> dic
 
 
 def flat(values: Mapping[str, Plain], path: str = "") -> dict[str, Plain]:
-    """Nested values by their path, such as `reward.weights.upright`."""
+    """Return the nested values by their path, such as `reward.weights.upright`."""
     found: dict[str, Plain] = {}
     for name, value in values.items():
         found |= flat(value, f"{path}{name}.") if isinstance(value, Mapping) else {f"{path}{name}": value}
@@ -285,25 +268,25 @@ def flat(values: Mapping[str, Plain], path: str = "") -> dict[str, Plain]:
 
 
 def CommandConfig(**values: Plain) -> CommandSection:  # noqa: N802  named like the class of a section
-    """Distribution of the velocity commands, with the built-in task's fields."""
+    """Return the distribution of the velocity commands, with the built-in task's fields."""
     return section_of(CommandSection, BUILT_IN, values)
 
 
 def RewardConfig(**values: Plain) -> RewardSection:  # noqa: N802
-    """Weights (per second) and parameters of the reward terms, with the built-in task's fields."""
+    """Return the weights (per second) and parameters of the reward terms, with the built-in task's fields."""
     return section_of(RewardSection, BUILT_IN, values)
 
 
 def TerminationConfig(**values: Plain) -> TerminationSection:  # noqa: N802
-    """Parameters of the terminations, with the built-in task's fields."""
+    """Return the parameters of the terminations, with the built-in task's fields."""
     return section_of(TerminationSection, BUILT_IN, values)
 
 
 def RandomizationConfig(**values: Plain) -> RandomizationSection:  # noqa: N802
-    """Randomization of episodes, with the built-in task's fields; `preset="hard"` starts from a preset."""
+    """Return the randomization of episodes, with the built-in task's fields; `preset="hard"` starts from a preset."""
     return section_of(RandomizationSection, BUILT_IN, values)
 
 
 def TerrainConfig(**values: Plain) -> TerrainSection:  # noqa: N802
-    """A built-in terrain with its seed and parameters."""
+    """Return a built-in terrain with its seed and parameters."""
     return section_of(TerrainSection, BUILT_IN, values)

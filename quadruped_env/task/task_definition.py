@@ -3,16 +3,15 @@
 import dataclasses
 import functools
 import os
-from collections.abc import Iterable
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import ModuleType
-from typing import Any, Final, Self
+from typing import ClassVar, Final, Self
 
-from quadruped_env.control.control_config import COMMANDS, Command
-from quadruped_env.control.observations import OBSERVATIONS, ObservationField
-from quadruped_env.control.task_file import execute, kept, merged, names_of, robot_in
+from quadruped_env.control.control_config import Command
+from quadruped_env.control.observations import ObservationField
+from quadruped_env.control.task_file import Terms, execute, merged, names_of
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.simulation.built_in_terrains import TERRAINS
@@ -27,24 +26,28 @@ from quadruped_env.utils.provenance import TaskFile
 
 
 @dataclass(frozen=True, eq=False)
-class TaskDefinition:
+class TaskDefinition(Terms):
     """Robot, and ordered lists of terms: rewards, observations, terminations, randomizations, commands, terrains.
 
     Two definitions are equal if they have the same robot, come from files with the same content, and were given the
     same terrains.
     """
 
+    kinds: ClassVar[Mapping[str, type]] = {
+        "rewards": RewardTerm,
+        "observations": ObservationField,
+        "privileged": PrivilegedReading,
+        "terminations": Termination,
+        "randomizations": Randomization,
+        "commands": Command,
+        "terrains": Terrain,
+    }
+
     rewards: tuple[RewardTerm, ...] = REWARDS
-    observations: tuple[ObservationField, ...] = OBSERVATIONS
     privileged: tuple[PrivilegedReading, ...] = PRIVILEGED
     terminations: tuple[Termination, ...] = TERMINATIONS
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
-    commands: tuple[Command, ...] = COMMANDS
     terrains: tuple[Terrain, ...] = TERRAINS
-    robot: Robot = MINI_QUADRUPED
-    file: TaskFile | None = None
-    """File that defines what is not built in."""
-    path: str | None = None
     added_terrains: tuple[Terrain, ...] = ()
     """Terrains that are neither built in nor defined by the file."""
 
@@ -58,15 +61,15 @@ class TaskDefinition:
         }
 
     def scale(self, term: object, unit: str) -> float:
-        """Factor on the numbers of a term in a unit, which are the built-in robot's if the term is built in.
+        """Return the factor on the numbers of a term in a unit, which are the built-in robot's if the term is built in.
 
         Those of a user's file are as the user gave them: 1.
         """
-        built_in = any(term is entry for kind in _LISTS for entry in getattr(BUILT_IN, kind))
+        built_in = any(term is entry for kind in self.kinds for entry in getattr(BUILT_IN, kind))
         return scale_of(unit, self.robot) if built_in else 1.0
 
     def own_terms(self) -> dict[str, list[str]]:
-        """Names of what the user's file defines or leaves out, by kind, as in the lists above."""
+        """Return the names of what the user's file defines or leaves out, by kind, as in the lists above."""
         own = {
             kind: [
                 name
@@ -74,7 +77,7 @@ class TaskDefinition:
                 if not any(term is other for other in getattr(BUILT_IN, kind)) and term not in self.added_terrains
                 for name in names_of(term)
             ]
-            for kind in _LISTS
+            for kind in self.kinds
         }
         here = {entry.name for entry in self.observations}
         own["observations"] += [entry.name for entry in BUILT_IN.observations if entry.name not in here]
@@ -98,11 +101,11 @@ class TaskDefinition:
         return self
 
     def with_robot(self, robot: Robot) -> Self:
-        """A copy for another robot."""
+        """Return a copy for another robot."""
         return dataclasses.replace(self, robot=robot)
 
     def with_terrain(self, terrain: Terrain) -> Self:
-        """A copy with one more terrain, in place of one of the same name, without its seed, level and parameters.
+        """Return a copy with one more terrain, or another of the same name, without its seed, level and parameters.
 
         Tiles add their kinds.
         """
@@ -114,39 +117,18 @@ class TaskDefinition:
         terrains = merged(self.terrains, [plain])
         return dataclasses.replace(self, terrains=terrains, added_terrains=(*self.added_terrains, plain))
 
-    def extended(self, terms: Iterable[object], file: TaskFile, path: str) -> Self:
-        """A copy with a user's terms appended to the lists, in order; a term replaces a built-in one of the same name.
-
-        Raises:
-            QuadrupedError: if a term would replace only a part of a group of terms that are computed together.
-        """
-        terms = list(terms)
-        try:
-            lists: dict[str, Any] = {
-                name: merged(getattr(self, name), [term for term in terms if isinstance(term, kind)])
-                for name, kind in _LISTS.items()
-            }
-        except QuadrupedError as error:
-            raise QuadrupedError(f"{path}: {error}") from error
-        return dataclasses.replace(self, file=file, path=path, **lists)
-
-
-_LISTS: Final[dict[str, type]] = {
-    "rewards": RewardTerm,
-    "observations": ObservationField,
-    "privileged": PrivilegedReading,
-    "terminations": Termination,
-    "randomizations": Randomization,
-    "commands": Command,
-    "terrains": Terrain,
-}
+    def extended(self, file: TaskFile, module: ModuleType) -> Self:
+        """See `Terms`; terrains name the file."""
+        found, own = super().extended(file, module), set(map(id, self.terrains))
+        terrains = [entry if id(entry) in own else dataclasses.replace(entry, file=file) for entry in found.terrains]
+        return dataclasses.replace(found, terrains=tuple(terrains))
 
 
 BUILT_IN: Final = TaskDefinition()
 
 
 def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = None) -> TaskDefinition:
-    """The built-in task, extended by the terms and the robot that a Python file defines at its top level.
+    """Return the built-in task, extended by the terms and the robot that a Python file defines at its top level.
 
     A built-in observation whose name the file sets to None is left out.
 
@@ -160,36 +142,26 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
         QuadrupedError: if the file cannot be read, differs from the expected one, raises an error, defines more than
             one robot, or defines nothing of a task.
     """
-    file, module = execute(path, expected)
-    return _defined(module, file)
+    return _defined(*execute(path, expected))
 
 
 @functools.cache
-def _defined(module: ModuleType, file: TaskFile) -> TaskDefinition:
-    """The built-in task, extended by what an executed file defines."""
-    path = str(module.__file__)
-    built_in = {id(term) for name in _LISTS for term in getattr(BUILT_IN, name)}
-    terms = [
-        dataclasses.replace(value, file=file) if isinstance(value, Terrain) else value
-        for value in vars(module).values()
-        if isinstance(value, tuple(_LISTS.values())) and id(value) not in built_in
-    ]
-    robot = robot_in(module)
-    observations = kept(BUILT_IN.observations, module)
-    if not terms and robot is None and observations == BUILT_IN.observations:
+def _defined(file: TaskFile, module: ModuleType) -> TaskDefinition:
+    """Return the built-in task, extended by what an executed file defines."""
+    definition = BUILT_IN.extended(file, module)
+    if definition.robot is BUILT_IN.robot and not any(definition.own_terms().values()):
         raise QuadrupedError(
-            f"{path}: defines no term and no robot; use @reward, @reward_group, @observation, @privileged, "
+            f"{definition.path}: defines no term and no robot; use @reward, @reward_group, @observation, @privileged, "
             f"@termination or @terrain, or make a Randomization, Command or QuadrupedDesign, at the top level of the "
             f"file (docs/make-it-yours.md)"
         )
-    definition = dataclasses.replace(BUILT_IN, robot=robot or BUILT_IN.robot, observations=observations)
-    return definition.extended(terms, file, path)
+    return definition
 
 
 def _again(
     path: str | None, file: TaskFile | None, robot: Robot, added_terrains: tuple[Terrain, ...]
 ) -> TaskDefinition:
-    """Definition from the arguments that were pickled."""
+    """Return the definition from the arguments that were pickled."""
     definition = BUILT_IN if path is None or file is None else load_task_file(path, file)
     for terrain in added_terrains:
         definition = definition.with_terrain(terrain)

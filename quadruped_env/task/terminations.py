@@ -4,13 +4,11 @@ import math
 from typing import Annotated, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import termination
+from quadruped_env.utils.arrays import Bools
 from quadruped_env.utils.parameters import Parameter
-
-Bools = NDArray[np.bool_]
 
 
 @termination

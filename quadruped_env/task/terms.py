@@ -4,17 +4,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-import numpy as np
-from numpy.typing import NDArray
-
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.task.context import TaskContext
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.fields import Section
 from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
 from quadruped_env.utils.plain import plain
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 Term = Callable[..., Floats | Callable[[TaskContext], Floats]]
 """Function (context, parameters) -> (N,), or (N, K) for K terms; or a class, created with the context and the
 parameters, and then called with the context."""
@@ -48,7 +44,7 @@ class RewardTerm:
         return tuple(self.weights)
 
     def described(self, name: str) -> str:
-        """Description of one of the terms: its line `name: ...` in the docstring, or else the first line."""
+        """Return the description of one of the terms: its line `name: ...` in the docstring, or else the first line."""
         lines = [line.strip() for line in (self.function.__doc__ or "").splitlines()]
         own = [line.partition(": ")[2] for line in lines if line.startswith(f"{name}: ")]
         return own[0] if own else self.description
@@ -68,15 +64,15 @@ class Termination:
     description: str
 
     def __call__(self, *args: object, **kwargs: object) -> Bools | Callable[[TaskContext], Bools]:
-        """Mask (N,) of the envs whose episode ends, or an instance of the class."""
+        """Return the mask (N,) of the envs whose episode ends, or an instance of the class."""
         return self.function(*args, **kwargs)
 
 
 def reward(weight: float, unit: str = "1") -> Callable[[Term], RewardTerm]:
     """Decorator: a function (context) -> (N,) becomes a reward term of the same name.
 
-    Arguments with a default, after the context, are parameters that the config can change. A class in place of a
-    function is instantiated once per task with the context, and then called with it at every step. It must keep its
+    Arguments with a default, after the context, are parameters that the config can change. A class instead of
+    a function is instantiated once per task with the context, and then called with it at every step. It must keep its
     state in arrays of `context.memory`.
 
     Args:

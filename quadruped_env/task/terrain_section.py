@@ -35,7 +35,7 @@ class TerrainSection(Section, path="config.terrain"):
         return own if self.name == DEFAULT_TERRAIN else {"name": self.name, **own}
 
     def replace(self, **changes: Plain) -> Self:
-        """See `Section`; with another level, the parameters that were not changed are those of the level."""
+        """See `Section`; another level sets the parameters that were not changed."""
         section: Any = terrain_section_of(self.definition, {**self.changes(), **changes})
         return section
 
@@ -82,7 +82,7 @@ class TilesSection(TerrainSection):
 
 
 def terrain_section_of(definition: TaskDefinition, values: Plain) -> TerrainSection:
-    """The section with plain values; missing fields have their defaults.
+    """Return the section with plain values; missing fields have their defaults.
 
     Raises:
         QuadrupedError: if a field is unknown or a value is not valid; the message names the field.
@@ -91,7 +91,7 @@ def terrain_section_of(definition: TaskDefinition, values: Plain) -> TerrainSect
 
 
 def terrain_type(definition: TaskDefinition, values: Plain) -> type[TerrainSection]:
-    """The dataclass of the section for the terrain and the level that its values name.
+    """Return the dataclass of the section for the terrain and the level that its values name.
 
     Raises:
         QuadrupedError: if there is no such terrain or level; the message names those that there are.
@@ -109,12 +109,12 @@ def terrain_type(definition: TaskDefinition, values: Plain) -> type[TerrainSecti
 
 
 def with_levels(terrains: Sequence[Terrain]) -> list[str]:
-    """Names of the terrains that have levels."""
+    """Return the names of the terrains that have levels."""
     return [terrain.name for terrain in terrains if terrain.hardest is not None]
 
 
 def values_of(terrain: Terrain) -> dict[str, Plain]:
-    """Values of the section that describe a terrain, without its seed."""
+    """Return the values of the section that describe a terrain, without its seed."""
     if isinstance(terrain, Tiles):
         return {"name": terrain.name, "kinds": [kind.name for kind in terrain.kinds], "levels": terrain.levels}
     return {"name": terrain.name, **({} if terrain.level is None else {"level": terrain.level}), **dict(terrain.values)}

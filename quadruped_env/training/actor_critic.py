@@ -30,12 +30,12 @@ class Mirrored:
 
     @classmethod
     def pairs(cls, width: int) -> Self:
-        """Of an even number of hidden units, of which the second half mirrors the first."""
+        """Return the mirror of an even number of hidden units, of which the second half mirrors the first."""
         return cls(np.roll(np.arange(width), width // 2), np.ones(width, dtype=np.float32))
 
     @classmethod
     def same(cls, width: int) -> Self:
-        """Of what does not change."""
+        """Return the mirror of values that do not change."""
         return cls(np.arange(width), np.ones(width, dtype=np.float32))
 
 
@@ -62,7 +62,7 @@ def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection
     Projected gradients keep weights projected, because the two entries of a pair take the same steps, up to their sign.
     """
     order, sign = torch.as_tensor(outputs.order), torch.as_tensor(outputs.sign)
-    # One gather over the flat array: the mirror image of entry (o, i) is that of the mirrored output and input.
+    # One gather over the flat array: entry (o, i) has its mirror image at the mirrored output and input.
     if inputs is not None:
         order = order[:, None] * len(inputs.order) + torch.as_tensor(inputs.order)
         sign = sign[:, None] * torch.as_tensor(inputs.sign)

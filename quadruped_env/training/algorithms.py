@@ -34,7 +34,7 @@ class Algorithm:
     settings: frozenset[str]
     """Fields of `TrainConfig` that it uses, of those in `SETTINGS`."""
     defaults: Mapping[str, Any] = field(default_factory=dict)
-    """Its defaults of fields of `TrainConfig` that differ from those of PPO."""
+    """Its defaults for fields of `TrainConfig`, where they differ from PPO's."""
     policies: str = ""
     """Module of its policy and actor; empty for an on-policy algorithm, whose policy is `ActorCritic`."""
     policy: str = ""

@@ -37,12 +37,12 @@ _NEVER_USED: Final[dict[str, Any]] = {
     "ep_success_buffer": None,
     "tensorboard_log": None,
 }
-"""Fields that only a training needs, with values in place of theirs: a replay buffer may need gigabytes, and a pickled
-function often cannot be read by another version of Python."""
+"""Fields that only a training needs, with the values that replace them: a replay buffer may need gigabytes, and a
+pickled function often cannot be read by another version of Python."""
 
 
 def import_policy(path: Path, config: TaskConfig, vecnormalize: Path | None = None) -> Policy:
-    """The policy of a zip of Stable-Baselines3 or sb3-contrib.
+    """Return the policy of a zip of Stable-Baselines3 or sb3-contrib.
 
     The zip and the statistics are unpickled: both can execute any code.
 
@@ -71,7 +71,7 @@ def import_policy(path: Path, config: TaskConfig, vecnormalize: Path | None = No
 
         check_regular(vecnormalize, "name the file that VecNormalize.save wrote")
         plain = env
-        env = _unpickled(vecnormalize, lambda: VecNormalize.load(str(vecnormalize), plain), "name that of the model")
+        env = _unpickled(vecnormalize, lambda: VecNormalize.load(str(vecnormalize), plain), "name the model's file")
     model.n_envs = 1  # of the training, which may have had more
     model.set_env(env)
     policy = Policy.from_sb3(model)
@@ -80,7 +80,7 @@ def import_policy(path: Path, config: TaskConfig, vecnormalize: Path | None = No
 
 
 def _algorithm_of(path: Path) -> str:
-    """Name of the algorithm of a zip, from the names in its data, which is read as JSON."""
+    """Return the name of the algorithm of a zip, from the names in its data, which is read as JSON."""
     check_regular(path, "name the zip that model.save wrote")
     try:
         with zipfile.ZipFile(path) as archive:
@@ -99,7 +99,7 @@ def _algorithm_of(path: Path) -> str:
 
 
 def _unpickled(path: Path, load: Any, fix: str) -> Any:
-    """The result of loading a pickled file, whose errors are of any kind."""
+    """Return the result of loading a pickled file, whose errors are of any kind."""
     try:
         return load()
     except Exception as error:

@@ -25,8 +25,8 @@ class Recipe:
     ppo: Mapping[str, Any] = field(default_factory=dict)
     """Fields of `TrainConfig` for PPO alone."""
     task: Mapping[str, Any] = field(default_factory=dict)
-    """Changes to the task's config; `randomization` may be the name of a preset. Its numbers are those of the built-in
-    robot."""
+    """Changes to the task's config; `randomization` may be the name of a preset. Its numbers are for the
+    built-in robot."""
 
 
 RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
@@ -61,14 +61,14 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
 
 
 def with_recipe(given: Mapping[str, Any], robot: Robot, whole: Iterable[str] = ()) -> TrainConfig:
-    """The settings of a training: those that the user gave, over those of the recipe and the algorithm.
+    """The settings of a training: what the user gave, then the recipe, then the algorithm.
 
     All numbers of the recipe's task follow the robot's size by their units.
 
     Args:
         given: fields of `TrainConfig`; of `task`, changes to the config.
         robot: robot of the task.
-        whole: sections of the task's config that the user chose as a whole, in place of the recipe's.
+        whole: sections of the task's config that the user chose as a whole, instead of the recipe's.
 
     Raises:
         QuadrupedError: if a value is not valid, or the algorithm does not use one; the message begins with the field.
@@ -92,4 +92,6 @@ def check_used(algo: str, given: Iterable[str]) -> None:
     for name in given:
         if name in SETTINGS - ALGORITHMS[algo].settings:
             users = [other for other, entry in ALGORITHMS.items() if name in entry.settings]
-            raise QuadrupedError(f"{name}: {algo} does not use it; leave it out, or choose algo {' or '.join(users)}")
+            raise QuadrupedError(
+                f"training.{name}: {algo} does not use it; leave it out, or choose algo {' or '.join(users)}"
+            )

@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, NotRequired, TypedDict
 
 from quadruped_env.control.task_file import TASK_FILE, TaskFileError, recorded_terms
 from quadruped_env.envs.arguments import changed
@@ -19,23 +19,40 @@ from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition
 from quadruped_env.task.task_config import flat
 from quadruped_env.training.run_directory import (
     CONFIG_FILE,
-    PROGRESS_COLUMNS,
     PROGRESS_FILE,
     RESUME_FILE,
     RESUMED_FROM,
-    TERM_COLUMN,
     run_name,
 )
 from quadruped_env.training.train_config import TrainConfig
-from quadruped_env.utils.documents import read_json
+from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.provenance import TERRAIN_FILE
 
 _NEW: Final = "start a new training"
 _REMOVED: Final = {"policy": ("",), "device": ("cpu",), "ranks": ()}
 """Fields of `TrainConfig` in earlier versions, with the values of trainings that can be resumed (all, if none)."""
 _BUDGET: Final = frozenset({"timesteps", "seconds"})
-_MOST: Final = 1e15
-"""Maximum number of steps and seconds that a run has learned from."""
+
+
+class _StoredRun(TypedDict):
+    """Fields of config.json."""
+
+    training: dict[str, Any]
+    task: dict[str, Any]
+    resumed_from: NotRequired[dict[str, Any] | None]
+
+
+class _Used(TypedDict):
+    """Budget that a run has used."""
+
+    timesteps: int
+    seconds: float
+
+
+class _StoredProgress(_Used):
+    """Facts on a policy's card."""
+
+    budget_left: float
 
 
 @dataclass(frozen=True)
@@ -46,12 +63,12 @@ class Parent:
     config: TrainConfig
     """The training that left it, with the whole task"""
     timesteps: int
-    """Environment steps that its policy has learned from, those of its own parents included"""
+    """Environment steps that its policy has learned from, its own parents' steps included"""
     seconds: float
     """Wall clock that they took"""
     budget_left: float
     """Share of the schedules that is left, from 1 at the start of a training to 0 when its budget is used"""
-    began: Mapping[str, float]
+    began: _Used
     """`timesteps` and `seconds` at the start of its own run, more than 0 if that was resumed, too"""
     curve: tuple[dict[str, str], ...]
     """Rows of progress.csv up to `timesteps`"""
@@ -91,17 +108,10 @@ class Parent:
             policy, path = load_policy(directory, definition.path), directory / CARD_FILE
         if config.asymmetric_critic and TASK_FILE in policy.task:
             _check_privileged(recorded_terms(policy.task[TASK_FILE]).get("privileged", []), definition)
-        timesteps = _number(path, "card", policy.card, "timesteps", whole=True)
+        card = fitted(policy.card, _StoredProgress, f"{path}: card", _NEW)
+        curve = _read_curve(directory / PROGRESS_FILE, card["timesteps"])
         return cls(
-            directory,
-            config,
-            int(timesteps),
-            _number(path, "card", policy.card, "seconds"),
-            _number(path, "card", policy.card, "budget_left", most=1.0),
-            began,
-            _read_curve(directory / PROGRESS_FILE, int(timesteps)),
-            definition,
-            task_note(policy),
+            directory, config, **card, began=began, curve=curve, definition=definition, task_changes=task_note(policy)
         )
 
     def resumed(self, changes: Mapping[str, Any]) -> TrainConfig:
@@ -119,15 +129,15 @@ class Parent:
         other = changes.keys() - _BUDGET - {"task"} | {f"task.{name}" for name in task.keys() - {"reward"}}
         if other:
             raise QuadrupedError(
-                f"{min(other)}: {self.name} keeps its own: a resumed training changes its budget (timesteps, seconds) "
-                f"and its reward (task.reward) alone; leave it out, or {_NEW}"
+                f"training.{min(other)}: {self.name} keeps its own: a resumed training changes its budget (timesteps, "
+                f"seconds) and its reward (task.reward) alone; leave it out, or {_NEW}"
             )
         settings = {name: value for name, value in changes.items() if name != "task"}
         if "timesteps" in changes:
             settings = {"seconds": None, **settings}
         elif "seconds" not in changes:
             budget = "timesteps" if self.config.seconds is None else "seconds"
-            whole, used = getattr(self.config, budget), getattr(self, budget) - self.began[budget]
+            whole, used = getattr(self.config, budget), getattr(self, budget) - self.began[budget]  # type: ignore[literal-required]
             settings[budget] = whole - used if used < whole else whole
         reward = {"reward": task["reward"]} if "reward" in task else {}
         return replace(self.config, **settings, task=changed(self.config.task, reward))
@@ -156,10 +166,10 @@ def _check_privileged(recorded: list[str], definition: TaskDefinition) -> None:
         )
 
 
-def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, dict[str, float]]:
+def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, _Used]:
     """The training of a run's config.json with its whole task, and the steps and seconds at which it began."""
-    document = read_json(path, _NEW)
-    training, task = _section(path, document, "training"), _section(path, document, "task")
+    document = fitted(read_json(path, _NEW), _StoredRun, str(path), _NEW)
+    training, task = document["training"], document["task"]
     for name, valid in _REMOVED.items():
         if valid and training.get(name, valid[0]) not in valid:
             raise QuadrupedError(
@@ -176,63 +186,31 @@ def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, d
             f"{definition.file.name}: {run_name(path.parent)} was trained without a task file, and a resumed training "
             f"keeps its task; leave the file out, or {_NEW}"
         )
-    if isinstance(values["hidden"], list):
-        values["hidden"] = tuple(values["hidden"])
     try:
         config = TrainConfig(**values)
     except QuadrupedError as error:
-        raise QuadrupedError(f"{path}: training.{error}; {_NEW}") from error
+        raise QuadrupedError(f"{path}: {error}; {_NEW}") from error
     try:
         whole_task = TaskConfig.from_dict(task, definition)
     except TaskFileError as error:
         raise QuadrupedError(f"{path}: {error}") from error
     except QuadrupedError as error:
         raise QuadrupedError(f"{path}: {error}; {_NEW}") from error
-    began: dict[str, float] = {"timesteps": 0, "seconds": 0}
-    if document.get(RESUMED_FROM) is not None:
-        facts = _section(path, document, RESUMED_FROM)
-        began = {name: _number(path, RESUMED_FROM, facts, name) for name in began}
+    facts = document.get("resumed_from") or {"timesteps": 0, "seconds": 0.0}
+    began = fitted(facts, _Used, f"{path}: {RESUMED_FROM}", _NEW)
     return replace(config, task=whole_task.to_dict()), began
 
 
-def _section(path: Path, document: Any, name: str) -> dict[str, Any]:
-    section = document.get(name) if isinstance(document, dict) else None
-    if not isinstance(section, dict):
-        raise QuadrupedError(f"{path}: field '{name}' is missing or not a table of fields; {_NEW}")
-    return section
-
-
-def _number(
-    path: Path, section: str, values: Mapping[str, Any], name: str, most: float = _MOST, whole: bool = False
-) -> float:
-    value = values.get(name)
-    kinds = (int,) if whole else (int, float)
-    if isinstance(value, bool) or not isinstance(value, kinds) or not 0 <= value <= most:
-        rule = f"a {'whole ' * whole}number, 0 to {most:g}"
-        raise QuadrupedError(f"{path}: {section}.{name}: expected {rule}; found {short(value)}; {_NEW}")
-    return value
-
-
 def _read_curve(path: Path, timesteps: int) -> tuple[dict[str, str], ...]:
-    """The rows of a learning curve up to a number of steps."""
+    """Return the rows of a learning curve up to a number of steps."""
     rows = []
     try:
         with path.open(newline="", encoding="utf-8") as file:
-            reader = csv.DictReader(file)
-            names = reader.fieldnames or ()
-            first, others = tuple(names[: len(PROGRESS_COLUMNS)]), names[len(PROGRESS_COLUMNS) :]
-            if first != PROGRESS_COLUMNS or not all(name.startswith(TERM_COLUMN) for name in others):
-                raise QuadrupedError(
-                    f"{path}: line 1: expected the columns {', '.join(PROGRESS_COLUMNS)}, {TERM_COLUMN}...; "
-                    f"found {short(','.join(names))}; {_NEW}"
-                )
-            for row in reader:
-                if any(row[name] is None for name in names) or float(row["timesteps"]) > timesteps:
-                    # Later than the checkpoint, or the line that a killed run left unfinished.
+            for row in csv.DictReader(file):
+                # Later than the checkpoint, or the line that a killed run left unfinished.
+                if None in row.values() or float(row["timesteps"]) > timesteps:
                     break
-                rows.append({name: row[name] for name in names})
-    except (ValueError, csv.Error) as error:
-        if isinstance(error, QuadrupedError):
-            raise
-        raise QuadrupedError(f"{path}: not a table of numbers ({error}); {_NEW}") from error
+                rows.append(row)
+    except (KeyError, ValueError, csv.Error) as error:
+        raise QuadrupedError(f"{path}: not a learning curve ({error!r}); {_NEW}") from error
     return tuple(rows)

@@ -105,8 +105,8 @@ def make_model(config: TrainConfig, env: Any) -> Any:
         MissingExtraError: if the algorithm is in sb3-contrib, which is not installed.
     """
     torch.distributions.Distribution.set_default_validate_args(False)
-    # The bits of the first weights and of every update depend on the number of threads, and the default is that of the
-    # machine's cores. Two are no faster, in batches up to 1024 samples a third slower.
+    # The bits of the first weights and of every update depend on the number of threads, by default as
+    # many as cores. Two are no faster, in batches up to 1024 samples a third slower.
     torch.set_num_threads(1)
     entry, kind = ALGORITHMS[config.algo], algorithm_class(config.algo)
     layout = env.task.control.layout

@@ -11,7 +11,7 @@ from stable_baselines3.common.torch_layers import BaseFeaturesExtractor
 from quadruped_env.control.symmetry import MirrorMap
 
 _LOG_STD = (-20.0, 2.0)
-"""Bounds of the logarithm of the standard deviation, those of SB3's actors."""
+"""Bounds of the logarithm of the standard deviation, as in SB3's actors."""
 
 
 class ObservationColumns(BaseFeaturesExtractor):

@@ -3,8 +3,6 @@
 import io
 import shutil
 import socket
-import sys
-import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
@@ -30,25 +28,21 @@ from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RES
 from quadruped_env.training.schedules import Scheduled
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.files import unwritable, whole, write_whole
+from quadruped_env.utils.progress import ProgressLine
 
 try:
     from stable_baselines3.common.logger import configure
-    from tqdm import tqdm
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
 _LOG_INTERVAL = 1.0
 """Interval of progress.csv and TensorBoard, s."""
-_BAR_INTERVAL = 0.5
-"""Interval of the progress bar, s."""
-_FIRST_LINE, _LINE_INTERVAL = 1.5, 10.0
-"""Time of the first line about the progress where there is no terminal for a bar, and time between lines, s."""
 
 NO_FIELDS: Final[Mapping[str, Any]] = MappingProxyType({})
 
 
 class Recorder(Scheduled):
-    """Watches a training: progress bar, progress.csv, TensorBoard, checkpoints, and the end of the budget.
+    """Watches a training: progress line, progress.csv, TensorBoard, checkpoints, and the end of the budget.
 
     Args:
         run: the run directory.
@@ -75,7 +69,7 @@ class Recorder(Scheduled):
 
     @property
     def seconds(self) -> float:
-        """Wall clock of learning, with that of the training that this one goes on from."""
+        """Wall clock of learning, s, including the training that this one continues."""
         return self._seconds_before + self.elapsed
 
     def _on_training_start(self) -> None:
@@ -86,19 +80,9 @@ class Recorder(Scheduled):
         self._clear()
         self._next_log = _LOG_INTERVAL
         self._next_checkpoint = self._config.checkpoint_seconds
-        self._next_bar, self._next_line = _BAR_INTERVAL, _FIRST_LINE
         self._state = ""
-        self._first = start = self.model.num_timesteps
-        total = start + self._config.timesteps if self._config.seconds is None else None
-        self._bar = tqdm(
-            total=total,
-            initial=start,
-            unit=" steps",
-            unit_scale=True,
-            mininterval=0.0,
-            disable=None,
-            dynamic_ncols=True,
-        )
+        self._first = self.model.num_timesteps
+        self._line = ProgressLine("training")
 
     def _clear(self) -> None:
         """Begin to sum over the steps of the next row of progress.csv."""
@@ -120,31 +104,14 @@ class Recorder(Scheduled):
                 for env_id in np.flatnonzero(self.locals["dones"])
             )
         # Not only after a rollout, which on a slow machine takes seconds.
-        if self.elapsed >= self._next_bar:
-            self._show()
-        return not (self.stopped or (self._config.seconds is not None and self.elapsed >= self._config.seconds))
-
-    def _show(self) -> None:
-        """Show the progress: on a bar in a terminal, and in lines of a log."""
-        self._next_bar = self.elapsed + _BAR_INTERVAL
-        self._bar.update(self.num_timesteps - self._bar.n)
-        if self._bar.disable and self.elapsed >= self._next_line:
-            self._next_line = self.elapsed + _LINE_INTERVAL
-            print(f"{self.num_timesteps:,} steps{self._speed()}{self._state}", file=sys.stderr, flush=True)
-
-    def _speed(self) -> str:
-        """Speed so far, and the time that the rest of the budget takes with it."""
-        learned = self.num_timesteps - self._first
-        rate = learned / self.elapsed
-        if self._config.seconds is not None:
-            left = self._config.seconds - self.elapsed
-        else:
-            left = (self._config.timesteps - learned) / rate
-        return f", {rate:,.0f} steps/s, {max(0.0, left):.0f} s left"
+        budget, learned = self._config.seconds, self.num_timesteps - self._first
+        share = learned / self._config.timesteps if budget is None else self.elapsed / budget
+        speed = learned / max(self.elapsed, 1e-9)
+        self._line(min(share, 0.99), f", {self.num_timesteps:,} steps, {speed:,.0f} steps/s{self._state}")
+        return not (self.stopped or (budget is not None and self.elapsed >= budget))
 
     def _on_rollout_end(self) -> None:
         super()._on_rollout_end()
-        self._show()
         if self.elapsed >= self._next_log:
             self._next_log = self.elapsed + _LOG_INTERVAL
             self._log()
@@ -179,12 +146,7 @@ class Recorder(Scheduled):
             f", return {row['return']:.1f}, falls {row['fall_rate']:.2f}, errors {errors[0]:.2f} m/s "
             f"{errors[1]:.2f} rad/s"
         )
-        self._bar.set_postfix_str(self._state.removeprefix(", ") + self._remaining())
         self._clear()
-
-    def _remaining(self) -> str:
-        """Rest of a budget in seconds; the bar itself shows that of a budget in steps."""
-        return "" if self._config.seconds is None else f", {max(0.0, self._config.seconds - self.elapsed):.0f} s left"
 
     def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
         """Save at the end of a training."""
@@ -232,11 +194,11 @@ class Recorder(Scheduled):
         return Policy.from_sb3(self.model, card)
 
     def finish(self) -> None:
-        """Log the remaining steps, and close the progress bar."""
-        if hasattr(self, "_bar"):
+        """Log the remaining steps."""
+        if hasattr(self, "_line"):
             if self._steps:
                 self._log()
-            self._bar.close()
+            self._line.close()
 
 
 def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None]) -> None:
@@ -254,7 +216,6 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
     try:
         with ExitStack() as stack:
             # In the end the last of these comes first, and each though another fails.
-            stack.enter_context(_quiet_threads())
             stack.callback(run.close)
             with _nameless_host():
                 model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
@@ -274,20 +235,3 @@ def _nameless_host() -> Iterator[None]:
         yield
     finally:
         socket.gethostname = usual
-
-
-@contextmanager
-def _quiet_threads() -> Iterator[None]:
-    """Within it, a thread that cannot write a file ends without a traceback."""
-    usual = threading.excepthook
-
-    def say(failure: threading.ExceptHookArgs) -> None:
-        # TensorBoard's writer raises the error of its thread again, at its next write.
-        if not issubclass(failure.exc_type, OSError):
-            usual(failure)
-
-    threading.excepthook = say
-    try:
-        yield
-    finally:
-        threading.excepthook = usual

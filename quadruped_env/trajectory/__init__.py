@@ -7,19 +7,20 @@ import importlib
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
+    from quadruped_env.trajectory.column_map import ColumnMap
     from quadruped_env.trajectory.interpolation import Gap
+    from quadruped_env.trajectory.joint_map import JointMap, JointRule
     from quadruped_env.trajectory.joint_trajectory import JointTrajectory
-    from quadruped_env.trajectory.maps import ColumnMap, JointMap, JointRule
     from quadruped_env.trajectory.reading import ReadOptions
     from quadruped_env.trajectory.rows import JointState
 
 __all__ = ["ColumnMap", "Gap", "JointMap", "JointRule", "JointState", "JointTrajectory", "ReadOptions"]
 
 _DEFINED_IN: Final = {
-    "ColumnMap": "maps",
+    "ColumnMap": "column_map",
     "Gap": "interpolation",
-    "JointMap": "maps",
-    "JointRule": "maps",
+    "JointMap": "joint_map",
+    "JointRule": "joint_map",
     "JointState": "rows",
     "JointTrajectory": "joint_trajectory",
     "ReadOptions": "reading",

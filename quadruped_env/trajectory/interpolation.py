@@ -8,16 +8,15 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 _DEGREE: Final = 2
 """Degree of the polynomial that `derivative` fits."""
 _ROWS_PER_FIT: Final = 65536
 
 
-def interpolate(
-    stamps: NDArray[np.float64], values: NDArray[np.float64], times: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Linear interpolation, constant before the first row and after the last.
+def interpolate(stamps: Floats, values: Floats, times: Floats) -> Floats:
+    """Return the linear interpolation, constant before the first row and after the last.
 
     At the time of a row the result is bit-identical to the values of the row.
 
@@ -37,8 +36,8 @@ def interpolate(
     return np.where(fraction == 0.0, values[before], values[before] + fraction * (values[after] - values[before]))
 
 
-def nanoseconds_of(seconds: NDArray[np.float64], last: float) -> NDArray[np.float64]:
-    """Times (...,) in s as ns, within a recording from 0 to `last` ns.
+def nanoseconds_of(seconds: Floats, last: float) -> Floats:
+    """Return times (...,) in s as ns, within a recording from 0 to `last` ns.
 
     In floating point, k times a period in s is rarely a whole number of ns, but is meant to be: such times are rounded.
     """
@@ -48,14 +47,14 @@ def nanoseconds_of(seconds: NDArray[np.float64], last: float) -> NDArray[np.floa
 
 
 def even_stamps(stamps: NDArray[np.int64], rate: float) -> NDArray[np.int64]:
-    """Timestamps in ns at a rate in Hz, from the first of increasing timestamps (T,) on and up to the last."""
+    """Return timestamps in ns at a rate in Hz, from the first of increasing timestamps (T,) on and up to the last."""
     count = int(float(stamps[-1] - stamps[0]) * rate / NS_PER_SECOND + 1e-6) + 1
     nanoseconds = np.rint(np.arange(count) * (NS_PER_SECOND / rate)).astype(np.int64)
     return np.minimum(stamps[0] + nanoseconds, stamps[-1])
 
 
-def derivative(seconds: NDArray[np.float64], values: NDArray[np.float64], window: float) -> NDArray[np.float64]:
-    """Rate of change, filtered without delay; exact for parabolas.
+def derivative(seconds: Floats, values: Floats, window: float) -> Floats:
+    """Return the rate of change, filtered without delay; exact for parabolas.
 
     A parabola is fitted by least squares to the rows of a window around each row, and its slope taken at the row; near
     an end the window stops at the end. A window has the same odd number of rows everywhere, three or more: as many as
@@ -101,7 +100,7 @@ class Gap:
 
 
 def find_gaps(stamps: NDArray[np.int64], factor: float = 3.0) -> tuple[Gap, ...]:
-    """The gaps between increasing timestamps (T,) in ns: steps longer than `factor` times the median step."""
+    """Return the gaps between increasing timestamps (T,) in ns: steps longer than `factor` times the median step."""
     steps = np.diff(stamps)
     if not len(steps):
         return ()

@@ -16,18 +16,22 @@ from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory import saving
 from quadruped_env.trajectory.interpolation import Gap, derivative, even_stamps, find_gaps, interpolate, nanoseconds_of
+from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.loading import read
-from quadruped_env.trajectory.maps import JointMap
 from quadruped_env.trajectory.reading import Reading, ReadOptions
-from quadruped_env.trajectory.rows import ARRAYS, JointState, Rows, Source
-from quadruped_env.trajectory.validation import (
+from quadruped_env.trajectory.rows import (
+    ARRAYS,
     IN_MEMORY,
+    JointState,
+    Rows,
+    Source,
     check_finite,
     checked_names,
     checked_stamps,
     checked_values,
     read_only,
 )
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.progress import Progress
 
 
@@ -49,9 +53,9 @@ class JointTrajectory:
 
     stamps: NDArray[np.int64]
     names: tuple[str, ...]
-    positions: NDArray[np.float64]
-    velocities: NDArray[np.float64] | None
-    efforts: NDArray[np.float64] | None
+    positions: Floats
+    velocities: Floats | None
+    efforts: Floats | None
     source: Source
 
     def __init__(
@@ -81,9 +85,9 @@ class JointTrajectory:
         """Read a trajectory from a file or bag, whose format is recognised by its content.
 
         Formats: this project's CSV (`quadruped_env.trajectory.formats.project_csv`), any CSV with a column map, CSVs
-        whose columns bear the joints' names, the output of `ros2 topic echo` (YAML and `--csv`), JSON lines of
-        rosbridge, rosbag2 bags (MCAP and sqlite3, also compressed), ROS 1 bags. Messages are `JointState`,
-        `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
+        whose columns bear the joints' names, the output of `ros2 topic echo` (YAML and `--csv`), rosbag2 bags (MCAP and
+        sqlite3, also compressed), ROS 1 bags. Messages are `JointState`, `DynamicJointState`, `JointTrajectory` or
+        `Float64MultiArray`.
 
         What is not plausible is noted (`quadruped_env.trajectory.plausibility`) in `source.notes`, and not changed.
 
@@ -131,7 +135,7 @@ class JointTrajectory:
         saving.save(self.to_rows(), Path(path), robot, storage, base, overwrite)
 
     def to_rows(self) -> Rows:
-        """The rows, with their numbers in the source; the arrays are shared."""
+        """Return the rows, with their numbers in the source; the arrays are shared."""
         arrays, numbers = self._arrays(), self.source.numbers
         values = {kind: arrays[name] for kind, name in ARRAYS.items() if name in arrays}
         return Rows(np.arange(len(self)) if numbers is None else numbers, self.stamps, self.names, values)
@@ -159,12 +163,12 @@ class JointTrajectory:
         return (self[i] for i in range(len(self)))
 
     @cached_property
-    def _nanoseconds(self) -> NDArray[np.float64]:
+    def _nanoseconds(self) -> Floats:
         """Time from the first timestamp, ns (T,)."""
         return (self.stamps - self.stamps[0]).astype(np.float64)
 
     @cached_property
-    def times(self) -> NDArray[np.float64]:
+    def times(self) -> Floats:
         """Time from the first timestamp, s (T,)."""
         return read_only(self._nanoseconds / NS_PER_SECOND)
 
@@ -174,7 +178,7 @@ class JointTrajectory:
         return float(self.times[-1])
 
     def select(self, names: Sequence[str]) -> "JointTrajectory":
-        """The trajectory with these joints only, in this order. Raises a QuadrupedError if a joint is missing."""
+        """Return the trajectory with these joints only, in this order. Raises a QuadrupedError if one is missing."""
         for name in names:
             if name not in self.names:
                 raise QuadrupedError(
@@ -185,7 +189,7 @@ class JointTrajectory:
         return self._changed(names=tuple(names), **{kind: array[:, order] for kind, array in self._arrays().items()})
 
     def in_joint_order(self, robot: Robot = MINI_QUADRUPED) -> "JointTrajectory":
-        """The trajectory with a robot's joints in their order.
+        """Return the trajectory with a robot's joints in their order.
 
         Warns:
             QuadrupedWarning: if there are joints that the robot does not have; they are left out.
@@ -203,8 +207,8 @@ class JointTrajectory:
             )
         return ordered
 
-    def positions_at(self, seconds: ArrayLike) -> NDArray[np.float64]:
-        """Joint positions at times, in the order of `names`.
+    def positions_at(self, seconds: ArrayLike) -> Floats:
+        """Return joint positions at times, in the order of `names`.
 
         Linear between rows, constant before the first and after the last. At the time of a row the result is
         bit-identical to the positions of the row.
@@ -224,7 +228,7 @@ class JointTrajectory:
         return interpolate(self._nanoseconds, self.positions, nanoseconds_of(time, self._nanoseconds[-1]))
 
     def at(self, stamps: ArrayLike) -> "JointTrajectory":
-        """The trajectory at other timestamps, interpolated linearly.
+        """Return the trajectory at other timestamps, interpolated linearly.
 
         Args:
             stamps: ns, increasing (N,).
@@ -247,7 +251,7 @@ class JointTrajectory:
         )
 
     def resample(self, rate: float) -> "JointTrajectory":
-        """The trajectory at an even rate from its first timestamp on, interpolated linearly.
+        """Return the trajectory at an even rate from its first timestamp on, interpolated linearly.
 
         It is not filtered: frequencies above half the rate are aliased.
 
@@ -262,7 +266,7 @@ class JointTrajectory:
         return self.at(even_stamps(self.stamps, rate))
 
     def slice(self, start: float | None = None, stop: float | None = None) -> "JointTrajectory":
-        """The rows from `start` on and before `stop`, in s from the first timestamp; None means unbounded.
+        """Return the rows from `start` on and before `stop`, in s from the first timestamp; None means unbounded.
 
         Raises:
             QuadrupedError: if no row is left.
@@ -278,7 +282,7 @@ class JointTrajectory:
         return self._changed(stamps=self.stamps[first:last], source=source, **arrays)
 
     def differentiate(self, window: float = 0.05) -> "JointTrajectory":
-        """The trajectory with velocities computed from its positions, filtered without delay.
+        """Return the trajectory with velocities computed from its positions, filtered without delay.
 
         Args:
             window: length in s of the parabola fitted around every row, three rows or more; longer is smoother.
@@ -294,7 +298,7 @@ class JointTrajectory:
         return self._changed(velocities=derivative(self.times, self.positions, window))
 
     def retarget(self, joint_map: JointMap | str | Path, back: bool = False) -> "JointTrajectory":
-        """Another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.maps`.
+        """Return another robot's trajectory on the joints of a map: see `quadruped_env.trajectory.joint_map`.
 
         Args:
             joint_map: the map, or the path of its TOML file.
@@ -312,11 +316,11 @@ class JointTrajectory:
         return self._changed(names=rows.names, **_arrays_of(rows))
 
     def gaps(self, factor: float = 3.0) -> tuple[Gap, ...]:
-        """Times between rows longer than `factor` times the median."""
+        """Return times between rows longer than `factor` times the median."""
         return find_gaps(self.stamps, factor)
 
     def gaps_in_words(self, name: str) -> str:
-        """The gaps in words, without a full stop, with the recording's name; empty without gaps."""
+        """Return the gaps in words, without a full stop, with the recording's name; empty without gaps."""
         gaps = self.gaps()
         if not gaps:
             return ""
@@ -328,16 +332,16 @@ class JointTrajectory:
         """Names of the arrays: positions, and velocities and efforts if they were recorded."""
         return tuple(self._arrays())
 
-    def _arrays(self) -> dict[str, NDArray[np.float64]]:
-        """Name -> array (T, J), of those that were recorded."""
+    def _arrays(self) -> dict[str, Floats]:
+        """Return the name -> array (T, J), of those that were recorded."""
         arrays = {name: getattr(self, name) for name in ARRAYS.values()}
         return {name: array for name, array in arrays.items() if array is not None}
 
     def _changed(self, **changes: Any) -> "JointTrajectory":
-        """The trajectory with other values of some fields, validated."""
+        """Return the trajectory with other values of some fields, validated."""
         return JointTrajectory(**({field.name: getattr(self, field.name) for field in fields(self)} | changes))
 
 
 def _arrays_of(rows: Rows) -> dict[str, Any]:
-    """Name of an array -> its values, None if they were not recorded."""
+    """Return the name of an array -> its values, None if they were not recorded."""
     return {name: rows.values.get(kind) for kind, name in ARRAYS.items()}

@@ -5,30 +5,29 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats import recognition
-from quadruped_env.trajectory.maps import JointMap
+from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.plausibility import TURN, findings
 from quadruped_env.trajectory.reading import Reading
-from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, Source, joined
+from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows, Source, invalid, validate
 from quadruped_env.trajectory.steps import Steps
-from quadruped_env.trajectory.validation import invalid, validate
+from quadruped_env.utils.arrays import Bools
 
 MAX_PLAUSIBLE: Final = 4.0 * np.pi
 """Two turns, rad. No joint of a leg reaches it, and a log in degrees nearly always does."""
 
 
 def read(reading: Reading) -> tuple[Rows, Source]:
-    """The rows of a recording, validated and converted as the options say, and their origin with all remarks.
+    """Return the rows of a recording, validated and converted as the options say, and their origin with all remarks.
 
     Raises:
         QuadrupedError: if the file is missing or something in it is wrong.
         MissingExtraError: if the format needs libraries that are not installed.
     """
     with ExitStack() as stack:
-        rows = joined(recognition.read(reading, stack))
+        rows = recognition.read(reading, stack)
     options = reading.options
     if rows is not None:
         rows = replace(rows, values={kind: array for kind, array in rows.values.items() if kind not in options.ignore})
@@ -54,21 +53,21 @@ def read(reading: Reading) -> tuple[Rows, Source]:
 
 
 def _usable(rows: Rows, reading: Reading) -> Rows:
-    """The rows, or without those that cannot be used if the options ask to drop them.
+    """Return the rows, or without those that cannot be used if the options ask to drop them.
 
     Raises:
         QuadrupedError: if a row has efforts and no position, and is not to be dropped.
     """
     position, effort = rows.values["position"], rows.values.get("effort")
     known = np.zeros(len(rows), np.bool_) if effort is None else np.isfinite(effort).any(axis=1)
-    torque_only: NDArray[np.bool_] = np.logical_and(np.isnan(position).all(axis=1), known, dtype=np.bool_)
+    torque_only: Bools = np.logical_and(np.isnan(position).all(axis=1), known, dtype=np.bool_)
     if not reading.repairs("drop"):
         if torque_only.any():
             row = int(rows.numbers[torque_only.argmax()])
             raise reading.error(row, f"{TORQUE_ONLY}, or leave such {reading.row_name}s out (--repair drop)")
         return rows
 
-    def kept(keep: NDArray[np.bool_], reason: str) -> Rows:
+    def kept(keep: Bools, reason: str) -> Rows:
         reading.left_out[reason] += int((~keep).sum())
         return rows.take(keep)
 
@@ -82,7 +81,7 @@ def _usable(rows: Rows, reading: Reading) -> Rows:
 
 
 def _converted(rows: Rows, reading: Reading) -> Rows:
-    """The rows in rad, on the joints of the map if there is one.
+    """Return the rows in rad, on the joints of the map if there is one.
 
     Raises:
         QuadrupedError: if the recording lacks a source of the map, or if the positions look like degrees and the
@@ -110,7 +109,7 @@ def _converted(rows: Rows, reading: Reading) -> Rows:
 
 
 def _repaired(rows: Rows, reading: Reading) -> Rows:
-    """The rows without spikes and without wraps, as the options say."""
+    """Return the rows without spikes and without wraps, as the options say."""
     period = reading.options.unwrap
     if reading.repairs("despike") and len(rows) > 2:
         bad = Steps(rows, (period or TURN,)).spikes.any(axis=1)

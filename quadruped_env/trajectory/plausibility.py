@@ -4,11 +4,10 @@ A finding says what cannot be, where, how much, and which option repairs it. Not
 from what legs do, so that a motion is never called impossible: real logs reach 25 rad/s.
 """
 
-from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import combinations
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,14 +15,12 @@ from numpy.typing import NDArray
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.trajectory.steps import MAX_AWAY, MAX_SPEED, Steps, clock_jumps, frozen
+from quadruped_env.utils.arrays import Bools, Floats
 
 TURN: Final = 2.0 * np.pi
 
 _MIN_ROWS: Final = 20
 """Fewer rows show nothing."""
-_BLOCK: Final = 4096
-_MARGIN: Final = 16
-"""Rows of context on both sides of a row."""
 _PERIODS: Final = (5e-5, 1.0)
 """Shortest and longest time between rows of a robot's log, s."""
 _MIN_MOTION: Final = 0.02
@@ -59,21 +56,25 @@ class Finding:
     """Joints concerned; all of them if the timestamps are"""
 
 
-@dataclass
 class _Events:
-    """Places at which one kind of thing happens."""
+    """Steps at which one kind of thing happens, of which there is one or more."""
 
-    counts: Counter[int] = field(default_factory=Counter)
-    """Column -> number of places"""
-    first: tuple[int, float, int] = (0, 0.0, 0)
-    """Number of the row in the file, time in s, column"""
-    largest: tuple[float, float] = (0.0, 0.0)
-    """Magnitude of the largest one, and the time over which it happens, s"""
-    smallest: float = np.inf
+    def __init__(self, mask: Bools, sizes: Floats, rows: Rows, steps: Steps, after: int) -> None:
+        found, self.columns = np.nonzero(mask)
+        first, size = found[0] + after, sizes[mask]
+        largest = int(size.argmax())
+        self.count = len(found)
+        self.row = int(rows.numbers[first])
+        """Number of the first row in the file: of the row before its step, or after it."""
+        self.time = float(rows.stamps[first] - rows.stamps[0]) / NS_PER_SECOND
+        """Time of the first row, s."""
+        self.largest, self.step = float(size[largest]), float(steps.time[found[largest]])
+        """Magnitude of the largest one, and the time over which it happens, s."""
+        self.smallest = float(size.min())
 
 
 def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN,)) -> tuple[Finding, ...]:
-    """The findings in rows whose timestamps increase.
+    """Return the findings in rows whose timestamps increase.
 
     Args:
         rows: of a recording.
@@ -87,138 +88,94 @@ def findings(rows: Rows, row_name: str = "row", periods: Sequence[float] = (TURN
 
 
 class _Check:
-    """Collects what is implausible, in blocks, since the checks take many times the memory of the rows."""
+    """Checks of rows, their steps, and their motion within windows of 0.1 s."""
 
     def __init__(self, rows: Rows, row_name: str, periods: Sequence[float]) -> None:
-        self._rows = rows
-        self._row_name = row_name
-        self._names = rows.names
-        self._count = len(rows)
-        self._period = float(np.median(np.diff(rows.stamps[: _BLOCK + 1]))) / NS_PER_SECOND
-        self._places: defaultdict[str, _Events] = defaultdict(_Events)
-        self._sums: defaultdict[str, Any] = defaultdict(float)
-        self._sums |= {name: np.zeros(len(rows.names)) for name in ("windows", "motion")}
-        begin = 0
-        while begin < len(rows):
-            # Not a few rows alone at the end, which show nothing.
-            end = begin + _BLOCK if begin + _BLOCK + _MIN_ROWS <= len(rows) else len(rows)
-            first = max(begin - _MARGIN, 0)
-            part = rows.take(np.s_[first : end + _MARGIN])
-            steps = Steps(part, periods)
-            if self._has_time:
-                self._add_places(part, steps, begin - first, end - first)
-            self._add_sums(part, steps, begin - first, end - first)
-            begin = end
-
-    @property
-    def _has_time(self) -> bool:
-        return _PERIODS[0] <= self._period <= _PERIODS[1]
-
-    def _add_places(self, rows: Rows, steps: Steps, begin: int, end: int) -> None:
-        times = (rows.stamps - self._rows.stamps[0]) / NS_PER_SECOND
-
-        def add(name: str, mask: NDArray[np.bool_], sizes: NDArray[np.float64], after: int = 1) -> None:
-            """Add steps, each at the row before or after it."""
-            found, columns = np.nonzero(mask)
-            inside = (found + after >= begin) & (found + after < end)
-            found, columns = found[inside], columns[inside]
-            if len(found):
-                first = int(rows.numbers[found[0] + after]), float(times[found[0] + after]), int(columns[0])
-                events, size = self._places[name], sizes[found, columns]
-                events.first = events.first if events.counts else first
-                events.counts.update(columns.tolist())
-                events.largest = max(events.largest, *zip(size.tolist(), steps.time[found].tolist(), strict=True))
-                events.smallest = min(events.smallest, size.min())
-
-        size = np.abs(steps.change)
-        add("wrap", steps.wrapped != 0.0, np.abs(steps.wrapped))
-        add("spike", steps.away, size)
-        add("jump", steps.jumps, size)
-        add("impossible", steps.impossible, size)
-        add("frozen", *frozen(rows, steps), after=0)
-        if "velocity" in rows.values:
-            add("speed", steps.false_speeds, np.abs(rows.values["velocity"])[:-1], after=0)
-        add("clock", *clock_jumps(steps), after=0)
-        inside = slice(max(begin - 1, 0), end - 1)
-        duration, motion = steps.duration[inside], size[inside].max(axis=1, initial=0.0)
-        short = duration < 0.2 * np.sort(duration)[: len(duration) * 99 // 100].mean()
-        for name, mask in (("short", short), ("long", ~short)):
-            self._sums[name] += np.array([mask.sum(), motion[mask].sum()])
-
-    def _add_sums(self, rows: Rows, steps: Steps, begin: int, end: int) -> None:
-        """Sums over windows of 0.1 s: motion, integrated velocity, and their products; range of the efforts."""
-        sums = self._sums
+        self._rows, self._row_name, self._names = rows, row_name, rows.names
+        self._steps = steps = Steps(rows, periods)
         change = np.where(steps.bad | steps.false_speeds, np.nan, steps.change - steps.wrapped)
         change[1:][steps.false_speeds[:-1]] = np.nan
-        width = max(4, round(0.1 / self._period)) if self._period > 0.0 else 4
-        edges = np.arange(begin, end, min(width, max((end - begin) // 4, 1)))
-        if len(edges) < 2:
-            return
+        width = max(4, round(0.1 / steps.period)) if steps.period > 0.0 else 4
+        self._edges = np.arange(0, len(change), min(width, len(change) // 4))
+        motion = self._windows(change)
+        self._whole: Bools = np.isfinite(motion)
+        """Windows without a bad step (W, J)."""
+        self._motion = np.where(self._whole, motion, 0.0)
+        """Motion within the windows, rad (W, J)."""
+        known = np.nan_to_num(change)
+        self._sampled = (known[1:] * known[:-1]).sum(axis=0) > 0.5 * (known**2).sum(axis=0)
+        """True for joints whose motion goes on from row to row (J,)."""
 
-        def windows(values: NDArray[np.float64]) -> NDArray[np.float64]:
-            return np.add.reduceat(values[: edges[-1]], edges[:-1], axis=0)
+    def _windows(self, values: Floats) -> Floats:
+        return np.add.reduceat(values[: self._edges[-1]], self._edges[:-1], axis=0)
 
-        motion = windows(change)
-        whole = np.isfinite(motion)
-        motion = np.where(whole, motion, 0.0)
-        sums["windows"] += whole.sum(axis=0)
-        sums["motion"] += (motion**2).sum(axis=0)
-        known = np.nan_to_num(change[begin : end - 1])
-        sums["steps"] += (known**2).sum(axis=0)
-        sums["smooth"] += (known[1:] * known[:-1]).sum(axis=0)
-        if "velocity" in rows.values:
-            velocity = rows.values["velocity"]
-            integral = (velocity[1:] + velocity[:-1]) / 2.0 * steps.duration[:, None]
-            speed = np.where(whole, windows(integral), 0.0)
-            sums["speed"] += (speed**2).sum(axis=0)
-            sums["product"] += motion.T @ speed
-        if "effort" in rows.values:
-            effort = rows.values["effort"][begin : end - 1]
-            sums["least"] = np.fmin(sums.get("least", np.inf), np.nan_to_num(effort, nan=np.inf).min(axis=0))
-            sums["most"] = np.fmax(sums.get("most", -np.inf), np.nan_to_num(effort, nan=-np.inf).max(axis=0))
+    def _rms(self, sums: Floats) -> Floats:
+        """Return the root mean square (J,) of sums within the windows (W, J)."""
+        return np.sqrt((sums**2).sum(axis=0) / np.maximum(self._whole.sum(axis=0), 1))
 
     def findings(self) -> Iterator[Finding]:
-        """The findings, by kind."""
+        """Yield the findings, by kind."""
         velocities = list(self._of_velocities())
-        for name in (name for finding in velocities for name in finding.joints):
-            self._places["speed"].counts.pop(self._names.index(name), None)
-        yield from (*self._of_timestamps(), *self._of_places(), *velocities, *self._of_efforts(), *self._of_copies())
+        said = {name for finding in velocities for name in finding.joints}
+        if _PERIODS[0] <= self._steps.period <= _PERIODS[1]:
+            yield from (*self._of_timestamps(), *self._of_places(np.array([name not in said for name in self._names])))
+        else:
+            yield self._finding(
+                "timestamps",
+                f"timestamps: the usual time between {self._row_name}s is {self._steps.period:.4g} s, which no robot's "
+                f"log has: they are probably in another unit; name it (stamp_unit in a map), or {_PERIOD}",
+            )
+        yield from (*velocities, *self._of_efforts(), *self._of_copies())
 
     def _finding(self, kind: str, text: str, joints: Iterable[int] | None = None) -> Finding:
         return Finding(kind, text, self._names if joints is None else tuple(self._names[int(i)] for i in joints))
 
     def _of_timestamps(self) -> Iterator[Finding]:
-        row = self._row_name
-        if not self._has_time:
+        row, steps = self._row_name, self._steps
+        mask, durations = clock_jumps(steps)
+        if mask.any():
+            clock = _Events(mask, durations, self._rows, steps, after=0)
             yield self._finding(
                 "timestamps",
-                f"timestamps: the usual time between {row}s is {self._period:.4g} s, which no robot's log has: they "
-                f"are probably in another unit; name it (stamp_unit in a map), or {_PERIOD}",
-            )
-            return
-        clock = self._places["clock"]
-        if clock.counts:
-            yield self._finding(
-                "timestamps",
-                f"timestamps jump by {clock.largest[0]:.4g} s {self._at(clock)} while the joints move on as from one "
+                f"timestamps jump by {clock.largest:.4g} s {self._at(clock)} while the joints move on as from one "
                 f"row to the next: the clock was set, or rows are from two recordings; {_PERIOD}, or cut "
                 f"(convert --start, --stop)",
             )
-        (short, near), (long, far) = self._sums["short"], self._sums["long"]
+        duration, motion = steps.duration, np.abs(steps.change).max(axis=1)
+        short = duration < 0.2 * np.sort(duration)[: len(duration) * 99 // 100].mean()
+        count, near, far = np.count_nonzero(short), motion[short].sum(), motion[~short].mean()
         # After a gap, the joints have moved farther than within a burst.
-        if short >= 10 and short > 0.02 * self._count and near > 0.0 and far / long < 3.0 * near / short:
+        if count >= 10 and count > 0.02 * len(duration) and near > 0.0 and far < 3.0 * near / count:
             yield self._finding(
                 "timestamps",
-                f"timestamps come in bursts: {short:.0f} of {self._count} {row}s follow the one before within a fifth "
+                f"timestamps come in bursts: {count} of {len(self._rows)} {row}s follow the one before within a fifth "
                 f"of the mean time, as if they were taken when messages arrived in batches; use the header's, or "
                 f"{_PERIOD}",
             )
 
-    def _of_places(self) -> Iterator[Finding]:
-        jump = self._places["jump"]
-        again = jump.counts.total() > 2 and 1.0 < jump.largest[0] < 1.2 * jump.smallest
+    def _of_places(self, unsaid: Bools) -> Iterator[Finding]:
+        """Yield the findings at single rows; velocities only of the joints `unsaid` (J,)."""
+        rows, steps = self._rows, self._steps
+        size = np.abs(steps.change)
+        masks = {
+            "wrap": (steps.wrapped != 0.0, np.abs(steps.wrapped), 1),
+            "spike": (steps.away, size, 1),
+            "jump": (steps.jumps, size, 1),
+            "impossible": (steps.impossible, size, 1),
+            "frozen": (*frozen(rows, steps), 0),
+            "speed": (
+                steps.false_speeds & unsaid,
+                np.abs(rows.values.get("velocity", rows.values["position"])[:-1]),
+                0,
+            ),
+        }
+        places = {
+            kind: _Events(mask, sizes, rows, steps, after) for kind, (mask, sizes, after) in masks.items() if mask.any()
+        }
+        jump, wrapped = places.get("jump"), places.get("wrap")
+        again = jump is not None and jump.count > 2 and 1.0 < jump.largest < 1.2 * jump.smallest
         wrap = "if an encoder begins again there, unwrap it (--unwrap {size:.3g}); " if again else ""
-        option = "" if np.isclose(self._places["wrap"].largest[0], TURN) else " {size:.6g}"
+        option = "" if wrapped is None or np.isclose(wrapped.largest, TURN) else " {size:.6g}"
         texts = {
             "wrap": f"positions wrap by {{size:.4g}} rad between two {self._row_name}s in {{joints}}, {{at}}; unwrap "
             f"them (--unwrap{option})",
@@ -236,32 +193,35 @@ class _Check:
             "speed": "velocities that the positions do not have: up to {size:.3g} rad/s in {joints}, {at}; "
             f"{_IGNORE_VELOCITY}",
         }
-        for kind, text in texts.items():
-            events = self._places[kind]
-            if events.counts:
-                size, step = events.largest
-                joints = self._some(sorted(events.counts, key=lambda column: column != events.first[2]))
-                share = 100.0 * events.counts.total() / (len(events.counts) * self._count)
-                filled = text.format(
-                    joints=joints, at=self._at(events), size=size, step=step, speed=size / step, share=share
-                )
-                yield self._finding(_KINDS.get(kind, kind), filled, events.counts)
+        for kind, events in places.items():
+            columns = list(dict.fromkeys([events.columns[0], *np.unique(events.columns)]))
+            text = texts[kind].format(
+                joints=self._some(columns),
+                at=self._at(events),
+                size=events.largest,
+                step=events.step,
+                speed=events.largest / events.step,
+                share=100.0 * events.count / (len(columns) * len(rows)),
+            )
+            yield self._finding(_KINDS.get(kind, kind), text, columns)
 
     def _of_velocities(self) -> Iterator[Finding]:
-        sums = self._sums
-        if "speed" not in sums:
+        if "velocity" not in self._rows.values:
             return
-        motion, speed = self._rms("motion"), self._rms("speed")
-        correlation = sums["product"] / np.sqrt(np.outer(sums["motion"], sums["speed"]))
+        velocity = self._rows.values["velocity"]
+        integral = (velocity[1:] + velocity[:-1]) / 2.0 * self._steps.duration[:, None]
+        speeds = np.where(self._whole, self._windows(integral), 0.0)
+        motion, speed = self._rms(self._motion), self._rms(speeds)
+        counts = self._whole.sum(axis=0)
+        correlation = self._motion.T @ speeds / np.outer(motion, speed) / np.sqrt(np.outer(counts, counts))
         own = np.diag(correlation)
         groups: dict[str, list[int]] = {}
         factors: dict[str, list[float]] = {}
         swapped = ""
-        known = (sums["windows"] >= 8) & (motion >= _MIN_MOTION)
-        known[list(self._places["impossible"].counts)] = False
+        known = (counts >= 8) & (motion >= _MIN_MOTION) & ~self._steps.impossible.any(axis=0)
         for i in np.flatnonzero(known):
             factor = speed[i] / motion[i]
-            sampled = sums["smooth"][i] > 0.5 * sums["steps"][i]
+            sampled = self._sampled[i]
             others = np.where(np.arange(len(own)) == i, -1.0, np.nan_to_num(correlation[i], nan=-1.0))
             best = int(others.argmax())
             if speed[i] == 0.0:
@@ -274,7 +234,7 @@ class _Check:
                 problem = "have the opposite sign of the rate at which the positions change"
             elif own[i] < 0.8 and others[best] > 0.95:
                 swapped = swapped or f"{self._names[best]} for {self._names[i]}"
-                problem = f"do not fit their positions, and those of other joints do ({swapped}): swapped or copied"
+                problem = f"fit the positions of other joints and not their own ({swapped}): swapped or copied"
             elif own[i] < 0.3 and sampled:
                 problem = "have nothing to do with the rate at which the positions change"
             else:
@@ -287,10 +247,11 @@ class _Check:
             yield self._finding("velocity", text, joints)
 
     def _of_efforts(self) -> Iterator[Finding]:
-        if "least" not in self._sums:
+        if "effort" not in self._rows.values:
             return
-        least, most = self._sums["least"], self._sums["most"]
-        constant = np.flatnonzero((self._rms("motion") > _MIN_MOTION) & (least == most))
+        effort = self._rows.values["effort"]
+        least, most = np.fmin.reduce(effort), np.fmax.reduce(effort)
+        constant = np.flatnonzero((self._rms(self._motion) > _MIN_MOTION) & (least == most))
         size = np.fmax(most, -least)
         large = np.flatnonzero(size > _MAX_TORQUE)
         if len(constant):
@@ -300,17 +261,15 @@ class _Check:
             )
             yield self._effort(constant, problem)
         if len(large):
-            problem = (
-                f"reach {size.max():.4g}, which are no N m of a leg; give their factor (effort_scale in a map), or "
-            )
-            yield self._effort(large, problem)
+            factor = "which are no N m of a leg; give their factor (effort_scale in a map), or "
+            yield self._effort(large, f"reach {np.nanmax(size):.4g}, {factor}")
 
     def _effort(self, joints: NDArray[np.intp], problem: str) -> Finding:
         text = f"efforts of {self._some(joints)} {problem}leave them out (--ignore effort)"
         return self._finding("effort", text, joints)
 
     def _of_copies(self) -> Iterator[Finding]:
-        moving = [i for i, size in enumerate(self._rms("motion")) if size >= _MIN_MOTION]
+        moving = [i for i, size in enumerate(self._rms(self._motion)) if size >= _MIN_MOTION]
         values, same = self._rows.values, f"in every {self._row_name}: "
         # Joints may have the same targets, but never exactly the same measurements.
         for one, other in combinations(moving if "effort" in values else [], 2):
@@ -323,15 +282,11 @@ class _Check:
                 text = f"{copy} and {kind} are the same numbers {same}a column was copied; leave it out"
                 yield self._finding(copy, f"{text} (--ignore {copy})")
 
-    def _rms(self, name: str) -> NDArray[np.float64]:
-        """Root mean square of the windows' sums (J,)."""
-        return np.sqrt(self._sums[name] / np.maximum(self._sums["windows"], 1))
-
     def _at(self, events: _Events) -> str:
-        place, count = f"at {events.first[1]:.3f} s ({self._row_name} {events.first[0]})", events.counts.total()
-        return place if count == 1 else f"first {place}, {count} times"
+        place = f"at {events.time:.3f} s ({self._row_name} {events.row})"
+        return place if events.count == 1 else f"first {place}, {events.count} times"
 
     def _some(self, columns: Iterable[int]) -> str:
-        """Names of a few joints, and how many more there are."""
+        """Return names of a few joints, and how many more there are."""
         names = [self._names[int(i)] for i in columns]
         return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")

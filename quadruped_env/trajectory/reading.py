@@ -1,13 +1,14 @@
 """The options for reading a recording, and the state of one file while it is read."""
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, TypeVar
 
 from quadruped_env.errors import QuadrupedError, cut
-from quadruped_env.trajectory.maps import ColumnMap, JointMap
+from quadruped_env.trajectory.column_map import ColumnMap
+from quadruped_env.trajectory.joint_map import JointMap
 from quadruped_env.trajectory.rows import KINDS
 from quadruped_env.utils.progress import Progress
 
@@ -36,12 +37,11 @@ class ReadOptions:
     """
 
     topic: str | None = None
-    """Topic of the joint states, for a bag or JSON lines that have several; to merge topics, their names with commas
-    between"""
+    """Topic of the joint states, for a bag that has several; to merge topics, their names with commas between."""
     columns: ColumnMap | str | Path | None = None
-    """Map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.maps`)"""
+    """Map of the columns of a CSV, or the path of its TOML file (`quadruped_env.trajectory.column_map`)"""
     joint_map: JointMap | str | Path | None = None
-    """Map of another robot's joints to this one's, or the path of its TOML file (in the same module)"""
+    """Map of another robot's joints to this one's, or its TOML file's path (`quadruped_env.trajectory.joint_map`)."""
     names: tuple[str, ...] | None = None
     """Names of the joints in their order, for messages without names; of a CSV without a map, the columns of the
     positions (default: the built-in robot's joints)"""
@@ -124,11 +124,11 @@ class Reading:
         self.name = self.name or str(self.path)
 
     def repairs(self, repair: str) -> bool:
-        """True if the options ask for a repair."""
+        """Return True if the options ask for a repair."""
         return repair in self.options.repair
 
     def error(self, row: int | None, problem: str) -> QuadrupedError:
-        """The error for a problem in one row, or with the whole file without a row."""
+        """Return the error for a problem in one row, or with the whole file without a row."""
         place = "" if row is None else f" {self.row_name} {row}:"
         return QuadrupedError(f"{self.name}:{place} {problem}")
 
@@ -150,7 +150,7 @@ class Reading:
         self.note(text)
 
     def remarks(self) -> tuple[str, ...]:
-        """All remarks: the notes, and the counts of values and of rows that were left out."""
+        """Return all remarks: the notes, and the counts of values and of rows that were left out."""
         unchecked = (
             f"salvaged without a checksum, so that damage in their numbers would not show: {self.unchecked} of "
             f"{self.rows} {self.row_name}s"
@@ -160,24 +160,21 @@ class Reading:
         return (*self.notes, *([unchecked] if self.unchecked else ()), *counted, *left_out)
 
 
-def salvaged(
-    items: Iterator[_Item], reading: Reading, length: Callable[[_Item], int], is_text: bool
-) -> Iterator[_Item]:
-    """The items before the damage, with a remark on it, if the options ask to salvage; otherwise all items.
+def salvaged(items: Iterator[_Item], reading: Reading, is_text: bool) -> Iterator[_Item]:
+    """Yield the rows before the damage, with a remark on it, if the options ask to salvage; otherwise all rows.
 
     Args:
-        items: of a damaged file, whose iterator raises a QuadrupedError at the damage.
+        items: rows of a damaged file, whose iterator raises a QuadrupedError at the damage.
         reading: of the file.
-        length: called with an item; returns the number of its rows.
         is_text: whether the file is text, which has no checksums; readers of bags count their messages themselves.
 
     Raises:
-        QuadrupedError: at the damage, if it is not to be salvaged or no item comes before it.
+        QuadrupedError: at the damage, if it is not to be salvaged or no row comes before it.
     """
     count = 0
     try:
         for item in items:
-            count += length(item)
+            count += 1
             yield item
     except QuadrupedError as error:
         if not reading.repairs("salvage") or not count:

@@ -3,22 +3,18 @@
 from pathlib import Path
 from typing import Final
 
-import numpy as np
-from numpy.typing import NDArray
-
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import Robot
 from quadruped_env.trajectory.formats import bag_writer, project_csv
 from quadruped_env.trajectory.formats.bag_writer import STORAGES
 from quadruped_env.trajectory.rows import Rows
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import check_free
 
 _CSV: Final = ".csv"
 
 
-def save(
-    rows: Rows, path: Path, robot: Robot, storage: str | None, base_pose: NDArray[np.float64] | None, overwrite: bool
-) -> None:
+def save(rows: Rows, path: Path, robot: Robot, storage: str | None, base_pose: Floats | None, overwrite: bool) -> None:
     """Write valid rows, in full or not at all; see `JointTrajectory.save`."""
     check(path, overwrite, storage)
     if path.suffix.lower() == _CSV:
@@ -41,7 +37,7 @@ def check(path: Path, overwrite: bool, storage: str | None = None) -> None:
 
 
 def _storage(path: Path, given: str | None) -> str:
-    """Storage of a bag, from the ending of its path and the one that was given."""
+    """Return the storage of a bag, from the ending of its path and the one that was given."""
     suffixes = {suffix: storage for storage, suffix in STORAGES.items()}
     if path.suffix and path.suffix not in suffixes:
         raise QuadrupedError(

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 """Real numbers in double precision."""
+Bools = NDArray[np.bool_]
+"""Masks."""
 EnvIds = NDArray[np.intp]
 """Indices of some envs (R,)."""
 

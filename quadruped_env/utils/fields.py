@@ -47,7 +47,7 @@ class Fields:
             object.__setattr__(self, name, converted(getattr(self, name), hint, f"{type(self).path}.{name}"))
 
     def to_dict(self) -> dict[str, Plain]:
-        """Nested plain values."""
+        """Return the nested plain values."""
         return {name: _to_plain(getattr(self, name)) for name in hints_of(type(self))}
 
 
@@ -86,20 +86,20 @@ class Section(Fields, Mapping[str, Any]):
         return f"{type(self).path.rpartition('.')[2]}({changes})"
 
     def changes(self) -> dict[str, Plain]:
-        """The values that are not the defaults; of a section within the section, its changes."""
+        """Return the values that are not the defaults; of a section within the section, its changes."""
         default = type(self)()
         changed = {name: value for name, value in self.items() if value != default[name]}
         return {name: value.changes() if isinstance(value, Section) else value for name, value in changed.items()}
 
     def replace(self, **changes: Plain) -> Self:
-        """A copy with other values for some fields; raises a QuadrupedError as the constructor does."""
+        """Return a copy with other values for some fields; raises a QuadrupedError as the constructor does."""
         return with_values(self, changes, type(self).path)
 
 
 def extended(
     base: type[SectionKind], own: Mapping[str, tuple[Any, Plain]], again: Callable[..., Section] | None = None
 ) -> type[SectionKind]:
-    """A section with more fields than `base`, or with other defaults.
+    """Return a section with more fields than `base`, or with other defaults.
 
     Args:
         base: the section; all of its fields must be given as keywords.
@@ -107,7 +107,7 @@ def extended(
         again: function that makes such a section from its plain values, which supports pickling.
 
     Raises:
-        QuadrupedError: if a name cannot be that of a field.
+        QuadrupedError: if a name cannot name a field.
     """
     for name in own:
         if not name.isidentifier() or (hasattr(base, name) and name not in hints_of(base)):
@@ -120,7 +120,7 @@ def extended(
 
 
 def hints_of(kind: type) -> dict[str, Any]:
-    """Annotation of each field that the constructor of a dataclass takes, by name."""
+    """Return the annotation of each field that the constructor of a dataclass takes, by name."""
     return _hints(typing.cast(Hashable, kind))
 
 
@@ -131,7 +131,7 @@ def _hints(kind: Any) -> dict[str, Any]:
 
 
 def with_values(default: Kind, values: Plain, path: str) -> Kind:
-    """A copy of a dataclass with nested plain values for some of its fields.
+    """Return a copy of a dataclass with nested plain values for some of its fields.
 
     Raises:
         QuadrupedError: if a field is unknown or a value is not valid; the message names it by its `path`.
@@ -146,7 +146,7 @@ def with_values(default: Kind, values: Plain, path: str) -> Kind:
         if _is_config(present) and not _is_config(value):
             changes[name] = with_values(present, value, place)
         else:
-            changes[name] = value if isinstance(default, Fields) else converted(value, hints[name], place)
+            changes[name] = converted(value, hints[name], place)
     return dataclasses.replace(default, **changes)  # type: ignore[type-var]
 
 
@@ -161,7 +161,7 @@ def check_names(values: Mapping[str, Plain], valid: Iterable[str], path: str) ->
 
 
 def converted(value: Plain, hint: Any, path: str) -> Plain:
-    """A value as the annotation of its field says; NumPy's scalars and arrays become plain numbers and tuples.
+    """Return a value as the annotation of its field says; NumPy's scalars and arrays become plain numbers and tuples.
 
     Raises:
         QuadrupedError: if it is not valid; the message names it by its `path`.
@@ -201,7 +201,7 @@ def converted(value: Plain, hint: Any, path: str) -> Plain:
 
 
 def units_of(kind: type) -> dict[str, Plain]:
-    """Unit of each field of a dataclass, nested for a dataclass within it."""
+    """Return the unit of each field of a dataclass, nested for a dataclass within it."""
     found: dict[str, Plain] = {}
     for name, hint in hints_of(kind).items():
         own, _ = _parts(hint)
@@ -210,12 +210,12 @@ def units_of(kind: type) -> dict[str, Plain]:
 
 
 def unit_of(hint: Any) -> str:
-    """Unit that an annotation gives."""
+    """Return the unit that an annotation gives."""
     return next((entry.unit for entry in _parts(hint)[1] if isinstance(entry, Parameter)), "1")
 
 
 def known(values: Mapping[str, Plain], kind: type) -> dict[str, Plain]:
-    """The part of nested values that a dataclass has fields for."""
+    """Return the part of nested values that a dataclass has fields for."""
     hints = {name: _parts(hint)[0] for name, hint in hints_of(kind).items()}
     return {
         name: known(value, hints[name])
@@ -233,7 +233,7 @@ def check(condition: bool, path: str, value: object, rule: str) -> None:
 
 
 def one_of(value: Plain, choices: Iterable[str], path: str) -> str:
-    """A value that must be one of some words."""
+    """Return a value that must be one of some words."""
     check(value in tuple(choices), path, value, f"one of {', '.join(choices)}")
     return str(value)
 
@@ -260,7 +260,7 @@ def _is_config(kind: Any) -> bool:
 
 
 def _parts(hint: Any) -> tuple[Any, tuple[Any, ...]]:
-    """Type of an annotation, and what `Annotated` adds to it."""
+    """Return the type of an annotation, and what `Annotated` adds to it."""
     return (hint.__origin__, hint.__metadata__) if typing.get_origin(hint) is Annotated else (hint, ())
 
 

@@ -4,10 +4,8 @@ They are written in a hidden directory next to their place, `.<name>.<random>.pa
 full disk or an error leaves what was there before; so does a kill, which also leaves the hidden directory behind.
 """
 
-import errno
 import json
 import os
-import shutil
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -21,13 +19,8 @@ PART: Final = ".part"
 
 LATEST: Final = "latest"
 """Link to the newest run, next to it."""
-_RUN_FILES: Final = ("policy.json", "sweep.json")
-_CHECKPOINT: Final = "checkpoints/*/policy.json"
-_NO_ROOM: Final = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
-_NO_RIGHT: Final = (errno.EACCES, errno.EPERM, errno.EROFS)
-_DEVICE_DIRECTORIES: Final = (Path("/dev"), Path("/dev/fd"))
 _NAME_SHOWN: Final = 50
-"""Characters of a name in that of its hidden directory: names have at most 255 bytes."""
+"""Characters of a name that its hidden directory's name has: names have at most 255 bytes."""
 
 
 @contextmanager
@@ -36,57 +29,21 @@ def whole(path: Path) -> Iterator[Path]:
 
     It has the last name of `path`, lies on the same file system and does not exist yet. Missing parents of `path` are
     made. A file replaces a file in one step; a directory replaces whatever is at `path`. A symbolic link stays, and
-    what it points to is replaced, but not below a run: see `check_no_links`. A device or a pipe receives the whole
-    file's bytes.
+    what it points to is replaced.
 
     Raises:
-        QuadrupedError: if the system refuses to write, also within the context, or below a run there is a link.
+        QuadrupedError: if the system refuses to write, also within the context.
     """
-    check_no_links(path)
     try:
-        device = path.exists() and not path.is_dir() and (not path.is_file() or path.parent in _DEVICE_DIRECTORIES)
         target = Path(os.path.realpath(path))
         path.parent.mkdir(parents=True, exist_ok=True)
-        with TemporaryDirectory(
-            prefix=f".{target.name[:_NAME_SHOWN]}.",
-            suffix=PART,
-            dir=None if device else target.parent,
-            ignore_cleanup_errors=True,
-        ) as directory:
+        prefix = f".{target.name[:_NAME_SHOWN]}."
+        with TemporaryDirectory(PART, prefix, target.parent, ignore_cleanup_errors=True) as directory:
             part = Path(directory) / (target.name or "root")
             yield part
-            if device:
-                with part.open("rb") as source, path.open("wb") as sink:
-                    shutil.copyfileobj(source, sink)
-            else:
-                put_in_place(part, target)
+            put_in_place(part, target)
     except OSError as error:
         raise unwritable(path, error) from error
-
-
-def check_no_links(path: Path) -> None:
-    """Refuse a path below a run, or a sweep, that leads through a symbolic link: others' runs could write anywhere.
-
-    Raises:
-        QuadrupedError: if that is so; the message names the link.
-    """
-    steps = [path, *path.parents]
-    top = next((number for number in reversed(range(1, len(steps))) if _is_run(steps[number])), 0)
-    for step in steps[:top]:
-        try:
-            target = os.readlink(step)
-        except OSError:
-            continue  # no link
-        if step.name != LATEST or os.sep in target:
-            raise QuadrupedError(
-                f"{step}: is a link, and through links below a run nothing is written; remove it, or name another place"
-            )
-
-
-def _is_run(directory: Path) -> bool:
-    """True for the directory of a run, also of one that was killed, or of a sweep."""
-    known = any(os.path.exists(directory / name) for name in _RUN_FILES)
-    return known or next(directory.glob(_CHECKPOINT), None) is not None
 
 
 def write_whole(files: Mapping[Path, bytes]) -> None:
@@ -136,7 +93,7 @@ def check_free(paths: Iterable[Path], overwrite: bool) -> None:
 def shown_path(path: Path) -> str:
     """A path without the directories of this machine, to show to others.
 
-    Relative to the working directory; of a path that lies elsewhere, its name and that of its directory.
+    Relative to the working directory; of a path that lies elsewhere, its name and its directory's name.
     """
     if not path.is_absolute():
         return str(path)
@@ -165,16 +122,9 @@ def shown_argument(text: str, names_only: bool = False) -> str:
 
 
 def unwritable(path: Path, error: Exception) -> QuadrupedError:
-    """The error for a path that the system refuses to write: its cause and a fix."""
-    number = getattr(error, "errno", None)
-    # SQLite has errors of its own.
-    if number in _NO_ROOM or not isinstance(error, OSError):
-        fix = "make room, or name another place"
-    elif number in _NO_RIGHT:
-        fix = "get the right to write there, or name another place"
-    else:
-        fix = "name another place"
-    return QuadrupedError(f"{path}: cannot be written ({getattr(error, 'strerror', None) or error}); {fix}")
+    """Return the error for a path that the system, or SQLite, refuses to write."""
+    reason = getattr(error, "strerror", None) or error
+    return QuadrupedError(f"{path}: cannot be written ({reason}); make room, or name another place")
 
 
 def _flush(path: Path) -> None:

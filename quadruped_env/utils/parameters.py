@@ -64,7 +64,7 @@ def parameters_of(function: Callable[..., Any]) -> dict[str, tuple[Parameter, fl
         QuadrupedError: if such an argument has no default, or a default that is not a number.
     """
     found: dict[str, tuple[Parameter, float]] = {}
-    # A class receives the context twice, in `__init__` and in `__call__`. Its parameters are those of `__init__`.
+    # A class receives the context twice, in `__init__` and in `__call__`. Its parameters are `__init__`'s.
     for argument in list(inspect.signature(function).parameters.values())[1:]:
         default = argument.default
         if isinstance(default, bool) or not isinstance(default, (int, float)):

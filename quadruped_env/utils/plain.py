@@ -35,24 +35,6 @@ def plain(value: Any) -> Any:
     return value
 
 
-class PlainFields:
-    """Base of frozen dataclasses: NumPy's scalars and arrays in their fields become plain numbers and tuples.
-
-    A subclass with checks of its own calls `super().__post_init__()` before them.
-    """
-
-    def __post_init__(self) -> None:
-        for name, value in tuple(vars(self).items()):
-            if isinstance(value, dict):
-                object.__setattr__(self, name, plain(value))
-            elif isinstance(value, (np.generic, np.ndarray, tuple, list)):
-                object.__setattr__(self, name, _tuples(plain(value)))
-
-
-def _tuples(value: Any) -> Any:
-    return tuple(_tuples(entry) for entry in value) if isinstance(value, list) else value
-
-
 def whole_number(name: str, value: Any, low: int, or_none: bool = False) -> int:
     """A value as a Python int.
 

@@ -9,7 +9,7 @@ EVALUATION_SEEDS: Final = range(1_000_000, 2_000_000)
 
 
 def check_training_seeds(name: str, first: int, count: int = 1) -> None:
-    """Check that consecutive seeds are not those of evaluations.
+    """Check that consecutive seeds are not reserved for evaluations.
 
     Args:
         name: name of the setting in the error.

@@ -4,7 +4,8 @@ A browser lets any page open a websocket to any address; only the `Origin` heade
 name is made to resolve to this machine (DNS rebinding) has the same origin as this server, but its `Host` is not one of
 the server's names. Therefore both headers are checked, for pages and for websockets.
 
-A client without an `Origin` header is not a browser page but a program, which could send any header. It is accepted.
+A program can send any header, but one that was not written against this server sends no `Origin`: its websocket is
+refused, since its messages would reach viser as they are.
 """
 
 import ipaddress
@@ -46,20 +47,23 @@ class AccessRules:
         own = {host} if self._is_local else {host, machine, machine.split(".")[0], f"{machine.split('.')[0]}.local"}
         self._names = _LOOPBACK_NAMES | own
 
-    def refusal(self, port: int, hosts: Sequence[str], origins: Sequence[str]) -> str | None:
-        """The reason to refuse a request, or None.
+    def refusal(self, port: int, hosts: Sequence[str], origins: Sequence[str], websocket: bool = False) -> str | None:
+        """Return the reason to refuse a request, or None.
 
         Args:
             port: the port that received the request.
             hosts: values of its `Host` headers.
             origins: values of its `Origin` headers.
+            websocket: True for a websocket, which needs an `Origin`; browsers send none when they load a page.
         """
         host = hosts[0].lower() if len(hosts) == 1 else ""
         if not self._accepts_host(host, port):
             return f"Host is {_shown(hosts)}, which is not a name of this server"
         # A proxy may encrypt the connection to the browser.
         schemes = ("http", "https") if host in self._allowed else ("http",)
-        if origins and [origin.lower() for origin in origins] not in [[f"{scheme}://{host}"] for scheme in schemes]:
+        if (origins or websocket) and [origin.lower() for origin in origins] not in [
+            [f"{scheme}://{host}"] for scheme in schemes
+        ]:
             return f"Origin is {_shown(origins)}: a foreign page"
         return None
 

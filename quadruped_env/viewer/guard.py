@@ -20,7 +20,6 @@ from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.utils.interpreter import pip_command
 from quadruped_env.viewer.access import AccessRules, page_address
 
 MAX_MESSAGE: Final = 16 * 1024
@@ -50,7 +49,8 @@ def guarded(host: str, allowed: Sequence[str] = ()) -> Iterator[None]:
         then: Callable[..., Response | None], connection: ServerConnection, request: Request
     ) -> Response | None:
         client, port = connection.remote_address, connection.local_address[1]
-        reason = rules.refusal(port, request.headers.get_all("Host"), request.headers.get_all("Origin"))
+        headers, websocket = request.headers, "Upgrade" in request.headers
+        reason = rules.refusal(port, headers.get_all("Host"), headers.get_all("Origin"), websocket)
         if reason is None:
             response = then(connection, request)
         else:
@@ -88,7 +88,7 @@ def guarded(host: str, allowed: Sequence[str] = ()) -> Iterator[None]:
     if not calls:
         raise QuadrupedError(
             f"viser {viser.__version__} starts its server in another way than viser 1.1, so foreign pages "
-            f"cannot be refused; {pip_command()} 'viser~=1.1.1'"
+            f"cannot be refused; pip install 'viser~=1.1.1'"
         )
 
 

@@ -13,8 +13,8 @@ from quadruped_env.gait.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.simulation.terrain import LEVELS
 from quadruped_env.viewer.panel_text import KEY_HTML, keys_html, legend_html, status_html, without_directories
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.view_controller import MAX_PUSH, SPEEDS, ViewController
-from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
+from quadruped_env.viewer.view_controller import MAX_PUSH, MAX_ROBOTS, SPEEDS, ViewController
+from quadruped_env.viewer.viewed_robot import RANDOMIZATIONS
 from quadruped_env.viewer.viewer_scene import CONTACT_FORCES, VELOCITIES, Scene
 
 if TYPE_CHECKING:
@@ -191,12 +191,6 @@ class Panel:
         for name, box in self._overlays.items():
             self._on(box, partial(self._show_overlay, name, box))
         follow = gui.add_checkbox("Camera follows", True)
-        abreast = gui.add_checkbox(
-            "Keep robots abreast",
-            True,
-            hint="Draw every robot in its lane next to the others, whatever the distance between them.",
-        )
-        self._on(abreast, lambda: setattr(self._scene, "abreast", abreast.value))
         self._on(follow, lambda: setattr(self._scene, "follow", follow.value))
 
     def _add_keys(self) -> None:
@@ -217,7 +211,7 @@ class Panel:
     # --- actions
 
     def _press(self, button: str) -> None:
-        if not self._controller.offered.clock:
+        if not self._controller.offered.sources:
             return
         actions = {STEP: self._controller.step, RESET: self._controller.reset}
         actions.get(button, self._controller.toggle_pause)()
@@ -291,7 +285,7 @@ class Panel:
     def _show_offered(self) -> None:
         """Hide controls without an effect."""
         offered = self._controller.offered
-        _set(self._clock_buttons, "visible", offered.clock)
+        _set(self._clock_buttons, "visible", offered.sources)
         _set(self._command_folder, "visible", offered.command)
         _set(self._push_folder, "visible", offered.push)
         _set(self._overlays[CONTACT_FORCES], "visible", offered.motion)

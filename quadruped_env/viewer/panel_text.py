@@ -83,7 +83,7 @@ def keys_html(offered: Offered) -> str:
     keys = []
     if offered.command:
         keys += ["<b>↑ ↓</b> faster, slower", "<b>← →</b> turn", "<b>0</b> stand"]
-    if offered.clock:
+    if offered.sources:
         keys += ["<b>Space</b> pause", "<b>N</b> step", "<b>R</b> reset"]
     if offered.push:
         keys.append("<b>P</b> push")
@@ -99,7 +99,7 @@ def status_html(view: View) -> str:
     (velocity, yaw_rate), (asked_velocity, asked_yaw_rate) = robot.now.smooth_velocity, robot.now.command
     of_velocity, of_yaw_rate = (f"of {asked:z.2f} " if commanded else "" for asked in (asked_velocity, asked_yaw_rate))
     number = "font-size:22px;font-variant-numeric:tabular-nums"
-    pace = "paused" if view.paused else f"{view.speed:g} &times; real time" if offered.clock else ""
+    pace = "paused" if view.paused else f"{view.speed:g} &times; real time" if offered.sources else ""
     lines = [f'<span style="color:{GREY}">{escape(robot.name)} &ensp; {view.time:.1f} s &ensp; {pace}</span>']
     if offered.motion:
         lines.append(

@@ -2,12 +2,11 @@
 
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.simulation import Terrain
-from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, ViewedTrace, contact_forces, heading
+from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot, ViewedTrace, heading
 
 
 @dataclass(frozen=True)
@@ -59,11 +58,9 @@ class View:
     offered: Offered
 
 
-def robot_view(robot: ViewedRobot, name: str, scratch: mujoco.MjData) -> RobotView:
-    """Snapshot of a robot under a name; `scratch` is data of its model, which is overwritten."""
-    # The contact forces of the last state are computed on a copy, since a control step ends before they are known.
-    mujoco.mj_copyState(robot.model, robot.data, scratch, mujoco.mjtState.mjSTATE_INTEGRATION)
-    points, forces = contact_forces(robot.model, scratch)
+def robot_view(robot: ViewedRobot, name: str) -> RobotView:
+    """Return a snapshot of a robot under a name."""
+    points, forces = robot.contact_forces()
     return RobotView(
         name,
         robot.follows_command,

@@ -7,7 +7,7 @@ import copy
 import math
 import threading
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -17,24 +17,29 @@ import mujoco
 from quadruped_env.control.steering import key_steps, next_step
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
+from quadruped_env.policies import ControllerSpec
+from quadruped_env.report.films.film import size_of
 from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import TERRAINS, Terrain
+from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
 from quadruped_env.simulation.push_limit import PushLimit
+from quadruped_env.task import CommandConfig, CommandSection
 from quadruped_env.viewer.snapshot import View, robot_view
-from quadruped_env.viewer.viewed_robot import Offered, ViewedRobot
+from quadruped_env.viewer.viewed_robot import LANE, RANDOMIZATIONS, Offered, TaskRobot, ViewedRobot
 from quadruped_env.viewer.viewer_recording import MAX_SECONDS, RESULTS, RecordingSaver, ViewerRecording
-from quadruped_env.viewer.viewer_robots import Source, ViewerRobots
 
 SPEEDS: Final = (0.1, 4.0)
 """Range of the playback speed, as a multiple of real time."""
 MAX_PUSH: Final = 1.5
 """Maximum velocity change by a push, m/s."""
+MAX_ROBOTS: Final = 3
 RESTART_AFTER: Final = 2.0
 """Time after a fall until the robot restarts, s."""
 _MAX_LAG: Final = 0.25
 """Maximum playback time that is caught up after a delay, s; the rest is skipped."""
 
 Command = tuple[float, float]
+Source = ControllerSpec | Callable[[], ViewedRobot]
 
 
 class ViewController:
@@ -79,12 +84,17 @@ class ViewController:
         self._watched = 0
         self.restart_after_fall = True
         self._recording: ViewerRecording | None = None
+        self._terrain, self._randomization = terrain, "off"
+        self._robots: list[ViewedRobot] = []
         try:
-            self._robots = ViewerRobots(sources, chosen, robot, terrain, terrains)
+            if not 1 <= len(chosen) <= MAX_ROBOTS:
+                raise QuadrupedError(f"sources: expected 1 to {MAX_ROBOTS} robots; found {len(chosen)}")
+            for name in chosen:
+                self._robots.append(self._made(name, self._robots))
         except Exception:
             self._saver.close()
             raise
-        self.command_ranges = self._robots.command_ranges
+        self.command_ranges = self._widest_ranges()
         """Of the robots at the start; one that is added later clips commands to its own."""
 
     # --- the robots
@@ -92,17 +102,20 @@ class ViewController:
     @property
     def robots(self) -> tuple[str, ...]:
         """The name of each robot's source."""
-        return self._robots.sources
+        return tuple(robot.name for robot in self._robots)
 
     @property
     def names(self) -> tuple[str, ...]:
         """The name of each robot: its source's, with a number if an earlier robot has the same source."""
-        return self._robots.names
+        sources = self.robots
+        counts = [sources[: i + 1].count(name) for i, name in enumerate(sources)]
+        return tuple(name if n == 1 else f"{name} ({n})" for name, n in zip(sources, counts, strict=True))
 
     @property
     def offered(self) -> Offered:
         """The controls that have an effect on the current robots, and their readings."""
-        return replace(self.available, command=self.available.command and self._robots.follows_command)
+        follows = any(robot.follows_command for robot in self._robots)
+        return replace(self.available, command=self.available.command and follows)
 
     def set_source(self, index: int, name: str | None) -> None:
         """Change the source of a robot and restart it; None removes the robot. The index after the last robot adds one.
@@ -110,24 +123,34 @@ class ViewController:
         Raises:
             QuadrupedError: if there is no such robot or source, or it does not fit the robot. Nothing changes then.
         """
-        robot = None if name is None else self._robots.make(name)
         with self._lock:
-            self._robots.check_place(index, remove=robot is None)
+            last = min(len(self._robots), MAX_ROBOTS - 1)
+            if not 0 <= index <= last:
+                raise QuadrupedError(
+                    f"robots: there are {len(self._robots)} of up to {MAX_ROBOTS}; expected an index of 0 to {last}, "
+                    f"found {index}"
+                )
+            if name is None and not index:
+                raise QuadrupedError(
+                    f"{self.names[0]}: the first robot cannot be removed; choose another source for it"
+                )
+            others = self._robots[:index] + self._robots[index + 1 :]
+            robot = None if name is None else self._made(name, others)
             if index == self._watched:
                 self.stop_recording()
-            if robot is not None:
-                slot = self._robots.slot(index, robot, self._time)
-                robot.reset(self._seed, self._command)
-                self._robots.slots[index : index + 1] = [slot]
-            else:
-                del self._robots.slots[index : index + 1]
-                self.watch(min(self._watched, len(self._robots.slots) - 1))
+            if robot is None:
+                del self._robots[index : index + 1]
+                self.watch(min(self._watched, len(self._robots) - 1))
+                return
+            robot.clock = self._time
+            robot.reset(self._seed, self._command)
+            self._robots[index : index + 1] = [robot]
 
     def watch(self, index: int) -> None:
         """Select the robot for plots, camera, gait settings and recordings."""
         with self._lock:
-            if not 0 <= index < len(self._robots.slots):
-                raise QuadrupedError(f"watch: expected an index of 0 to {len(self._robots.slots) - 1}; found {index}")
+            if not 0 <= index < len(self._robots):
+                raise QuadrupedError(f"watch: expected an index of 0 to {len(self._robots) - 1}; found {index}")
             if index != self._watched:
                 self.stop_recording()
             self._watched = index
@@ -145,19 +168,24 @@ class ViewController:
 
     @property
     def randomization(self) -> str:
-        """The randomization, a key of `viewer_robots.RANDOMIZATIONS`."""
-        return self._robots.randomization
+        """The randomization, a key of `viewed_robot.RANDOMIZATIONS`."""
+        return self._randomization
 
     def set_randomization(self, name: str) -> None:
-        """Choose the randomization, a key of `viewer_robots.RANDOMIZATIONS`, and restart all robots."""
+        """Choose the randomization, a key of `viewed_robot.RANDOMIZATIONS`, and restart all robots.
+
+        Raises:
+            QuadrupedError: if there is no such one, or a robot cannot have it. Nothing changes then.
+        """
+        if name not in RANDOMIZATIONS:
+            raise QuadrupedError(f"randomization: there is no {name!r}; there are {', '.join(RANDOMIZATIONS)}")
         with self._lock:
-            self._robots.slots = self._robots.randomized(name)
-            self.reset()
+            self._make_all_again("_randomization", name)
 
     @property
     def terrain(self) -> Terrain:
         """The ground of the robots."""
-        return self._robots.terrain
+        return self._robots[0].terrain
 
     def set_terrain(self, name: str, level: int | None = None) -> None:
         """Choose the ground of all simulated robots by its name and level (None: its default shape), and restart them.
@@ -166,8 +194,9 @@ class ViewController:
             QuadrupedError: if there is no such terrain or level. Nothing changes then.
         """
         with self._lock:
-            self._robots.slots = self._robots.on_terrain(name, level)
-            self.reset()
+            terrain = find_terrain(name, self.terrains)
+            terrain = terrain.variant(self.terrain.seed, level, terrain_scale(terrain, self.robot))
+            self._make_all_again("_terrain", terrain)
 
     # --- the command and the clock
 
@@ -187,8 +216,8 @@ class ViewController:
         ranges = self.command_ranges
         with self._lock:
             self._command = (_cut(forward_velocity, ranges.forward_velocity), _cut(yaw_rate, ranges.yaw_rate))
-            for slot in self._robots.slots:
-                slot.robot.set_command(self._command)
+            for robot in self._robots:
+                robot.set_command(self._command)
             return self._command
 
     def nudge(self, forward: int, left: int) -> Command:
@@ -226,9 +255,9 @@ class ViewController:
             self._seed += 1
             self._push_limit = PushLimit("push")
             self._time = self._budget = 0.0
-            for slot in self._robots.slots:
-                slot.robot.reset(self._seed, self._command)
-                slot.clock = 0.0
+            for robot in self._robots:
+                robot.reset(self._seed, self._command)
+                robot.clock = 0.0
 
     def step(self) -> None:
         """Advance by one control step and pause."""
@@ -258,8 +287,8 @@ class ViewController:
         velocity = _vector(direction, _cut(strength, (0.0, MAX_PUSH)))
         with self._lock:
             self._push_limit.check(velocity, self._time)
-            for slot in self._robots.slots:
-                slot.robot.push(velocity)
+            for robot in self._robots:
+                robot.push(velocity)
 
     # --- recordings
 
@@ -302,11 +331,8 @@ class ViewController:
                 self._time,
                 self.paused,
                 self._speed,
-                tuple(
-                    robot_view(slot.robot, name, slot.scratch)
-                    for slot, name in zip(self._robots.slots, self.names, strict=True)
-                ),
-                self._robots.terrain,
+                tuple(robot_view(robot, name) for robot, name in zip(self._robots, self.names, strict=True)),
+                self.terrain,
                 self._watched,
                 None if self._recording is None else self._recording.seconds,
                 self.offered,
@@ -315,24 +341,62 @@ class ViewController:
     def model(self) -> mujoco.MjModel:
         """A copy of the robots' MuJoCo model."""
         with self._lock:
-            return copy.copy(self._robots.slots[0].robot.model)
+            return copy.copy(self._robots[0].model)
 
     # --- inside
 
+    def _made(self, name: str, others: Sequence[ViewedRobot]) -> ViewedRobot:
+        """Return a new robot of a source, on the ground of the others and in a lane that none of them has."""
+        if name not in self.sources:
+            raise QuadrupedError(f"source: there is no {name!r}; there are {', '.join(self.sources)}")
+        source = self.sources[name]
+        if not isinstance(source, ControllerSpec):
+            return source()
+        lanes = (LANE * size_of(self.robot) * side for side in (0.0, 1.0, -1.0))
+        lane = next(lane for lane in lanes if lane not in [other.lane for other in others])
+        robot = TaskRobot(source, RANDOMIZATIONS[self._randomization], self.robot, self._terrain, lane)
+        self._terrain = robot.terrain
+        return robot
+
+    def _make_all_again(self, attribute: str, value: object) -> None:
+        """Replace all robots by new ones of their sources, with another value of an attribute of this controller."""
+        before, made = getattr(self, attribute), list[ViewedRobot]()
+        setattr(self, attribute, value)
+        try:
+            for name in self.robots:
+                made.append(self._made(name, made))
+        except QuadrupedError:
+            setattr(self, attribute, before)
+            raise
+        self._robots = made
+        self.reset()
+
+    def _widest_ranges(self) -> CommandSection:
+        """Return the widest ranges of the velocity command, of the default task and of the robots' tasks."""
+        tasks = [
+            CommandConfig(),
+            *(robot.task.config.command for robot in self._robots if isinstance(robot, TaskRobot)),
+        ]
+        forward, turn = (
+            tuple(end(getattr(task, name)[i] for task in tasks) for i, end in enumerate((min, max)))
+            for name in ("forward_velocity", "yaw_rate")
+        )
+        return CommandConfig(forward_velocity=forward, yaw_rate=turn)
+
     @property
     def _watched_robot(self) -> ViewedRobot:
-        return self._robots.slots[self._watched].robot
+        return self._robots[self._watched]
 
     @property
     def _timestep(self) -> float:
-        return self._robots.slots[0].robot.timestep
+        return self._robots[0].timestep
 
     def _tick(self) -> None:
         self._time += self._timestep
-        for index, slot in enumerate(self._robots.slots):
-            while slot.clock + slot.robot.timestep <= self._time + 1e-9:
-                slot.clock += slot.robot.timestep
-                self._step(index, slot.robot)
+        for index, robot in enumerate(self._robots):
+            while robot.clock + robot.timestep <= self._time + 1e-9:
+                robot.clock += robot.timestep
+                self._step(index, robot)
 
     def _step(self, index: int, robot: ViewedRobot) -> None:
         moment = robot.step()

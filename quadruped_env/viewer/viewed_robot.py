@@ -4,6 +4,7 @@ from abc import ABC, abstractmethod
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
+from operator import methodcaller
 from typing import Any, Final
 
 import mujoco
@@ -13,16 +14,24 @@ from numpy.typing import NDArray
 from quadruped_env.control.controllers import GaitController
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.trace import CommandedTrace, PerTerm, PositionPerLeg, Scalar, Velocity, measured
+from quadruped_env.evaluation.trace import Array, CommandedTrace, measured
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
 from quadruped_env.robot import Robot
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import SingleSimulation, Terrain, highest_ground
-from quadruped_env.task import BUILT_IN, Task, TaskConfig, Transition
+from quadruped_env.task import BUILT_IN, PRESETS, Task, TaskConfig, Transition
 from quadruped_env.utils.rotations import from_yaw, multiply, rotate, yaw
 
 HISTORY_SECONDS: Final = 5.0
+LANE: Final = 0.6
+"""Distance between robots of size 1 next to each other, m."""
+RANDOMIZATIONS: Final[dict[str, Callable[[TaskConfig], TaskConfig]]] = {
+    "off": TaskConfig.without_randomization,
+    **{"start" if preset == "none" else preset: methodcaller("randomized", preset) for preset in PRESETS},
+    "as trained": lambda config: config,
+}
+"""Name -> function that gives a source's task this randomization."""
 
 _ROW: Final = np.zeros(1, dtype=np.intp)
 
@@ -33,10 +42,8 @@ class Offered:
 
     command: bool = True
     push: bool = True
-    clock: bool = True
-    """Pause, step and reset."""
     sources: bool = True
-    """Choice of controllers, terrain, playback speed and randomization, and reward terms; fixed from the start."""
+    """Choice of controllers, terrain, playback and randomization, and reward terms; fixed from the start."""
     motion: bool = True
     """Velocity of the base, and contacts of the feet."""
 
@@ -45,13 +52,13 @@ class Offered:
 class ViewedTrace(CommandedTrace):
     """Trace of a viewed robot, arrays (T, ...), or one of its samples, arrays (...)."""
 
-    time: Scalar
+    time: Array
     """Time since the start of the episode, s (T,)"""
-    smooth_velocity: Velocity
+    smooth_velocity: Array
     """Velocity averaged over about one gait cycle, m/s and rad/s (T, 2)"""
-    foot_position: PositionPerLeg
+    foot_position: Array
     """Centre of each foot's sphere in the world frame, m (T, L, 3)"""
-    reward_terms: PerTerm
+    reward_terms: Array
     """Weighted terms of the last step, in the task's order (T, K); zeros at the start"""
 
 
@@ -81,6 +88,10 @@ class ViewedRobot(ABC):
     """True if the simulation diverged and has to be reset."""
     term_names: tuple[str, ...] = ()
     """Names of the samples' reward terms."""
+    lane: float = 0.0
+    """Distance of its start on uneven ground to the left of the origin, m."""
+    clock: float = 0.0
+    """Playback time that it has simulated, s."""
 
     def __init__(
         self, name: str, robot: Robot, simulation: SingleSimulation, terrain: Terrain, timestep: float
@@ -92,6 +103,7 @@ class ViewedRobot(ABC):
         self.timestep = timestep
         self.history: deque[ViewedTrace] = deque(maxlen=round(HISTORY_SECONDS / timestep))
         """Samples of the last seconds, the latest last."""
+        self._scratch = mujoco.MjData(self.model)
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -102,6 +114,22 @@ class ViewedRobot(ABC):
     def data(self) -> mujoco.MjData:
         """MuJoCo's data with the current state."""
         return self._simulation.data
+
+    def contact_forces(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return ground contact points (K, 3), m, and forces on the robot (K, 3), N, in the world frame."""
+        # On a copy of the state, since a control step ends before its contact forces are known.
+        model, data = self.model, self._scratch
+        mujoco.mj_copyState(model, self.data, data, mujoco.mjtState.mjSTATE_INTEGRATION)
+        mujoco.mj_forward(model, data)
+        points, forces, wrench = [np.empty((0, 3))], [np.empty((0, 3))], np.empty(6)
+        for i, contact in enumerate(data.contact):
+            first, second = model.geom_bodyid[contact.geom]
+            if not (first and second):
+                mujoco.mj_contactForce(model, data, i, wrench)
+                points.append(contact.pos[None])
+                # The force acts on the second geom, in a frame that is the matrix's rows.
+                forces.append((contact.frame.reshape(3, 3).T @ wrench[:3] * (1.0 if second else -1.0))[None])
+        return np.concatenate(points), np.concatenate(forces)
 
     @property
     @abstractmethod
@@ -146,6 +174,7 @@ class TaskRobot(ViewedRobot):
         randomization: Callable[[TaskConfig], TaskConfig] | None = None,
         robot: Robot = BUILT_IN.robot,
         terrain: Terrain | None = None,
+        lane: float = 0.0,
     ) -> None:
         controller = source.make()
         config = task_config(controller.action_mode, task_of(controller, robot))
@@ -161,8 +190,7 @@ class TaskRobot(ViewedRobot):
         super().__init__(source.name, robot, simulation, config.ground, config.control_timestep)
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names
-        self.lane = 0.0
-        """Distance of its start on uneven ground to the left of the origin, m."""
+        self.lane = lane
         self.reset(0, (0.0, 0.0))
 
     @property
@@ -252,24 +280,3 @@ def heading(data: mujoco.MjData) -> float:
 def world_vector(vector: tuple[float, float], heading: float) -> NDArray[np.float64]:
     """A horizontal vector (forwards, left) of a robot with a heading (rad), in the world frame (3,)."""
     return rotate(from_yaw(heading), [*vector, 0.0])
-
-
-def contact_forces(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Ground contact points (K, 3), m, and forces on the robot (K, 3), N, in the world frame.
-
-    The derived quantities of the state are recomputed in place.
-    """
-    mujoco.mj_forward(model, data)
-    points, forces = np.empty((data.ncon, 3)), np.empty((data.ncon, 3))
-    wrench = np.empty(6)
-    touching = 0
-    for i, contact in enumerate(data.contact):
-        first, second = model.geom_bodyid[contact.geom]
-        if first and second:
-            continue
-        mujoco.mj_contactForce(model, data, i, wrench)
-        points[touching] = contact.pos
-        # The force acts on the second geom, in a frame that is the matrix's rows.
-        forces[touching] = contact.frame.reshape(3, 3).T @ wrench[:3] * (1.0 if second else -1.0)
-        touching += 1
-    return points[:touching], forces[:touching]

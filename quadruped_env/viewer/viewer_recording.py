@@ -4,11 +4,11 @@ import queue
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Final
 
-from quadruped_env.errors import MissingExtraError, QuadrupedError, portable_message
+from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.evaluation.trace import Trace
 from quadruped_env.report.films.film import Clip
 from quadruped_env.report.films.video import save_film
@@ -44,8 +44,8 @@ class ViewerRecording:
         trace: Trace = ViewedTrace.stack(self.samples)
         unknown = (() if self.follows_command else ("command",)) + (() if self.motion else ("velocity", "contact"))
         if unknown:
-            known = {name: getattr(trace, name) for name in Trace.quantities() if name not in unknown}
-            trace = Trace(robot=trace.robot, timestep=trace.timestep, terrain=trace.terrain, **known)
+            known = {one.name: getattr(trace, one.name) for one in fields(Trace) if one.name not in unknown}
+            trace = Trace(**known)
         return Clip(self.title, trace)
 
 
@@ -85,6 +85,6 @@ class RecordingSaver:
                 self._tell(f"Video: {directory / VIDEO_FILE}")
             except (QuadrupedError, MissingExtraError, OSError) as error:
                 what = "No video" if (directory / TRAJECTORY_FILE).exists() else "Not saved"
-                self._tell(f"{what}: {portable_message(error)}")
+                self._tell(f"{what}: {error}")
             self._queue.task_done()
         self._queue.task_done()

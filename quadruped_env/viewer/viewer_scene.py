@@ -23,7 +23,7 @@ from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.viewer.snapshot import RobotView, View
-from quadruped_env.viewer.viewer_robots import LANE
+from quadruped_env.viewer.viewed_robot import LANE
 
 if TYPE_CHECKING:
     import viser
@@ -75,7 +75,6 @@ class Scene:
     def __init__(self, server: "viser.ViserServer", model: mujoco.MjModel, robot: Robot, terrain: Terrain) -> None:
         self.visible = dict.fromkeys(OVERLAYS, True)
         self.follow = True
-        self.abreast = True
         self._server = server
         self._size = size_of(robot)
         self._metres_per_newton = self._size * _METRES_PER_WEIGHT / (robot.total_mass * GRAVITY)
@@ -149,8 +148,8 @@ class Scene:
     def _go_along(self, positions: Points, watched: int) -> None:
         """Move each robot's world so that its position (2,) is in the middle of its lane.
 
-        The worlds are moved instead of the cameras, which users control. Robots that are not kept abreast share the
-        world of the watched one, and so do robots on uneven ground.
+        The worlds are moved instead of the cameras, which users control. Robots on uneven ground share the world of the
+        watched one.
         """
         now = time.monotonic()
         if len(self._offsets) != len(positions):
@@ -163,7 +162,7 @@ class Scene:
             self._offsets[:, :2] += away * np.where(
                 (distance > _JUMP_DISTANCE) | (distance < _STILL_DISTANCE), 1.0, share
             )
-            if not self.abreast or self._field is not None:
+            if self._field is not None:
                 self._offsets[:] = self._offsets[watched]
         self._drawn_at = now
 

@@ -143,18 +143,6 @@ def test_error_about_a_mistyped_word_suggests_the_similar_one(arguments, error, 
     assert re.fullmatch(error, capsys.readouterr().err.splitlines()[-1])
 
 
-@pytest.mark.parametrize("name", ["train", "sweep", "replay", "identify"])
-def test_help_describes_the_options_that_matter_and_help_all_every_one(name, capsys):
-    text, everything = (
-        help_of(lambda option=option: main([name, option]), capsys) for option in ("--help", "--help-all")
-    )
-    assert 5 <= len(re.findall("^  (?:-o DIR, )?--", text, re.MULTILINE)) <= 12
-    options = {option for option in options_of(name) if option.startswith("--")}
-    for option in options:
-        assert re.search(rf"^  (-o DIR, )?{option}\b|^  --[a-z-]+, {option}\b", everything, re.MULTILINE), option
-        assert option in text or option.startswith("--no-"), "at least its name"
-
-
 @pytest.mark.parametrize("name", BAD)
 def test_command_error_is_one_line_with_the_programs_name_and_status_2(name, domain_id, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
@@ -319,11 +307,7 @@ def test_completion_lists_all_that_fits(complete):
 @pytest.mark.parametrize(
     ("typed", "end"),
     [
-        ("train --lr 1e-3", "--lr 1e-3; did you mean --learning-rate?"),
-        ("train --steps=9", "--steps=9; did you mean --timesteps?"),
-        ("compare flat rough --episodes 3", "--episodes 3; did you mean --seeds?"),
-        # A synonym of an option that the command does not have, and words that nothing resembles.
-        ("evaluate flat --lr 1", "unrecognized arguments: --lr 1"),
+        ("train --steps=9", "--steps=9; did you mean --n-steps?"),
         ("train --foo", "unrecognized arguments: --foo"),
     ],
 )
@@ -349,16 +333,6 @@ def test_what_is_no_count_is_refused_with_examples(typed, capsys):
     assert (
         "argument --timesteps: expected a whole number, such as 1500000, 1e6, 100k or 1.5M" in capsys.readouterr().err
     )
-
-
-def test_the_case_of_a_name_does_not_count():
-    typed = (
-        "train --algo SAC --recipe Rough --terrain ROUGH --activation ReLU --randomization Hard --action-mode RESIDUAL"
-    )
-    found = make_parser("train").parse_args(typed.split())
-    assert (found.algo, found.recipe, found.activation, found.randomization, found.action_mode) == (
-        "sac", "rough", "relu", "hard", "residual",
-    )  # fmt: skip
 
 
 @pytest.mark.parametrize("command", ["page", "evaluate", "view"])

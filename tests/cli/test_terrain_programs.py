@@ -29,7 +29,7 @@ from quadruped_env.simulation import build_model, find_terrain
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import TaskConfig, load_task_file, terrain
 from quadruped_env.viewer import ViewController
-from quadruped_env.viewer.viewer_robots import LANE
+from quadruped_env.viewer.viewed_robot import LANE
 
 HILLS = TaskConfig().on_terrain("hills", 2)
 FIELD = HeightField.of(build_model(terrain=HILLS.ground))

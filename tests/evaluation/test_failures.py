@@ -26,7 +26,7 @@ def test_falls_are_the_worst_and_the_earliest_first(comparison):
     assert [failure.row for failure in found[:2]] == [4, 1]
     assert [failure.command for failure in found[:2]] == [TINY[2], TINY[0]]
     assert found[0].fell_at == pytest.approx(51 * 0.02)
-    assert found[0].story.startswith("It fell at 1.0 s, at ")
+    assert found[0].story.startswith("It fell at 1.0 s. Errors before: ")
     assert found[2].fell_at is None
 
 
@@ -37,14 +37,5 @@ def test_without_falls_the_worst_has_the_largest_error(comparison):
     assert not any(math.isinf(failure.badness) for failure in worst)
     assert worst[0].badness == pytest.approx(np.nanmax(tolerated))
     assert worst[0].row == int(np.nanargmax(tolerated))
-    assert "It stayed on its feet. Mean velocities: " in worst[0].story
+    assert "It did not fall. Errors: " in worst[0].story
     assert len({failure.command for failure in worst}) == len(worst) == failures.SHOWN
-
-
-def test_robot_that_sits_tilted_did_not_stay_on_its_feet(comparison):
-    rollouts = dict(comparison.rollouts)
-    pose = rollouts["policy"].base_pose.copy()
-    pose[20:70, :, 3:] = [math.cos(0.35), 0.0, -math.sin(0.35), 0.0]
-    rollouts["policy"] = dataclasses.replace(rollouts["policy"], base_pose=pose)
-    (story, *_) = (f.story for f in failures.worst_episodes(dataclasses.replace(comparison, rollouts=rollouts)))
-    assert "It did not fall, but was tilted by more than 17 degrees for 1.00 s (up to 40 degrees). Mean" in story

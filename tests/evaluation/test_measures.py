@@ -187,7 +187,7 @@ def test_rollout_is_a_trace_of_float32_samples_after_each_step():
     np.testing.assert_array_equal(rollout.command, np.tile([[0.0, 0.0]] * 2 + [[0.3, 0.1]] * 2, (10, 1, 1)))
     assert rollout.command.strides[0] == 0
     one = rollout.env(3)
-    assert one.seeds == 2
+    assert one.seeds == (2,)
     np.testing.assert_array_equal(one.joints.stamps, 20_000_000 * np.arange(1, 11))
     np.testing.assert_array_equal(one.joints.efforts, rollout.joint_torque[:, 3])
     np.testing.assert_array_equal(rollout.select([3, 0]).seeds, [2, 1])

@@ -6,7 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from quadruped_env.evaluation.comparison import COMMANDS, Comparison, motion_of, rank
+from quadruped_env.evaluation.comparison import Comparison, rank
+from quadruped_env.evaluation.conditions import COMMANDS, motion_of
 from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.learning_gain import LearningGain, Performance
 from quadruped_env.evaluation.measures import METRICS

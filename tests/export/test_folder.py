@@ -29,7 +29,7 @@ from quadruped_env.export.folder import export_policy
 from quadruped_env.export.manifest import metadata
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies import Policy, find_controllers, load_policy
-from quadruped_env.report.pages import evaluation_report
+from quadruped_env.report.pages import report
 from quadruped_env.task import ActionConfig, TaskConfig
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
@@ -257,7 +257,7 @@ def test_policy_that_was_not_evaluated_has_no_results(run, tmp_path):
 
 def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_path, monkeypatch):
     # Figures take most of a report's time.
-    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
+    monkeypatch.setattr(report, "_figures", lambda *_: [])
     comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
     write_evaluation(run, comparison, "python evaluate/policy.py")
     export = export_policy(run, tmp_path / "export")
@@ -269,7 +269,7 @@ def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_
 
 
 def test_an_export_names_no_directories(run, tmp_path, monkeypatch):
-    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
+    monkeypatch.setattr(report, "_figures", lambda *_: [])
     command = "mini-quadruped train --task=/secret/place/my_task.py -o ../secret/runs --resume secret/runs/latest"
     told = dataclasses.replace(run, policy=run.policy.with_card({"command": command}))
     told.policy.save(run.directory)
@@ -299,7 +299,7 @@ def test_gain_over_the_zero_action_is_on_the_page_and_in_the_manifest(run, tmp_p
 
 def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, monkeypatch):
     # Figures take most of a report's time.
-    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
+    monkeypatch.setattr(report, "_figures", lambda *_: [])
     comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
     write_evaluation(run, comparison, "python evaluate/policy.py")
     other = run.policy.with_card({**run.policy.card, "seed": 7})

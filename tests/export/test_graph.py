@@ -10,7 +10,6 @@ from comparisons import random_policy
 from policies import make_policy
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import CommandedFrequency
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.export import PolicyInterface, runtime
 from quadruped_env.export.manifest import metadata
@@ -116,14 +115,6 @@ def low_stepping_policy():
     return Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card)
 
 
-def following_policy(mode):
-    """A policy whose clock is the faster the faster it is commanded to walk."""
-    policy = random_policy(mode)
-    clock = CommandedFrequency((0.1, 0.3, 0.7), (2.0, 2.5, 4.0), 0.4)
-    task = TaskConfig(action=ActionConfig(mode=mode), clock_frequency=clock)
-    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card)
-
-
 POLICIES = {
     "shipped": lambda: load_policy("flat"),
     "position": lambda: random_policy("position"),
@@ -131,7 +122,6 @@ POLICIES = {
     "elu, other rate": lambda: make_policy("elu"),
     **{name: lambda name=name: make_policy(name, (24,)) for name in ACTIVATIONS if name not in ("elu", "tanh")},
     "linear": lambda: make_policy("tanh", ()),
-    "clock that follows, residual": lambda: following_policy("residual"),
     "other robot, residual": lambda: other_robots_policy("residual"),
     "other robot, position": lambda: other_robots_policy("position"),
 }

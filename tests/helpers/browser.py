@@ -46,7 +46,7 @@ window.requestAnimationFrame = draw => setTimeout(() => request(draw), 100);
 window.cancelAnimationFrame = clearTimeout;
 """
 
-# As root, Chromium raises the priority of its drawing above that of the robot's control loop.
+# As root, Chromium gives its drawing a higher priority than the robot's control loop has.
 UNPRIVILEGED = '#!/bin/sh\nexec setpriv --bounding-set=-sys_nice --inh-caps=-sys_nice {executable} "$@"\n'
 
 

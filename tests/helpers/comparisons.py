@@ -28,16 +28,16 @@ def random_policy(mode, **config):
 
 def write_comparison(policies, comparison, output, ranked=None, gains=None):
     """Page and numbers of a comparison, as the program writes them."""
-    from quadruped_env.report.pages import run_comparison
+    from quadruped_env.report.pages import report
 
-    document = run_comparison.write_numbers(policies, comparison, output, "", ranked, gains)
-    return run_comparison.write_page(policies, comparison, output, document, ranked, gains), output / "metrics.json"
+    document = report.write_comparison_numbers(policies, comparison, output, "", ranked, gains)
+    return report.write_comparison(policies, comparison, output, document, ranked, gains), output / "metrics.json"
 
 
 def write_evaluation(evaluated, comparison, command="", suite=None, gain=None, with_video=False):
     """Report and numbers of an evaluation, as the program writes them, and messages about what is missing."""
-    from quadruped_env.report.pages import evaluation_report
+    from quadruped_env.report.pages import report
 
-    document = evaluation_report.write_numbers(evaluated, comparison, command, suite, gain)
-    page, missing = evaluation_report.write_report(evaluated, comparison, document, with_video, suite=suite, gain=gain)
+    document = report.write_numbers(evaluated, comparison, command, suite, gain)
+    page, missing = report.write_report(evaluated, comparison, document, with_video, suite=suite, gain=gain)
     return page, evaluated.output / "metrics.json", missing

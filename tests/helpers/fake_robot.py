@@ -40,9 +40,8 @@ class FakeRobot:
         self.node.close()
 
     def run(self):
-        rng, number = np.random.default_rng(0), 0
+        rng = np.random.default_rng(0)
         while self.running:
-            number += 1
             for _, joints in self.commands.messages(pytest.fail):
                 target = read_target(joints)
                 self.limp = target is LIMP
@@ -59,8 +58,6 @@ class FakeRobot:
             measured = self.positions + rng.normal(0.0, 1e-4, 8)
             if self.fault == "zero":
                 measured[4] = 0.0
-            if self.fault == "jump" and number % 10 == 0:
-                measured[1] += np.pi
             self.states.send(joint_state(now, JOINT_NAMES, measured))
             self.velocities.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.3}))
             time.sleep(0.01)

@@ -9,9 +9,9 @@ VALUES = (
     None, True, False, 0, -1, 1.5, math.nan, math.inf, 1e300, -1e300, 10**300, 2**63, "x", "", "\0", "1", "../..",
     [], {}, [1], [[1]], ["x"], {"a": 1}, [None], {"total": "x"},
 )  # fmt: skip
-"""Values in place of those of a document."""
+"""Values that replace a document's."""
 WORDS = ("x", "", "nan", "inf", "1e999", "9" * 400, "-1", "1.5", "[", "{", '"', ",", "---", "\0", "true", "ü")
-"""Words in place of those of a text."""
+"""Words that replace a text's."""
 
 
 def mutated_json(text, rng):

@@ -1,4 +1,4 @@
-"""One rollout of 2 s with the randomization `hard`, and its hashes. As a program, it prints those of `prescribed`."""
+"""One rollout of 2 s with the randomization `hard`, and its hashes. As a program, it prints `prescribed`'s."""
 
 import ctypes
 import hashlib

@@ -19,13 +19,9 @@ def tiny_suite():
             quick.pushes,
             num_seeds=1,
             commands=((0.3, 0.0), (0.0, 0.0)),
-            horizontal_seeds=1,
-            horizontal_sizes=(0.0, 1.2),
-            directions=(0.0, 90.0),
             before=(1.5, 2.0),
             after=2.5,
         ),
         regulation=replace(quick.regulation, seconds=2.5, together_seconds=2.5, commands=((0.3, 0.0),)),
         terrain=replace(quick.terrain, levels=1, num_seeds=1, seconds=2.0),
-        recovery=replace(quick.recovery, limp_seconds=0.2, seconds=3.0),
     )

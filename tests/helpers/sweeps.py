@@ -13,10 +13,10 @@ from pathlib import Path
 from paths import importing
 from trainings import SMALL
 
-from quadruped_env.evaluation.suite.suite import COMPONENTS
+from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.sweep import worker
 from quadruped_env.sweep.folder import Sweep
-from quadruped_env.sweep.search import parse_dimension
+from quadruped_env.sweep.space import parse_dimension
 from quadruped_env.task import TaskConfig
 
 TASK = TaskConfig().to_dict()

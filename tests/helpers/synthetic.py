@@ -36,7 +36,7 @@ def synthetic_rollout(steps=250, envs=1, **changes):
         robot=MINI_QUADRUPED,
         controller="synthetic",
         timestep=DT,
-        seeds=np.arange(envs),
+        seeds=tuple(range(envs)),
         term_names=("none",),
         **values,
     )

@@ -107,7 +107,7 @@ class Terms:
         return self
 
     def values(self):
-        """Name -> (N,), with the readings as those of the only physics step."""
+        """Name -> (N,), with the readings of the only physics step."""
         self.context.read()
         self.context._contacts()
         return dict(zip(self.function.names, self.function(self.context), strict=True))

@@ -21,7 +21,7 @@ SHAPES = {
     "hip": ("sphere", (0.03,), BLUE, (0.0, 0.0, 0.0)),
     "leg": ("cylinder", (0.02, 0.16), BLACK, (0.0, 0.0, -0.08)),
 }
-"""Shape, size, colour and centre of each link in the tutorial; its inertia is that of this shape."""
+"""Shape, size, colour and centre of each link in the tutorial; its inertia follows from the shape."""
 MASSES = {"base_link": 2.2, "hip": 0.25, "leg": 0.20}
 
 

@@ -29,8 +29,9 @@ CAMERA = {
 }
 
 
-def client(show, host="127.0.0.1", port=None, origin=None, protocol=PROTOCOL):
+def client(show, host="127.0.0.1", port=None, origin="http://{host}:{port}", protocol=PROTOCOL):
     """A websocket to a show under any host name, as a browser connects under the control of a malicious DNS server."""
+    origin = origin and origin.format(host=host, port=port or show.port)
     there = socket.create_connection(("127.0.0.1", show.port))
     # Without a limit on the queue, the client receives messages that it does not read.
     return connect(
@@ -41,7 +42,7 @@ def client(show, host="127.0.0.1", port=None, origin=None, protocol=PROTOCOL):
 def connected_browser(show):
     """A websocket that has sent its camera and received the whole scene."""
     before = {client.client_id for client in show.clients()}
-    socket = client(show, origin=f"http://127.0.0.1:{show.port}")
+    socket = client(show)
     send(socket, **CAMERA)
     wait_until(lambda: {client.client_id for client in show.clients()} - before)
     return socket

@@ -28,7 +28,7 @@ def showing(directory, *names, asked=()):
 
 
 def robot(controller, index=0):
-    return controller._robots.slots[index].robot
+    return controller._robots[index]
 
 
 def now(controller, index=0):

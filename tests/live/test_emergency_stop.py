@@ -12,7 +12,7 @@ from quadruped_env.live import Node
 from quadruped_env.live import emergency_stop as module
 from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.middleware.names import Names
-from quadruped_env.live.middleware.topics import ESTOP, STEP
+from quadruped_env.live.middleware.topics import ESTOP, RESET
 from quadruped_env.ros import LATCHED_QOS, Qos, cdr
 
 pytest.importorskip("cyclonedds")
@@ -139,15 +139,15 @@ def test_node_that_starts_stopped_is_not_released_by_what_was_sent_before(nodes,
 
 @pytest.mark.parametrize("qos", QOS)
 def test_subscription_with_several_readers_receives_each_message_once(nodes, qos):
-    """Of a command such as one step, a second one would be another command."""
-    received = nodes("robot").subscribe(STEP)
-    publisher = nodes("user").publish(STEP, QOS[qos])
+    """A command that arrives twice would be two commands."""
+    received = nodes("robot").subscribe(RESET)
+    publisher = nodes("user").publish(RESET, QOS[qos])
     wait_until(lambda: publisher.readers == READERS[qos] and received.writers == 1)
     for number in range(1, 6):
-        publisher.send(cdr.message(STEP.type_name))
+        publisher.send(cdr.message(RESET.type_name))
         received_from(received, 1)
         assert received.count == number
-    publisher.send(cdr.message(STEP.type_name))
+    publisher.send(cdr.message(RESET.type_name))
     received_from(received, 1)
     assert received.take() == []
 

@@ -1,12 +1,12 @@
 """Late states, lost states, clock steps and suspended processes, at any time: the robot walks again within seconds."""
 
+import functools
 import math
 
 import numpy as np
 import pytest
 from built_in import STANCE
-from live_bench import EPOCH, LEVEL, Bench
-from live_delays import KINDS, PERIOD, Disturbance, Link
+from live_bench import EPOCH, KINDS, LEVEL, PERIOD, Bench, Disturbance, Link, Recording, measured
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
@@ -29,21 +29,11 @@ BACKGROUND = (Disturbance("loss", 4.0, 0.6), Disturbance("loss", 6.5, 1.6), Dist
 """Brings the live controller through all modes: holding at 4.2 s, ramping, waiting limp from 7.5 to 8.3 s, lying."""
 
 
-class StanceController:
-    """A controller whose joint target is the stance."""
-
-    action_mode = "position"
-    name = "stance"
-
-    def act(self, observation, control):
-        return STANCE[None].copy()
-
-
 class StandingLink(Link):
     """A link to a robot that stays in its stance, and is laid on its side and put up again once."""
 
     def __init__(self):
-        super().__init__(LiveController(StanceController()), self._still)
+        super().__init__(LiveController(Recording()), self._still)
 
     def _still(self, stamp):
         fallen = any(one.holds("fall", self.time) for one in self.disturbances)
@@ -170,7 +160,7 @@ def test_process_suspended_for_longer_than_the_watchdog_starts_again():
 
 
 def test_limp_robot_that_sinks_is_moved_after_a_while_and_one_that_is_put_up_is_not():
-    """The joints of a limp robot move slowly for a long time; those of a robot that fell move because it is lifted."""
+    """The joints of a limp robot move slowly for a long time; if it fell, they move because it is lifted."""
     for fell, mode in ((False, Mode.RAMPING), (True, Mode.LIMP)):
         bench = Bench().walk()
         if fell:
@@ -193,17 +183,8 @@ class SimulatedLink(Link):
 
     def __init__(self, seed):
         self.robot = SimulatedRobot(seed)
-        super().__init__(LiveController(find_controller("flat").make()), self._measured, self.robot.command, (0.5, 0.0))
-
-    def _measured(self, stamp):
-        state = self.robot.state
-        return Measurement(
-            stamp,
-            state.joint_position[0].copy(),
-            state.joint_velocity[0].copy(),
-            state.orientation[0].copy(),
-            state.angular_velocity_b[0].copy(),
-        )
+        measure = functools.partial(measured, self.robot)
+        super().__init__(LiveController(find_controller("flat").make()), measure, self.robot.command, (0.5, 0.0))
 
     def step(self):
         for _ in range(round(PERIOD / TIMESTEP)):

@@ -14,8 +14,7 @@ from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.middleware.node import Received
 from quadruped_env.live.middleware.topics import ESTOP, JOINT_COMMANDS, JOINT_STATES, RESET
 from quadruped_env.live.nodes import node_module
-from quadruped_env.live.refusals import MAX_REASONS, PERIOD
-from quadruped_env.live.session import Session
+from quadruped_env.live.session import MAX_REASONS, REFUSALS_PERIOD, Session
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos
 from quadruped_env.viewer import ViewController
@@ -54,7 +53,7 @@ def damaged(rng, topic):
 
 
 class FloodedSession(Session):
-    """A session whose subscriptions deliver damaged messages in place of those of other nodes."""
+    """A session whose subscriptions deliver damaged messages instead of other nodes' messages."""
 
     def __init__(self, arguments, log, rng, turns, size=3):
         super().__init__(arguments.node, arguments, log)
@@ -117,7 +116,7 @@ def run_flooded(arguments, nodes, turns, seed=0):
     said = log.getvalue()
     assert "refused: /" in said
     # Each second: the reasons that are logged once and with their number, the others, what is waited for.
-    assert len(said.splitlines()) < 40 + (2 * MAX_REASONS + 4) * (session.elapsed / PERIOD + 1)
+    assert len(said.splitlines()) < 40 + (2 * MAX_REASONS + 4) * (session.elapsed / REFUSALS_PERIOD + 1)
     return session
 
 

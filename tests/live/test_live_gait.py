@@ -12,7 +12,7 @@ from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.messages.steering_messages import read_settings, settings_message
-from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH, STEP
+from quadruped_env.live.middleware.topics import CMD_VEL, GAIT, GAIT_SETTINGS, JOINT_STATES, ODOMETRY, PUSH
 from quadruped_env.live.nodes.gait import AdjustableGait
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
@@ -100,7 +100,7 @@ def test_gait_node_applies_settings_and_publishes_them(run_node, nodes):
 def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     robot, live = nodes("robot"), LiveRobot(nodes("viewer"), MINI_QUADRUPED)
     show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
-    nothing = Offered(command=False, push=False, clock=False, sources=False, motion=False)
+    nothing = Offered(command=False, push=False, sources=False, motion=False)
     assert live.offered() == nothing
     assert show.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
@@ -108,14 +108,13 @@ def test_viewer_offers_the_controls_that_a_node_subscribes_to(nodes, tmp_path):
     robot.subscribe(CMD_VEL)
     wait_until(lambda: live.offered() == replace(nothing, command=True))
     robot.subscribe(PUSH)
-    robot.subscribe(STEP)
-    wait_until(lambda: live.offered() == replace(nothing, command=True, push=True, clock=True))
+    wait_until(lambda: live.offered() == replace(nothing, command=True, push=True))
     odometry = robot.publish(ODOMETRY)
 
     def sends_odometry():
         odometry.send_bytes(usable(ODOMETRY))
         show.advance(0.02)
-        return live.offered() == replace(nothing, command=True, push=True, clock=True, motion=True)
+        return live.offered() == replace(nothing, command=True, push=True, motion=True)
 
     wait_until(sends_odometry)
     wanted = robot.subscribe(GAIT, read=lambda data: cdr.deserialize(data, GAIT.type_name))
@@ -144,7 +143,7 @@ def test_viewer_shows_the_limits_that_a_published_gait_exceeds(nodes, tmp_path):
         return status_html(show.view())
 
     wait_until(lambda: "live robot" in status(0.1, 6.0) and live.receives_states)
-    assert "exceeds" not in status(0.1, 6.0), "without the gait node, the joints may be those of any robot"
+    assert "exceeds" not in status(0.1, 6.0), "without the gait node, they may be any robot's joints"
     robot.subscribe(GAIT)
     robot.publish(GAIT_SETTINGS).send(settings_message(CHANGED))
     wait_until(lambda: "The gait exceeds limits: LF_knee_joint: " in status(0.1, 6.0))

@@ -212,7 +212,7 @@ def test_controller_moves_a_robot_that_sends_legs_apart_without_velocities_and_a
 
 
 def test_controller_says_that_positions_are_missing(run_node, nodes):
-    """As those of servos that report nothing."""
+    """As with servos that report nothing."""
     driver = nodes("driver")
     states, attitudes = driver.publish(JOINT_STATES), driver.publish(IMU)
     log = run_node("controller", "tuned")
@@ -239,7 +239,7 @@ def test_state_and_view_use_the_joints_that_they_know(run_node, nodes):
     found = {one.child_frame_id: one.transform for one in poses.decode(received).transforms}
     truth = STANCE.copy()
     truth[[0, 7]] = 0.4, -1.0
-    moved = {one.child: one for one in MINI_QUADRUPED.joint_transforms(truth)}
+    moved = {one.child: one for one in MINI_QUADRUPED.skeleton.joint_transforms(truth)}
     assert len(found) == 2
     for link, pose in found.items():
         turn = pose.rotation

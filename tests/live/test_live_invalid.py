@@ -53,13 +53,15 @@ PERIOD = 10_000_000
 # --- the gate
 
 
-def test_limited_targets_are_finite_whatever_target_and_last_one_are():
+def test_limited_targets_are_finite_and_slow_whatever_target_and_last_one_are():
     rng = np.random.default_rng(0)
     values = np.array([*INVALID, -1e30, 0.3, -0.4])
     for _ in range(500):
         target, last = rng.choice(values, (2, 8))
         found = limited(MINI_QUADRUPED, target, last, 0.02)
         assert ((found >= JOINT_POSITION_LOW) & (found <= JOINT_POSITION_HIGH)).all()
+        within = rng.uniform(JOINT_POSITION_LOW, JOINT_POSITION_HIGH)
+        assert np.abs(limited(MINI_QUADRUPED, target, within, 0.02) - within).max() <= 0.1 + 1e-12
     target = STANCE.copy()
     target[3] = math.nan
     np.testing.assert_array_equal(limited(MINI_QUADRUPED, target, STANCE, 0.02), STANCE)
@@ -91,7 +93,7 @@ def test_publisher_sends_the_last_valid_targets_and_then_limp(nodes, monkeypatch
     monkeypatch.setattr("quadruped_env.live.command_publisher.time", SimpleNamespace(monotonic=lambda: now))
     topic = JOINT_POSITIONS if arrays else JOINT_COMMANDS
     commands = nodes().subscribe(topic, Qos(100))
-    publisher = CommandPublisher(nodes(), MINI_QUADRUPED, arrays, lambda text: None)
+    publisher = CommandPublisher(session_of(nodes(), []), MINI_QUADRUPED, arrays)
     wait_until(lambda: commands.writers)
     invalid = np.where(np.arange(8) == 5, value, STANCE)
     publisher.send(1, STANCE)
@@ -108,6 +110,14 @@ def test_publisher_sends_the_last_valid_targets_and_then_limp(nodes, monkeypatch
     with pytest.raises(QuadrupedError):
         publisher.send(4, invalid)
     assert arrays or targets_of(commands, received_from(commands, 1)[0]) is LIMP
+
+
+def session_of(node, said):
+    """What a publisher of commands needs of a session, which does not listen for other publishers."""
+    return SimpleNamespace(
+        node=node, say=said.append, running=False, every_turn=[], refuse=pytest.fail,
+        turns=lambda remaining: itertools.cycle([None]),
+    )  # fmt: skip
 
 
 def targets_of(commands, received):
@@ -158,7 +168,7 @@ def test_live_controller_holds_then_goes_limp_and_recovers_as_after_any_limp(val
 
 
 def test_one_invalid_target_does_not_stay_in_the_last_action_or_the_history():
-    """The memory of the step in which a policy gave NaN is that of the step before."""
+    """The memory stays as it was before the step in which a policy gave NaN."""
     policy = load_policy("flat")
     assert policy.control.observation_history > 1
     bench = Bench(PolicyController(policy))
@@ -286,15 +296,6 @@ def test_policy_that_passes_the_check_is_finite_in_all_corners_of_the_bounds(act
         for observations in (corners, aligned, -aligned, np.zeros((1, len(bounds)))):
             assert np.isfinite(policy.predict(observations.astype(np.float32))).all()
             assert np.isfinite(last_layer(policy, observations.astype(np.float32))).all()
-
-
-def test_policy_with_one_large_weight_passes_and_its_targets_stay_within_range_and_speed():
-    policy = spoiled(load_policy("flat"), planted(1e30), layers=(0,))
-    bench = Bench(PolicyController(policy))
-    bench.walk()
-    targets = np.array([answer.target for answer in bench.answers])
-    assert ((targets >= JOINT_POSITION_LOW) & (targets <= JOINT_POSITION_HIGH)).all()
-    assert np.abs(np.diff(targets, axis=0)).max() <= 0.1 + 1e-9
 
 
 # --- maps
@@ -435,11 +436,7 @@ def test_calibration_whose_targets_fail_ends_the_motion_limp(nodes, monkeypatch)
     monkeypatch.setattr(MotorSwing, "_danger", lambda self, *rest: "")
     node, robot, said = nodes("calibrate"), nodes("driver"), []
     commands = robot.subscribe(JOINT_COMMANDS, Qos(5000))
-    turns = itertools.cycle([None])
-    session = SimpleNamespace(
-        node=node, say=said.append, turns=lambda remaining: turns, every_turn=[], refuse=pytest.fail
-    )
-    swing = MotorSwing(session, SimpleNamespace(joint_names=JOINT_NAMES, unit=1.0))
+    swing = MotorSwing(session_of(node, said), SimpleNamespace(joint_names=JOINT_NAMES, unit=1.0))
     monkeypatch.setattr(swing, "positions", STANCE.copy)
     wait_until(lambda: commands.writers)
     swing._recent.append(STANCE)

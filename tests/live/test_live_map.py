@@ -7,7 +7,7 @@ from unittest.mock import MagicMock
 import numpy as np
 import pytest
 from built_in import STANCE
-from live_loop import Loop
+from live_bench import Loop
 from live_nodes import joint_state, received_from
 from waiting import wait_until
 
@@ -200,7 +200,7 @@ def test_nodes_speak_the_drivers_joints(run_node, nodes, map_file):
     wait_until(lambda: "following the command" in log.said, lambda: log.said)
     command = commands.decode(received_from(commands, 1)[-1])
     assert sorted(command.name) == [*MOTORS]
-    # Standing, each joint is near its target; the transforms are those of the measured joints.
+    # Standing, each joint is near its target; the transforms follow from the measured joints.
     targets = A @ np.radians(command.position)[np.argsort(command.name)] + B
     np.testing.assert_allclose(targets, STANCE, atol=0.05)
     state = states.decode(received_from(states, 1)[-1])
@@ -254,7 +254,7 @@ class Hanging:
 
 
 class Person:
-    """Keys of a person, in place of a keyboard."""
+    """Keys of a person, instead of a keyboard."""
 
     gone = False
     log = None

@@ -1,4 +1,4 @@
-"""Namespaces, remapping, ROS's own arguments, and node names in the graph."""
+"""Namespaces, remapping, and node names in the graph."""
 
 import pytest
 from test_live_nodes import Watcher
@@ -6,7 +6,6 @@ from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.live import Node
-from quadruped_env.live.__main__ import main, make_parser, without_ros_arguments
 from quadruped_env.live.middleware.names import Names
 from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, GAIT_SETTINGS, JOINT_STATES, TF
 
@@ -20,40 +19,26 @@ def names_of(names, *topics):
 def test_names_are_resolved_as_in_ros():
     topics = (JOINT_STATES, GAIT_SETTINGS, TF, CLOCK)
     assert names_of(Names.of("sim"), *topics) == [topic.name for topic in topics]
-    names = Names.of("sim", "r1", ("joint_states:=/states", "/tf:=tf", "gait/settings:=~/gait", "other:clock:=/c"))
+    names = Names.of("sim", "r1", ("joint_states:=/states", "/tf:=tf", "gait/settings:=~/gait"))
     assert names.full_node == "/r1/sim"
     assert names_of(names, *topics) == ["/states", "/r1/sim/gait", "/r1/tf", "/clock"]
     # A rule holds for full names: this one is for a topic outside the namespace.
     assert names_of(Names.of("sim", "/r1", ("/joint_states:=/states",)), JOINT_STATES) == ["/r1/joint_states"]
-    assert Names.of("sim", "/a", ("__ns:=/b/c", "__node:=robot", "controller:__node:=no")).full_node == "/b/c/robot"
 
 
 @pytest.mark.parametrize(
     ("rules", "namespace", "words"),
     [
-        (("cmd_vel",), None, "--remap: expected FROM:=TO; found 'cmd_vel'"),
+        (("cmd_vel",), None, "--remap: expected FROM:=TO with names of topics; found 'cmd_vel'"),
         (("cmd_vel:=",), None, "expected FROM:=TO"),
-        (("cmd_vel:=/a b",), None, "'/a b' is not the name of a topic"),
-        (("__node:=1",), None, "__node: expected letters"),
+        (("cmd_vel:=/a b",), None, "with names of topics; found 'cmd_vel:=/a b'"),
+        (("a:=b:=c",), None, "expected FROM:=TO"),
         ((), "a//b", "--namespace: expected names"),
     ],
 )
 def test_names_that_ros_does_not_allow_are_refused(rules, namespace, words):
     with pytest.raises(QuadrupedError, match=words):
         Names.of("sim", namespace, rules)
-
-
-def test_ros_arguments_are_understood(capsys):
-    typed = ["controller", "--ros-args", "-r", "cmd_vel:=/nav", "--remap", "__ns:=/r1", "-p", "use_sim_time:=true"]
-    own = without_ros_arguments([*typed, "--", "flat"])
-    assert own == ["controller", "--remap", "cmd_vel:=/nav", "--remap", "__ns:=/r1", "--sim-time", "flat"]
-    args = make_parser().parse_args(own)
-    assert (args.policy, args.sim_time, args.remap) == ("flat", True, ["cmd_vel:=/nav", "__ns:=/r1"])
-    # Every node of a launch file gets this parameter; it matters to one of them only.
-    assert without_ros_arguments(["state", "--ros-args", "-p", "use_sim_time:=true"]) == ["state"]
-    with pytest.raises(SystemExit):
-        main(["state", "--ros-args", "-p", "rate:=3"])
-    assert "--ros-args: found -p rate:=3; expected -r FROM:=TO" in capsys.readouterr().err
 
 
 def test_two_robots_on_a_domain_walk_each_with_its_own_command(run_node):
@@ -67,19 +52,10 @@ def test_two_robots_on_a_domain_walk_each_with_its_own_command(run_node):
     second.until_it_walks()
     first.until_it_walks()
     graph = second.node.graph
-    found = {"/r1/sim", "/r1/controller", "/r2/sim", "/r2/controller", "/r2/driver"}
-    wait_until(lambda: found <= set(graph.nodes()), lambda: str(graph.nodes()))
     (sim,) = (one for one in graph.endpoints("/r2/joint_states") if one.writes)
-    assert graph.owner(sim).startswith("/r2/sim (process ")
+    wait_until(lambda: graph.owner(sim).startswith("/r2/sim (process "))
     first.node.close()
     second.node.close()
-
-
-def test_nodes_leave_the_graph_when_they_end(nodes):
-    one, other = nodes("one"), Node("other", names=Names.of("other", "ns"))
-    wait_until(lambda: one.graph.nodes() == ["/ns/other", "/one"])
-    other.close()
-    wait_until(lambda: one.graph.nodes() == ["/one"])
 
 
 @pytest.mark.slow
@@ -96,9 +72,8 @@ def test_rclpy_lists_the_nodes_with_their_topics(nodes, ros2):
 
         wait_until(asked, peer.state, peer.process, interval=0.2)
         found = peer.said("nodes")[-1]
-        wait_until(lambda: "/ros_peer" in ours.graph.nodes(), lambda: str(ours.graph.nodes()), peer.process)
         (reader,) = (one for one in ours.graph.endpoints(JOINT_STATES.name) if not one.writes)
-        assert ours.graph.owner(reader).startswith("ros_peer")
+        wait_until(lambda: ours.graph.owner(reader).startswith("ros_peer"), alive=peer.process)
     assert found["publishers"] == {"/r1/joint_states": [JOINT_STATES.type_name]}
     assert found["subscriptions"] == {"/r1/cmd_vel": [CMD_VEL.type_name]}
     ours.close()

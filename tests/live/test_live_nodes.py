@@ -11,9 +11,10 @@ from live_nodes import joint_state, received_from
 from waiting import wait_until
 
 from quadruped_env import JOINT_NAMES, SinusoidalGait
+from quadruped_env.control.joint_command import LIMP
 from quadruped_env.live import Node
-from quadruped_env.live.messages.joint_messages import JointReader
-from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_POSITIONS, JOINT_STATES, ODOMETRY
+from quadruped_env.live.messages.joint_messages import JointReader, read_target
+from quadruped_env.live.middleware.topics import CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import SENSOR_DATA_QOS, Qos, cdr
 
@@ -61,7 +62,8 @@ def watcher(domain_id):
     made.node.close()
 
 
-def test_two_processes_walk_and_a_second_simulator_is_refused(start, watcher):
+def test_two_processes_walk_and_a_second_simulator_is_refused(start, watcher, nodes):
+    commands = nodes("listener").subscribe(JOINT_COMMANDS, read=JointReader(MINI_QUADRUPED))
     sim, controller = start("sim"), start("controller")
     watcher.watch(0.1)
     second = start("sim")
@@ -70,7 +72,7 @@ def test_two_processes_walk_and_a_second_simulator_is_refused(start, watcher):
     assert "/joint_states: sim (process " in second.said
     assert "publishes it already on domain" in second.said
     assert controller.interrupt() == 0
-    watcher.until_it_lies()
+    assert read_target(list(commands.messages(pytest.fail))[-1][1]) is LIMP
     assert sim.interrupt() == 0
     for node in (sim, controller):
         assert "ended after" in node.said.splitlines()[-1]
@@ -87,18 +89,6 @@ def test_robot_after_its_controller_is_killed_goes_limp_and_walks_with_the_next_
     assert "limp: no command for 1 s" in sim.said
     start("controller")
     watcher.until_it_walks()
-
-
-@pytest.mark.slow
-def test_nodes_with_commands_of_ros2_control_walk(start, watcher, nodes):
-    """The robot lies down when the controller ends, since it publishes nothing more."""
-    arrays = nodes("listener").subscribe(JOINT_POSITIONS)
-    start("sim")
-    controller = start("controller", "--arrays")
-    watcher.until_it_walks()
-    assert len(arrays.decode(arrays.take()[-1]).data) == 8
-    assert controller.interrupt() == 0
-    watcher.until_it_lies()
 
 
 def test_gait_publishes_the_tutorials_joint_states(run_node, nodes):

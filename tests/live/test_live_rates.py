@@ -4,8 +4,7 @@ import contextlib
 
 import numpy as np
 import pytest
-from live_bench import EPOCH, Bench
-from live_loop import Loop
+from live_bench import EPOCH, Bench, Loop
 from test_live_invalid import drive
 from waiting import wait_until
 

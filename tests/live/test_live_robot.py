@@ -5,14 +5,13 @@ import itertools
 import numpy as np
 import pytest
 from built_in import FOOT_RADIUS, STANCE_HEIGHT
-from live_loop import EPOCH, Loop
+from live_bench import EPOCH, Loop
 from live_nodes import received_from
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
-from quadruped_env.live import Node
 from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.joint_messages import JointReader
 from quadruped_env.live.messages.sensor_messages import Sensors
@@ -157,33 +156,12 @@ def test_simulator_publishes_no_diverged_state(nodes, run_node, monkeypatch):
     assert np.max(np.array(MINI_QUADRUPED.joint_position_low) - found) < 0.5
 
 
-@pytest.fixture
-def node(domain_id):
-    made = Node("test")
-    yield made
-    made.close()
-
-
-def taken(node, *subscriptions):
-    """The next message of each subscription."""
-    found = {}
-
-    def complete():
-        node.wait(0.05)
-        for one in subscriptions:
-            if received := one.take():
-                found[one] = one.decode(received[-1])
-        return len(found) == len(subscriptions)
-
-    wait_until(complete, "a message of each topic")
-    return [found[one] for one in subscriptions]
-
-
 def numbers(vector):
     return [vector.x, vector.y, vector.z]
 
 
-def test_sensor_messages_agree_with_the_robots_state(node):
+def test_sensor_messages_agree_with_the_robots_state(nodes):
+    node = nodes()
     robot = SimulatedRobot(seed=3)
     robot.push(np.array([0.3, -0.4, 0.1]))
     for _ in range(20):
@@ -191,7 +169,7 @@ def test_sensor_messages_agree_with_the_robots_state(node):
     subscriptions = [node.subscribe(topic) for topic in (CLOCK, IMU, JOINT_STATES, ODOMETRY, TF)]
     sensors = Sensors(node, MINI_QUADRUPED)
     sensors.send(EPOCH + 5, robot.state)
-    clock, imu, joints, odometry, tf = taken(node, *subscriptions)
+    clock, imu, joints, odometry, tf = [one.decode(received_from(one, 1)[0]) for one in subscriptions]
     state = robot.state
     w, x, y, z = state.orientation[0]
     assert read_stamp(clock.clock) == EPOCH + 5
@@ -212,50 +190,46 @@ def test_sensor_messages_agree_with_the_robots_state(node):
     np.testing.assert_array_equal([base.transform.rotation.w, *numbers(base.transform.rotation)], [w, x, y, z])
 
 
-def test_viewer_shows_the_live_robot_and_steers_it(domain_id, tmp_path):
-    robot_node, viewer_node = Node("robot"), Node("viewer")
-    try:
-        live = LiveRobot(viewer_node, MINI_QUADRUPED)
-        show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
-        robot, sensors = SimulatedRobot(), Sensors(robot_node, MINI_QUADRUPED)
-        velocities, pushes = robot_node.subscribe(CMD_VEL), robot_node.subscribe(PUSH)
-        robot.push(np.array([0.4, 0.2, 0.0]))
-        show.set_command(0.3, -0.2)
-        stamps = itertools.count(EPOCH, 5_000_000)
+def test_viewer_shows_the_live_robot_and_steers_it(nodes, tmp_path):
+    robot_node, viewer_node = nodes("robot"), nodes("viewer")
+    live = LiveRobot(viewer_node, MINI_QUADRUPED)
+    show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
+    robot, sensors = SimulatedRobot(), Sensors(robot_node, MINI_QUADRUPED)
+    velocities, pushes = robot_node.subscribe(CMD_VEL), robot_node.subscribe(PUSH)
+    robot.push(np.array([0.4, 0.2, 0.0]))
+    show.set_command(0.3, -0.2)
+    stamps = itertools.count(EPOCH, 5_000_000)
 
-        def sends_a_state():
-            robot.step()
-            sensors.send(next(stamps), robot.state)
-            show.advance(0.02)
-
-        wait_until(lambda: sends_a_state() or (velocities.writers and live.receives_states), "both directions")
+    def sends_a_state():
+        robot.step()
+        sensors.send(next(stamps), robot.state)
         show.advance(0.02)
-        twist = velocities.decode(received_from(velocities, 1)[-1])
-        assert (twist.linear.x, twist.angular.z) == (0.3, -0.2)
 
-        def shown():
-            sensors.send(next(stamps), robot.state)
-            show.advance(0.02)
-            return np.array_equal(show.view().robots[0].now.joint_position, robot.state.joint_position[0])
+    wait_until(lambda: sends_a_state() or (velocities.writers and live.receives_states), "both directions")
+    show.advance(0.02)
+    twist = velocities.decode(received_from(velocities, 1)[-1])
+    assert (twist.linear.x, twist.angular.z) == (0.3, -0.2)
 
-        wait_until(shown)
-        seen = show.view().robots[0].now
-        np.testing.assert_allclose(seen.base_pose[:3], robot.state.base_position[0], atol=1e-12)
-        np.testing.assert_allclose(seen.joint_velocity, robot.state.joint_velocity[0], atol=1e-12)
-        np.testing.assert_allclose(seen.velocity[0], robot.state.linear_velocity_b[0, 0], atol=1e-9)
-        assert not pushes.take()
-        wait_until(lambda: pushes.writers)
-        show.push(direction=np.pi / 2, strength=0.5)
-        (received,) = wait_until(pushes.take, "the push")
-        push = pushes.decode(received)
-        heading = show.view().robots[0].heading
-        np.testing.assert_allclose(numbers(push), [-0.5 * np.sin(heading), 0.5 * np.cos(heading), 0.0], atol=1e-9)
+    def shown():
+        sensors.send(next(stamps), robot.state)
         show.advance(0.02)
-        assert not pushes.take()
-        show.close()
-    finally:
-        robot_node.close()
-        viewer_node.close()
+        return np.array_equal(show.view().robots[0].now.joint_position, robot.state.joint_position[0])
+
+    wait_until(shown)
+    seen = show.view().robots[0].now
+    np.testing.assert_allclose(seen.base_pose[:3], robot.state.base_position[0], atol=1e-12)
+    np.testing.assert_allclose(seen.joint_velocity, robot.state.joint_velocity[0], atol=1e-12)
+    np.testing.assert_allclose(seen.velocity[0], robot.state.linear_velocity_b[0, 0], atol=1e-9)
+    assert not pushes.take()
+    wait_until(lambda: pushes.writers)
+    show.push(direction=np.pi / 2, strength=0.5)
+    (received,) = wait_until(pushes.take, "the push")
+    push = pushes.decode(received)
+    heading = show.view().robots[0].heading
+    np.testing.assert_allclose(numbers(push), [-0.5 * np.sin(heading), 0.5 * np.cos(heading), 0.0], atol=1e-9)
+    show.advance(0.02)
+    assert not pushes.take()
+    show.close()
 
 
 @terrain(size=10.0)
@@ -265,24 +239,18 @@ def ramp(grid):
 
 
 @pytest.mark.parametrize("ground", [flat, ramp], ids=lambda ground: ground.name)
-def test_viewer_without_odometry_shows_the_robot_on_its_feet(domain_id, tmp_path, ground):
-    robot_node, viewer_node = Node("robot"), Node("viewer")
-    try:
-        live = LiveRobot(viewer_node, MINI_QUADRUPED, terrain=ground)
-        show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
-        states = robot_node.publish(JOINT_STATES)
-        positions = np.array([0.3, -0.9] * 4)
-        message = cdr.message(
-            JOINT_STATES.type_name, header=cdr.header(EPOCH), name=list(JOINT_NAMES), position=positions
-        )
-        wait_until(lambda: states.send(message) or show.advance(0.02) or live.receives_states, "the robot's states")
-        show.advance(0.02)
-        seen = show.view().robots[0].now
-        np.testing.assert_allclose(seen.joint_position, positions)
-        expected = MINI_QUADRUPED.resting_pose(positions)
-        expected[2] += 0.03 if ground is ramp else 0.0  # 0.3 m uphill, where the grid covers the robot
-        np.testing.assert_allclose(seen.base_pose, expected, atol=1e-6)
-        show.close()
-    finally:
-        robot_node.close()
-        viewer_node.close()
+def test_viewer_without_odometry_shows_the_robot_on_its_feet(nodes, tmp_path, ground):
+    robot_node, viewer_node = nodes("robot"), nodes("viewer")
+    live = LiveRobot(viewer_node, MINI_QUADRUPED, terrain=ground)
+    show = ViewController({NAME: lambda: live}, [NAME], tmp_path)
+    states = robot_node.publish(JOINT_STATES)
+    positions = np.array([0.3, -0.9] * 4)
+    message = cdr.message(JOINT_STATES.type_name, header=cdr.header(EPOCH), name=list(JOINT_NAMES), position=positions)
+    wait_until(lambda: states.send(message) or show.advance(0.02) or live.receives_states, "the robot's states")
+    show.advance(0.02)
+    seen = show.view().robots[0].now
+    np.testing.assert_allclose(seen.joint_position, positions)
+    expected = MINI_QUADRUPED.skeleton.resting_pose(positions)
+    expected[2] += 0.03 if ground is ramp else 0.0  # 0.3 m uphill, where the grid covers the robot
+    np.testing.assert_allclose(seen.base_pose, expected, atol=1e-6)
+    show.close()

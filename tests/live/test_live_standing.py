@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, STANCE_HEIGHT
-from live_loop import Loop
+from live_bench import Loop
 from scipy.spatial.transform import Rotation
 
 from quadruped_env.control.joint_command import LIMP, limited

@@ -1,4 +1,4 @@
-"""Simulated time at any rate, pauses, single steps, resets and the emergency stop."""
+"""Simulated time at any rate, resets and the emergency stop."""
 
 import itertools
 import re
@@ -15,8 +15,6 @@ from waiting import wait_until
 from quadruped_env import JOINT_NAMES
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
-from quadruped_env.live.control_time import SystemTime
-from quadruped_env.live.live_robot import LiveRobot, LiveViewController
 from quadruped_env.live.middleware.topics import (
     CLOCK,
     CMD_VEL,
@@ -25,12 +23,10 @@ from quadruped_env.live.middleware.topics import (
     IMU,
     JOINT_COMMANDS,
     JOINT_STATES,
-    PAUSE,
     RESET,
-    STEP,
 )
 from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.ros import Qos, cdr
+from quadruped_env.ros import cdr
 
 pytest.importorskip("cyclonedds")
 pytest.importorskip("rosbags")
@@ -79,18 +75,6 @@ def test_controller_in_simulated_time_moves_and_starts_again_after_a_jump_back(r
     wait_until(stands, lambda: log.said)
 
 
-def test_system_time_stands_still_during_a_pause_but_for_states():
-    clock = SystemTime()
-    clock.state(1_000_000_000, time.monotonic())
-    clock.pause(True)
-    paused = clock.now
-    time.sleep(0.02)
-    assert clock.now == clock.of(time.monotonic()) == paused
-    assert clock.state(1_010_000_000, time.monotonic()) == (pytest.approx(paused + 0.01), False)
-    clock.pause(False)
-    assert paused + 0.01 <= clock.now < time.monotonic() - 0.02 + 0.01 + 1e-9
-
-
 def test_emergency_stop_makes_the_robot_limp_until_it_is_released():
     bench = Bench().walk()
     assert bench.live_controller.emergency_stop(True).target is LIMP
@@ -130,40 +114,22 @@ def test_robot_walks_in_a_simulator_that_is_slower_or_faster_than_real_time(star
     watcher.node.close()
 
 
-def test_simulation_pauses_steps_resets_and_stops(run_node, nodes):
+def test_simulation_resets_and_stops(run_node, nodes):
     watcher = Watcher()
     user = nodes("user")
-    ends = {topic.name: user.publish(topic) for topic in (PAUSE, STEP, RESET, ESTOP)}
-    states, diagnostics = user.subscribe(JOINT_STATES, Qos(1000)), user.subscribe(DIAGNOSTICS)
-
-    def send(topic, **fields):
-        ends[topic.name].send(cdr.message(topic.type_name, **fields))
-
-    sim, controller = run_node("sim"), run_node("controller")
+    resets, stops = user.publish(RESET), user.publish(ESTOP)
+    diagnostics = user.subscribe(DIAGNOSTICS)
+    controller = [run_node(name) for name in ("sim", "controller")][1]
     # Both nodes, of each of which the three readers that match a reliable publisher; a volatile one two of them.
-    counts = {PAUSE: 4, STEP: 2, RESET: 4, ESTOP: 6}
-    wait_until(lambda: all(end.readers == counts[end.topic] for end in ends.values()))
+    wait_until(lambda: (resets.readers, stops.readers) == (4, 6))
     watcher.until_it_walks()
     assert status_of_controller(diagnostics)[:2] == (0, "following the command")
-    send(PAUSE, data=True)
-    wait_until(lambda: "paused" in sim.said and "paused" in controller.said)
-    # Longer than the controller waits for states.
-    time.sleep(1.5)
-    last = states.decode(states.take()[-1])
-    send(STEP)
-    stepped = [states.decode(one).header.stamp for one in received_from(states, 2)]
-    assert [(one.sec - last.header.stamp.sec) * 10**9 + one.nanosec - last.header.stamp.nanosec for one in stepped] == [
-        PERIOD,
-        2 * PERIOD,
-    ]
-    send(PAUSE, data=False)
-    watcher.until_it_walks()
-    assert "limp" not in controller.said
-    send(RESET)
+    resets.send(cdr.message(RESET.type_name))
     wait_until(lambda: "waiting for fresh states (reset)" in controller.said, lambda: controller.said)
-    watcher.until_it_walks()
-    send(ESTOP, data=True)
-    watcher.until_it_lies()
+    wait_until(lambda: controller.said.count("following the command") == 2, lambda: controller.said)
+    stops.send(cdr.message(ESTOP.type_name, data=True))
+    # The simulator's motors go limp too: it sinks.
+    wait_until(lambda: watcher.watch(0.1)[1][-1] < STANCE_HEIGHT - 0.03, lambda: controller.said)
     waiting = r"waiting for the release of the emergency stop \(/estop: by user.*\) \(\d+ s\)"
     wait_until(lambda: re.search(waiting, controller.said), lambda: controller.said)
     level, message, values = status_of_controller(diagnostics)
@@ -171,30 +137,8 @@ def test_simulation_pauses_steps_resets_and_stops(run_node, nodes):
     assert message.startswith("limp; waits for the release of the emergency stop (/estop: by user")
     assert values["policy"] == "flat"
     assert float(values["/joint_states, Hz"]) > 0.0
-    send(ESTOP, data=False)
-    watcher.until_it_walks()
+    stops.send(cdr.message(ESTOP.type_name, data=False))
+    walking = "following the command"
+    wait_until(lambda: watcher.watch(0.1) and controller.said.count(walking) == 3, lambda: controller.said)
     assert watcher.watch(0.5)[1][-1] == pytest.approx(STANCE_HEIGHT, abs=0.03)
     watcher.node.close()
-
-
-def test_page_pauses_steps_and_resets_the_simulation(nodes, tmp_path):
-    simulator = nodes("simulator")
-    live = LiveRobot(nodes("view"), MINI_QUADRUPED, pytest.fail)
-    show = LiveViewController(live, tmp_path)
-    assert not live.offered().clock
-    pauses, steps, resets = (simulator.subscribe(topic) for topic in (PAUSE, STEP, RESET))
-    others = simulator.publish(PAUSE)
-    wait_until(lambda: pauses.writers and steps.writers and live.offered().clock)
-    assert show.toggle_pause()
-    show.step()
-    received_from(steps, 1)
-    show.reset()
-    received_from(resets, 1)
-    # The simulation stays paused, and the view goes on and shows that another node ends the pause.
-    assert (show.view().paused, show.advance(0.04)) == (True, 2)
-    others.send(cdr.message(PAUSE.type_name, data=False))
-    wait_until(lambda: show.advance(0.02) and not show.view().paused)
-    show.step()
-    received_from(steps, 1)
-    assert [pauses.decode(one).data for one in received_from(pauses, 3)] == [True, False, True]
-    show.close()

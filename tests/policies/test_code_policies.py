@@ -8,7 +8,7 @@ from quadruped_env.cli.main import main
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.export.folder import export_policy
 from quadruped_env.policies import PolicyController, as_policy, find_controllers, load_policy
 from quadruped_env.policies.files import read_policy
@@ -62,7 +62,7 @@ def test_object_is_compared_in_its_env_and_told_where_episodes_begin(path):
     again = compare({"code": agent, "flat": load_policy("flat")}, 1, 3.0, [(0.3, 0.0)])
     assert set(again.rollouts) == {"code", "flat", "tuned", "article", "zero"}
     assert [begun.tolist() for begun in agent.resets[1:]] == [[True]]
-    assert MeasuredController.of_policy(agent, "code").config.action.mode == "residual"
+    assert Candidate.of_policy(agent, "code").config.action.mode == "residual"
 
 
 def test_file_defines_a_policy_with_its_name_hash_and_env(path):

@@ -155,47 +155,42 @@ def load(tmp_path, monkeypatch):
     server.server_close()
 
 
-def test_policy_of_the_hub_acts_as_the_uploaded_one_also_offline_and_only_two_files_are_downloaded(load):
+def test_policy_of_the_hub_acts_as_the_uploaded_one_and_only_two_files_are_downloaded(load):
     (line,), actions = load("hf://me/walker@v1")
     assert line == "policy walker@v1 walker hf://me/walker@v1 results/walker results/walker"
     np.testing.assert_array_equal(actions, make_policy().predict(observations((3,))))
     downloaded = {path.rsplit("/")[-1] for _, path in Hub.requests if "/resolve/" in path}
     assert downloaded == {"policy.json", "policy.safetensors"}
-    _, actions = load("hf://me/walker@v1", HF_HUB_OFFLINE="1")
-    np.testing.assert_array_equal(actions, make_policy().predict(observations((3,))))
-
-
-def test_errors_name_the_address_and_the_fix(load):
-    (repository, revision, form, files, name, damaged), _ = load(
-        "hf://me/nothing", "hf://me/walker@v2", "hf://walker", "hf://me/empty", "hf://me/a b", "hf://me/damaged"
-    )
-    assert repository.startswith("hf://me/nothing: there is no such repository, or it is private")
-    assert revision == "hf://me/walker@v2: the repository has no revision 'v2'; leave it out"
-    assert form == "'hf://walker': expected hf://OWNER/NAME or hf://OWNER/NAME@REVISION"
-    assert files.startswith("hf://me/empty: has no policy.json with policy.safetensors")
-    assert name.startswith("hf://me/a b: cannot be downloaded (Repo id must use")
-    (offline,), _ = load("hf://me/walker", HF_HUB_OFFLINE="1")
-    assert offline.startswith(
-        "hf://me/walker: the hub cannot be reached (the client is offline), and its policy is not"
-    )
-    assert "policy.safetensors: its SHA-256 differs from weights_sha256 in policy.json" in damaged
 
 
 UNREACHABLE = "the hub cannot be reached ({}), and its policy is not in the cache; connect, or name a directory"
 PROBLEMS = {
     **dict.fromkeys(("reset", "garbage", "loop", "hangs"), UNREACHABLE.format("*")),
-    "portal": UNREACHABLE.format("the answer is not that of a hub"),
+    "portal": UNREACHABLE.format("the answer does not come from a hub"),
     "down": UNREACHABLE.format("*500*"),
     "cut": "cannot be downloaded (*); check the name, and try again",
 }
 
 
-def test_broken_hub_is_one_line_after_a_single_try(load):
-    lines, _ = load(*(f"hf://me/{name}" for name in PROBLEMS))
-    for line, (name, problem) in zip(lines, PROBLEMS.items(), strict=True):
-        assert fnmatch.fnmatchcase(line, f"hf://me/{name}: {problem}".replace("[", "[[]"))
-        tries = [command for command, path in Hub.requests if path.startswith(f"/me/{name}/")]
-        assert name == "loop" or len(tries) <= 3
+ADDRESSES = {
+    "me/nothing": "there is no such repository, or it is private*",
+    "me/walker@v2": "the repository has no revision 'v2'; leave it out",
+    "me/empty": "has no policy.json with policy.safetensors*",
+    "me/a b": "cannot be downloaded (Repo id must use*",
+    **{f"me/{name}": problem for name, problem in PROBLEMS.items()},
+}
+
+
+def test_errors_name_the_address_and_the_fix_after_a_single_try(load):
+    lines, _ = load("hf://walker", "hf://me/damaged", *(f"hf://{address}" for address in ADDRESSES))
+    assert lines[0] == "'hf://walker': expected hf://OWNER/NAME or hf://OWNER/NAME@REVISION"
+    assert "policy.safetensors: its SHA-256 differs from weights_sha256 in policy.json" in lines[1]
+    for line, (address, problem) in zip(lines[2:], ADDRESSES.items(), strict=True):
+        assert fnmatch.fnmatchcase(line, f"hf://{address}: {problem}".replace("[", "[[]"))
+        tries = [command for command, path in Hub.requests if path.startswith(f"/{address}/")]
+        assert address == "me/loop" or len(tries) <= 3
+    (offline,), _ = load("hf://me/walker", HF_HUB_OFFLINE="1")
+    assert offline == f"hf://me/walker: {UNREACHABLE.format('the client is offline')}"
 
 
 def test_policy_in_the_cache_is_used_if_the_hub_no_longer_answers(load, monkeypatch):

@@ -34,12 +34,6 @@ def test_a_policy_comes_back_as_it_was_saved(run_directory):
     assert load_policy(str(run_directory)).card == policy.card
 
 
-def test_saving_twice_gives_the_same_bytes(run_directory, tmp_path):
-    load_policy(run_directory).save(tmp_path / "again")
-    for name in (CARD_FILE, TENSORS_FILE):
-        assert (tmp_path / "again" / name).read_bytes() == (run_directory / name).read_bytes()
-
-
 def test_card_describes_the_policy(run_directory):
     document = json.loads((run_directory / CARD_FILE).read_text())
     assert document["action_mode"] == "residual"
@@ -93,14 +87,6 @@ def test_actions_stay_within_one():
     actions = policy.predict(50.0 * observations((100,)))
     assert actions.min() == -1.0
     assert actions.max() == 1.0
-
-
-def test_predict_accepts_any_kind_of_number_and_does_not_change_it():
-    policy, observation = make_policy(), observations((2,))
-    kept = observation.copy()
-    np.testing.assert_array_equal(policy.predict(observation.tolist()), policy.predict(observation))
-    np.testing.assert_array_equal(policy.predict(observation.astype(np.float64)), policy.predict(observation))
-    np.testing.assert_array_equal(observation, kept)
 
 
 @pytest.mark.parametrize("shape", [(OBSERVATION_WIDTH + 1,), (5, OBSERVATION_WIDTH - 1), (OBSERVATION_WIDTH, 1), ()])
@@ -170,8 +156,3 @@ def test_an_unknown_policy_names_the_shipped_ones_and_how_to_train(tmp_path):
     (tmp_path / "file").write_text("x")
     with pytest.raises(QuadrupedError, match=r"neither a directory"):
         load_policy(tmp_path / "file")
-
-
-def test_a_policy_does_not_change():
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        make_policy().activation = "relu"

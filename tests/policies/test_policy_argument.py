@@ -12,8 +12,6 @@ from quadruped_env.policies.by_name import find_controller
 
 PROGRAMS = (
     ("evaluate",),
-    ("export",),
-    ("page",),
     ("view",),
     ("compare", "flat"),
     ("train", "--resume"),
@@ -38,15 +36,12 @@ def write_all(folder):
         "walk.mcap": b"\x89MCAP0\r\n",
     }.items():
         (folder / name).write_bytes(content)
-    (folder / "zoo").mkdir()
-    zipped(folder / "zoo" / "best_model.zip", "data", "policy.pth")
     make_policy().save(folder / "run")
     zipped(folder / "run" / "sb3_model.zip", "data", "policy.pth")
 
 
 KINDS = [
     ("sb3.zip", r"sb3.zip: this is a model of Stable-Baselines3; '.*import-policy \S*sb3.zip' makes a policy of it"),
-    ("zoo", r"zoo: this folder holds models of Stable-Baselines3; '.*import-policy \S*best_model.zip'"),
     ("run/sb3_model.zip", r"a file of a policy's folder; name the folder, \S*run$"),
     ("run/policy.json", r"a file of a policy's folder; name the folder, \S*run$"),
     ("model_100.pt", r"a pickle, which is not opened; .* is code \(docs/training.md#a-policy-that-is-code\)"),

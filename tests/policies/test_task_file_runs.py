@@ -21,7 +21,7 @@ from quadruped_env.live.nodes import controller
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import CHECKPOINTS, kept_file, read_policy
 from quadruped_env.policies.policy_data import CARD_FILE
-from quadruped_env.task import TaskConfig, load_task_file
+from quadruped_env.task import load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import CONFIG_FILE
@@ -164,15 +164,6 @@ def test_numbers_of_the_run_count_with_another_version_of_its_file(rewarded, tmp
     }
     assert (found.free, found.weights["upright"]) == (free, -3.0)
     policy.make_env().reset(seed=0)
-
-
-def test_config_of_a_run_counts_with_another_version_of_its_file(tmp_path):
-    definition = load_task_file(edited(tmp_path, REWARDS))
-    changes = {"reward": {"weights": {"hip_usage": -7.0}}}
-    document = json.loads(json.dumps(TaskConfig.from_dict(changes, definition).to_dict()))
-    other = load_task_file(edited(tmp_path, REWARDS, ("weight=-0.5", "weight=-2.0")))
-    assert TaskConfig.from_dict(document, other).reward.weights["hip_usage"] == -7.0
-    assert TaskConfig.from_dict(changes, other).reward.weights["upright"] == -10.0
 
 
 def test_policy_that_observes_what_the_file_defines_needs_it(observed):

@@ -25,7 +25,7 @@ def test_training_has_the_settings_of_the_recipe_as_on_the_command_line(recipe, 
     assert config["training"]["action_mode"] == expected.action_mode
     assert config["command"].startswith(f"quadruped_env.train(recipe={recipe!r}, num_envs=2")
     assert json.loads(json.dumps(load_policy(run).config.to_dict())) == config["task"]
-    with pytest.raises(QuadrupedError, match="unknown setting of a training"):
+    with pytest.raises(QuadrupedError, match=r"training: unknown field 'timestep'.*did you mean timesteps"):
         train(tmp_path, timestep=1)
 
 

@@ -68,7 +68,7 @@ def test_commands_on_every_page_exist_with_the_options_that_are_shown():
         options = {word.split("=")[0] for word in arguments if word.startswith("--")}
         assert options <= set(parser._option_string_actions), place
         # A command may be shown with its beginning only: 'echo' without its topic.
-        if arguments and not {"--help", "--help-all"} & {*arguments} and not any(map(PLACEHOLDER.search, arguments)):
+        if arguments and "--help" not in arguments and not any(map(PLACEHOLDER.search, arguments)):
             parser.parse_args(arguments)
 
 

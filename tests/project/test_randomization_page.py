@@ -1,4 +1,4 @@
-"""The tables of randomization in docs/environment.md are those of the code."""
+"""The tables of randomization in docs/environment.md equal the code's."""
 
 import re
 

@@ -16,7 +16,7 @@ from paths import ROOT
 README = (ROOT / "README.md").read_text()
 CHINESE = (ROOT / "README.zh-CN.md").read_text()
 TUTORIAL = "The tutorial"
-"""Section that has the Chinese pages in place of the English one in the Chinese README."""
+"""Section of the Chinese README that has the Chinese pages instead of the English ones."""
 FIGURE = re.compile(r"(?<![\w.])[-+]?\d+(?:,\d{3})*(?:\.\d+)?(?:\s?(?:m/s|rad/s|rad|N m|kg|Hz|ms|s|%)(?![A-Za-z]))?")
 
 

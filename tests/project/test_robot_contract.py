@@ -10,7 +10,7 @@ PACKAGE = ROOT / "quadruped_env"
 ENTRY_POINTS = {
     "__init__.py": "public names of the built-in robot",
     "control/live_controller.py": "robot of controllers that are not policies",
-    "control/task_file.py": "robot of a task file without one; the built-in robot may be imported by a task file",
+    "control/task_file.py": "robot of the built-in task; a task file may import it",
     "envs/specification.py": "tables in the docstring of the environment",
     "evaluation/baseline.py": "default of a public function",
     "evaluation/recorded_episode.py": "default of a public function",
@@ -26,7 +26,6 @@ ENTRY_POINTS = {
     "simulation/batch_simulation.py": "default of a public class",
     "simulation/model.py": "default of a public function",
     "simulation/single_simulation.py": "default of a public class",
-    "task/task_definition.py": "robot of the built-in task",
     "task/randomization/randomization_presets.py": "the robot for which the presets' ranges are",
     "trajectory/formats/mapped_csv.py": "names of the columns of a CSV without a map",
     "trajectory/joint_trajectory.py": "default of public methods",

@@ -40,11 +40,6 @@ def test_numbers_are_those_of_the_file(data, measured):
     np.testing.assert_allclose(measured.positions[:, 7], np.radians(-0.8 * table["brfoot"] + 10.3), rtol=1e-12)
 
 
-def test_log_stays_within_this_robots_limits(measured):
-    assert (measured.positions >= MINI_QUADRUPED.joint_position_low).all()
-    assert (measured.positions <= MINI_QUADRUPED.joint_position_high).all()
-
-
 def test_standing_in_the_log_is_this_robots_stance(measured):
     standing = measured.at([measured.stamps[0] + 6_000_000_000])
     moving = [i for i, name in enumerate(JOINT_NAMES) if name not in {"LF_hip_joint", "LH_hip_joint"}]
@@ -52,15 +47,6 @@ def test_standing_in_the_log_is_this_robots_stance(measured):
     poses = forward_kinematics(measured.positions)
     lowest = min(float(poses[f"{leg}_leg"][0][600, 2]) for leg in ("RF", "RH"))
     assert lowest < -0.02  # the legs are under the body, not folded next to it
-
-
-def test_velocities_are_the_rate_of_change_of_the_positions(measured):
-    slopes = measured.differentiate(0.1).velocities
-    for i, name in enumerate(JOINT_NAMES):
-        if name in {"LF_hip_joint", "LH_hip_joint"}:  # these motors did not move
-            continue
-        ratio = float(slopes[:, i] @ measured.velocities[:, i] / (slopes[:, i] @ slopes[:, i]))
-        assert ratio == pytest.approx(1.0, abs=0.02), name
 
 
 def test_commands_and_measurements_are_on_one_clock(data, measured):

@@ -13,8 +13,7 @@ from quadruped_env.evaluation.recorded_episode import MAX_SECONDS, play, publish
 from quadruped_env.gait import PRESETS
 from quadruped_env.replay import replay as replaying
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
-from quadruped_env.replay.saturation import saturation
-from quadruped_env.replay.signal_comparison import lag, side_by_side
+from quadruped_env.replay.signal_comparison import comparison_report, lag, saturation, side_by_side
 from quadruped_env.robot import JOINT_KINDS, MINI_QUADRUPED, JointMotor, MotorConfig
 
 STANCE = MINI_QUADRUPED.stance
@@ -215,7 +214,7 @@ class TestReplay:
         commands = publish(SinusoidalGait.preset("tuned"), 1.0, 50.0)
         truth = play(commands).joints
         offset = JointTrajectory(truth.stamps, JOINT_NAMES, truth.positions - 0.1, truth.velocities, truth.efforts * 2)
-        found = replay(commands, measured=offset).comparison.report()
+        found = comparison_report(*replay(commands, measured=offset).comparison)
         for name in JOINT_NAMES:
             assert found["positions"]["joints"][name] == pytest.approx(
                 {"rms": 0.1, "mean": 0.1, "max": 0.1, "correlation": 1.0}
@@ -223,9 +222,9 @@ class TestReplay:
             assert found["velocities"]["joints"][name]["rms"] == 0.0
             assert found["efforts"]["joints"][name]["correlation"] == pytest.approx(1.0)
         positions_only = JointTrajectory(truth.stamps, JOINT_NAMES, truth.positions)
-        signals = replay(commands, measured=positions_only).comparison
-        assert list(signals.recorded) == ["positions", "velocities"]
-        assert "computed from its positions" in signals.table().text()
+        result = replay(commands, measured=positions_only)
+        assert list(comparison_report(*result.comparison)) == ["positions", "velocities"]
+        assert "computed from its positions" in result.text(compare=True)
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
         with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             _ = replay(commands, measured=later).comparison
@@ -237,12 +236,9 @@ class TestReplay:
         stamps = np.arange(50) * 20_000_000
         recorded = JointTrajectory(stamps, JOINT_NAMES, wave if still == "played" else rest)
         played = JointTrajectory(stamps, JOINT_NAMES, wave if still == "positions" else rest)
-        signals = side_by_side(recorded, played)
-        found = signals.report()["positions"]["joints"]["LF_hip_joint"]
+        found = comparison_report(*side_by_side(recorded, played))["positions"]["joints"]["LF_hip_joint"]
         assert found["correlation"] is None
         assert found["rms"] == (0.0 if still == "both" else pytest.approx(np.sqrt(np.mean((wave[:, 0] - 0.3) ** 2))))
-        line = next(line for line in signals.table().text().splitlines() if line.startswith("LF_hip_joint, pos"))
-        assert line.split()[-1] == "-"
 
     def test_replay_asked_for_its_results_several_times_computes_them_once(self, tmp_path, monkeypatch):
         calls = []
@@ -251,8 +247,7 @@ class TestReplay:
             monkeypatch.setattr(replaying, name, lambda *args, f=function, n=name: calls.append(n) or f(*args))
         result = replay(standing())
         for _ in range(2):
-            result.text()
-            result.comparison.table()
+            result.text(compare=True)
         result.save(tmp_path, compare=True)
         assert sorted(calls) == ["lag", "saturation", "side_by_side"]
         assert json.loads((tmp_path / "tracking.json").read_text())["limits"] == result.report["limits"]

@@ -8,7 +8,7 @@ from comparisons import random_policy, write_evaluation
 
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import learning_gain
-from quadruped_env.report.pages import evaluation_report
+from quadruped_env.report.pages import report
 
 
 def make_run(parent):
@@ -49,4 +49,4 @@ def written(tmp_path_factory, comparison):
 @pytest.fixture
 def without_figures(monkeypatch):
     """Figures take most of a report's time."""
-    monkeypatch.setattr(evaluation_report, "_figures", lambda *_: [])
+    monkeypatch.setattr(report, "_figures", lambda *_: [])

@@ -11,8 +11,9 @@ from report_page import Page
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain, reward_in_words
 from quadruped_env.policies.files import CHECKPOINTS
-from quadruped_env.report.pages import run_comparison
-from quadruped_env.report.pages.learning import half_way, learning_clips, zero_return
+from quadruped_env.report.pages import report
+from quadruped_env.report.pages.clips import half_way, learning_clips
+from quadruped_env.report.pages.report import zero_return
 from quadruped_env.report.plots import learning_curve
 
 
@@ -49,7 +50,7 @@ def test_report_holds_the_table_above_the_numbers(written):
 
 
 def test_comparison_holds_the_gain_of_each_policy(run_directory, comparison, gain, tmp_path, monkeypatch):
-    monkeypatch.setattr(run_comparison.page, "shared_figures", lambda *_: [])
+    monkeypatch.setattr(report, "_figures", lambda *_: [])
     policies = {"policy": find_policy(str(run_directory), tmp_path)}
     page, numbers = write_comparison(policies, comparison, tmp_path, gains={"policy": gain})
     assert json.loads(numbers.read_text())["policies"]["policy"]["learning"]["verdict"] == gain.verdict()

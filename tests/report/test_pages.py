@@ -8,7 +8,7 @@ from waiting import wait_until
 
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.report.pages import pictures
+from quadruped_env.report.pages import clips
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +35,7 @@ def test_report_opens_from_disk_and_requests_nothing(opened, written):
 
 @pytest.mark.slow
 def test_its_video_advances(chromium, tmp_path, monkeypatch):
-    monkeypatch.setattr(pictures, "CLIP_SECONDS", 0.8)
+    monkeypatch.setattr(clips, "CLIP_SECONDS", 0.8)
     evaluated = find_policy("flat", tmp_path)
     comparison = compare(evaluated.policy, 1, 4.0, [(0.4, 0.0), (0.0, 0.5)])
     path, _, missing = write_evaluation(evaluated, comparison, with_video=True)

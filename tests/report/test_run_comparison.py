@@ -13,7 +13,7 @@ from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.evaluation.comparison import compare
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.report.pages import run_comparison
-from quadruped_env.report.pages.page import summary_table
+from quadruped_env.report.pages.tables import summary_table
 from quadruped_env.task import load_task_file
 
 

@@ -64,7 +64,7 @@ class Figures(HTMLParser):
 
 def on_a_stand(targets):
     """Measurements of the robot with its feet in the air, by MuJoCo alone, at 200 Hz."""
-    model = joint_spec(ROBOT, "fixed", 0.005).compile()
+    model = joint_spec(ROBOT, 0.005).compile()
     data = mujoco.MjData(model)
     data.qpos = targets.positions[0]
     rows = [(data.qpos.copy(), data.qvel.copy(), np.zeros(ROBOT.num_joints))]

@@ -93,8 +93,8 @@ def check_mirror(robot):
     """Mirrored joint positions put each foot at the mirror image of its counterpart."""
     positions = np.random.default_rng(0).uniform(robot.joint_position_low, robot.joint_position_high)
     mirrored = robot.joint_signs * positions[list(robot.joint_mirror)]
-    feet = robot.foot_centres(positions)[list(robot.foot_mirror)] * [1.0, -1.0, 1.0]
-    np.testing.assert_allclose(robot.foot_centres(mirrored), feet, atol=1e-6)
+    feet = robot.skeleton.foot_centres(positions)[list(robot.foot_mirror)] * [1.0, -1.0, 1.0]
+    np.testing.assert_allclose(robot.skeleton.foot_centres(mirrored), feet, atol=1e-6)
 
 
 def test_solo8_has_hips_and_knees():

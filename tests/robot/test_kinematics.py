@@ -130,7 +130,7 @@ class TestTransforms:
     def test_are_those_of_the_urdf(self, urdf):
         """One per moving joint, parent to child, as yourdfpy reads the file that robot_state_publisher would read."""
         positions = random_positions(np.random.default_rng(0), 20)
-        transforms = MINI_QUADRUPED.joint_transforms(positions)
+        transforms = MINI_QUADRUPED.skeleton.joint_transforms(positions)
         assert {(t.parent, t.child) for t in transforms} == {
             (joint.parent, joint.child) for joint in urdf.joint_map.values() if joint.type != "fixed"
         }
@@ -144,7 +144,7 @@ class TestTransforms:
                 np.testing.assert_allclose(found, expected[:3, :3], rtol=0, atol=1e-12)
 
     def test_no_link_is_without_a_joint(self, urdf):
-        assert MINI_QUADRUPED.fixed_transforms() == ()
+        assert MINI_QUADRUPED.skeleton.fixed_transforms() == ()
         assert all(joint.type == "revolute" for joint in urdf.joint_map.values())
 
     @pytest.mark.parametrize(
@@ -157,12 +157,12 @@ class TestTransforms:
     )
     def test_errors(self, positions, base_pose, message):
         with pytest.raises(QuadrupedError, match=message):
-            MINI_QUADRUPED.joint_transforms(positions, base_pose)
+            MINI_QUADRUPED.skeleton.joint_transforms(positions, base_pose)
 
 
 class TestResting:
     def test_in_the_stance_on_all_fours_and_level(self):
-        pose = MINI_QUADRUPED.resting_pose(STANCE)
+        pose = MINI_QUADRUPED.skeleton.resting_pose(STANCE)
         np.testing.assert_allclose(pose, [0, 0, STANCE_HEIGHT, 1, 0, 0, 0], rtol=0, atol=1e-7)
         np.testing.assert_allclose(MINI_QUADRUPED.sole_heights(STANCE, pose), 0.0, rtol=0, atol=1e-12)
 
@@ -172,7 +172,7 @@ class TestResting:
         positions[:4] = [1.2, -1.9] * 2
         front, hind = (-0.03 * np.cos(h) - 0.14 * np.cos(h + k) for h, k in ((1.2, -1.9), (0.6, -0.72)))
         reach = 0.15 - 0.03 * np.sin(1.2) - 0.14 * np.sin(1.2 - 1.9), -0.15 - 0.03 * np.sin(0.6) - 0.14 * np.sin(-0.12)
-        pose = MINI_QUADRUPED.resting_pose(positions)
+        pose = MINI_QUADRUPED.skeleton.resting_pose(positions)
         pitch = np.arctan2(front - hind, reach[0] - reach[1])
         np.testing.assert_allclose(pose[3:], [np.cos(pitch / 2), 0, np.sin(pitch / 2), 0], rtol=0, atol=1e-9)
         np.testing.assert_allclose(MINI_QUADRUPED.sole_heights(positions, pose), 0.0, rtol=0, atol=1e-9)
@@ -185,7 +185,7 @@ class TestResting:
         on_feet = 0
         for _ in range(50):
             positions = rng.uniform([-1.5, -2.0] * 4, [1.5, 0.0] * 4)
-            data.qpos = [*MINI_QUADRUPED.resting_pose(positions), *positions]
+            data.qpos = [*MINI_QUADRUPED.skeleton.resting_pose(positions), *positions]
             mujoco.mj_forward(model, data)
             lowest = min(mujoco.mj_geomDistance(model, data, ground, geom, 1.0, scratch) for geom in robot)
             assert lowest == pytest.approx(0.0, abs=1e-9)

@@ -130,11 +130,11 @@ def test_targets_that_are_still_delayed_belong_to_the_state():
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"hip": {"kp": -1.0}}, r"kp must be a number, 0 or more, at most 1e\+09; found -1\.0"),
-        ({"knee": {"armature": 0.0}}, r"armature must be a number, positive, 1e-09 or more, .*; found 0\.0"),
+        ({"hip": {"kp": -1.0}}, r"config\.motor\.hip\.kp must be at least 0 \(N m/rad\); found -1\.0"),
+        ({"knee": {"armature": 0.0}}, r"armature must be positive \(kg m\^2\), 1e-09 or more; found 0\.0"),
         ({"hip": {"stall_torque": "strong"}}, r"config\.motor\.hip\.stall_torque: expected a number; found 'strong'"),
         ({"ankle": {}}, "unknown field 'ankle'; valid fields are hip, knee, delay"),
-        ({"delay": 12.0}, r"delay must be at most 0\.5 s; found 12\.0; give it in s"),
+        ({"delay": 12.0}, r"delay must be in \[0, 0\.5\] \(s\); found 12\.0"),
     ],
 )
 def test_invalid_motors_are_refused(values, message):

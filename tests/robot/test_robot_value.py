@@ -52,7 +52,7 @@ class TestModel:
         robot = OTHER.robot()
         positions = random_positions(np.random.default_rng(0), 50)
         poses = forward_kinematics(positions, robot=robot)
-        feet = robot.foot_centres(positions)
+        feet = robot.skeleton.foot_centres(positions)
         assert robot.joint_names[:2] == ("RH_hip_joint", "RH_knee_joint")
         for leg, name in enumerate(robot.leg_names):
             hip, knee = positions[:, 2 * leg], positions[:, 2 * leg + 1]
@@ -72,7 +72,7 @@ class TestModel:
         data.qpos[7:] = robot.stance
         mujoco.mj_forward(whole, data)
         np.testing.assert_allclose(
-            robot.centre_of_mass(robot.stance), data.subtree_com[1] - data.xpos[1], rtol=0, atol=1e-12
+            robot.skeleton.centre_of_mass(robot.stance), data.subtree_com[1] - data.xpos[1], rtol=0, atol=1e-12
         )
 
     @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ class TestModel:
             '<site name="imu"', f'<geom class="collision" pos="0 0 -0.3" {shape}/>\n      <site name="imu"'
         )
         robot = dataclasses.replace(MINI_QUADRUPED, mjcf=text)
-        assert robot.resting_pose(robot.stance)[2] == pytest.approx(0.3 + depth, abs=1e-9)
+        assert robot.skeleton.resting_pose(robot.stance)[2] == pytest.approx(0.3 + depth, abs=1e-9)
 
     @pytest.mark.parametrize(
         ("change", "message"),
@@ -141,7 +141,7 @@ class TestDesign:
         [
             ({"name": "my robot"}, "name must be letters"),
             ({"leg_names": ("LF", "RF", "LH")}, "leg_names must be LF, RF, LH, RH in any order"),
-            ({"leg_length": -0.1}, "leg_length must be a positive number"),
+            ({"leg_length": -0.1}, "leg_length must be positive"),
             ({"leg_length": 0.03}, "longer than twice leg_radius"),
             ({"base_size": (0.3, 0.15)}, "base_size must be 3 positive numbers"),
             ({"hip_offset": (0.15, 0.08)}, "clear the base"),

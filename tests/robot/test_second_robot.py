@@ -11,7 +11,7 @@ import pytest
 from environments import assert_same, episodes, make, make_native, make_sync
 from gymnasium.envs.registration import EnvSpec
 from gymnasium.utils.env_checker import check_env
-from live_loop import Loop
+from live_bench import Loop
 from paths import TESTS
 from second_robot import DESIGN, ROBOT
 from trainings import train
@@ -55,23 +55,23 @@ def walk(controller, commands, seconds=6.0):
 class TestModel:
     def test_jacobian_is_the_derivative_of_the_feet(self):
         positions, step = ROBOT.stance + 0.1, 1e-6
-        jacobian = ROBOT.foot_jacobians(positions)
+        jacobian = ROBOT.skeleton.foot_jacobians(positions)
         for joint in range(8):
             change = np.zeros(8)
             change[joint] = step
-            ends = [ROBOT.foot_centres(positions + sign * change) for sign in (1, -1)]
+            ends = [ROBOT.skeleton.foot_centres(positions + sign * change) for sign in (1, -1)]
             np.testing.assert_allclose(jacobian[:, :, joint], (ends[0] - ends[1]) / (2 * step), atol=1e-9)
 
     def test_masses_and_stance(self):
         assert ROBOT.total_mass == pytest.approx(3.0 + 4 * 0.6, rel=1e-12)
         height = 0.05 * math.cos(0.7) + 0.175 * math.cos(0.185) + 0.025
         assert ROBOT.stance_height == pytest.approx(height, abs=1e-7)
-        np.testing.assert_allclose(ROBOT.resting_pose(ROBOT.stance)[2], height, atol=1e-6)
+        np.testing.assert_allclose(ROBOT.skeleton.resting_pose(ROBOT.stance)[2], height, atol=1e-6)
 
     @pytest.mark.parametrize("robot", [MINI_QUADRUPED, ROBOT], ids=lambda robot: robot.name)
     def test_feet_are_within_the_footprint_also_near_the_stance(self, robot):
         near = robot.stance + np.random.default_rng(0).uniform(-0.1, 0.1, (1000, robot.num_joints))
-        reach = np.linalg.norm(robot.foot_centres(near)[..., :2], axis=-1) + robot.foot_radius
+        reach = np.linalg.norm(robot.skeleton.foot_centres(near)[..., :2], axis=-1) + robot.foot_radius
         assert 0.9 * robot.footprint < reach.max() < robot.footprint
 
     def test_urdf_is_the_same_robot(self, tmp_path):
@@ -165,8 +165,8 @@ class TestGait:
         moves = []
         for robot in (MINI_QUADRUPED, ROBOT):
             size = robot.stance_height / MINI_QUADRUPED.stance_height
-            feet = robot.foot_centres(SinusoidalGait.preset(preset, robot).positions(math.sqrt(size) * t))
-            away = (feet - robot.foot_centres(robot.stance)) / size
+            feet = robot.skeleton.foot_centres(SinusoidalGait.preset(preset, robot).positions(math.sqrt(size) * t))
+            away = (feet - robot.skeleton.foot_centres(robot.stance)) / size
             moves.append({robot.leg_names[leg]: away[:, leg] for leg in range(4)})
         for name in MINI_QUADRUPED.leg_names:
             np.testing.assert_allclose(moves[0][name], moves[1][name], rtol=0, atol=6e-3)
@@ -185,7 +185,7 @@ class TestGait:
         for robot in (MINI_QUADRUPED, ROBOT):
             gait = CommandedGait.tuned(robot)
             straight, turning = (
-                robot.foot_centres(gait.positions(np.linspace(0.0, 6.28, 50), np.tile(command, (50, 1))))
+                robot.skeleton.foot_centres(gait.positions(np.linspace(0.0, 6.28, 50), np.tile(command, (50, 1))))
                 for root in [math.sqrt(robot.stance_height / MINI_QUADRUPED.stance_height)]
                 for command in ((0.2 * root, 0.0), (0.2 * root, 0.3 / root))
             )

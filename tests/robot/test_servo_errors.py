@@ -137,5 +137,5 @@ def test_robot_without_servo_errors_keeps_its_identity():
     robot = HALF_WITH_SERVOS.robot()
     assert Robot.from_dict(robot.to_dict()) == robot
     assert robot != dataclasses.replace(HALF_WITH_SERVOS, motors=MotorConfig()).robot()
-    with pytest.raises(QuadrupedError, match="dead_band must be a number, 0 or more"):
+    with pytest.raises(QuadrupedError, match=r"motor\.dead_band must be at least 0 \(rad\)"):
         JointMotor(dead_band=-0.1)

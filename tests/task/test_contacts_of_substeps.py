@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from built_in import FOOT_RADIUS, STANCE, STANCE_HEIGHT
+from built_in import STANCE, STANCE_HEIGHT
 from tasks import NEVER_FALLS, STILL_START, Terms, make_env, make_task, random_readings
 
 from quadruped_env.robot.readings import Readings
@@ -80,29 +80,8 @@ def test_landing_is_the_first_contact_after_a_physics_step_in_the_air():
     assert landed([0, 9, 9, 9], [9, 9, 9, 9], [9, 9, 9, 9], [9, 9, 9, 9]) == [0.0] * 4
 
 
-def test_landing_that_is_gone_at_the_end_of_the_control_step_counts():
-    """A bounce of one physics step, which readings at the control rate do not show."""
-    terms = Terms(random_readings(np.random.default_rng(0), 1))
-    context = terms.context
-    context._airborne[:] = 1.0
-    substeps = substeps_of([[0, 0, 0, 0], [9, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]], np.full((4, 4), 0.5))
-    context.update(substeps)
-    assert context.landing_speed.tolist() == [[0.5, 0.0, 0.0, 0.0]]
-    names = terms.function.names
-    assert terms.function(context)[names.index("landing")] == pytest.approx(0.25 / 0.02)
-
-
-def test_slip_is_the_mean_over_the_physics_steps_of_feet_on_the_ground():
-    context = Terms(random_readings(np.random.default_rng(0), 1)).context
-    force = [[9, 9, 0, 9], [9, 0, 0, 9], [0, 0, 0, 9], [0, 0, 0, 9]]
-    along = np.array([0.3, 0.2, 0.5, 0.4]) * np.ones((4, 1))
-    # The last foot rolls.
-    context.update(substeps_of(force, np.zeros((4, 4)), along, np.array([0.0, 0.0, 0.0, 0.4 / FOOT_RADIUS])))
-    np.testing.assert_allclose(context.slip, [[2 * 0.09 / 4, 0.04 / 4, 0.0, 0.0]], atol=1e-15)
-
-
 def test_copy_steps_when_no_env_does():
-    """All envs begin an episode in place of the first step after the task was pickled."""
+    """All envs begin an episode instead of the first step after the task was pickled."""
     import pickle
 
     task = make_task(2, termination=NEVER_FALLS)

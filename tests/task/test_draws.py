@@ -135,17 +135,6 @@ def test_starts_after_an_autoreset_have_the_same_laws():
     assert_independent(draws, ((0, 0), *NEIGHBOURS))
 
 
-def test_friction_and_payload_reach_both_geoms_of_a_contact_and_the_inertia():
-    plain = gymnasium.make(ENV_ID).unwrapped.model
-    env = gymnasium.make(ENV_ID, config=settings(friction=FRICTION, payload=PAYLOAD)).unwrapped
-    base = plain.body("base_link").id
-    for seed in range(5):
-        env.reset(seed=seed)
-        assert len(set(env.model.geom_friction[:, 0])) == 1
-        scale = env.model.body_mass[base] / plain.body_mass[base]
-        np.testing.assert_allclose(env.model.body_inertia[base], scale * plain.body_inertia[base], rtol=1e-12)
-
-
 # --- commands ---
 
 
@@ -261,7 +250,7 @@ def test_pushes_are_uniform_in_size_and_time_and_independent():
         alone = mujoco.MjData(robot.model)
         env.reset(seed=i)
         action, found, since = np.zeros(8, dtype=np.float32), [0, 0], [0, 0]
-        while min(found) < count:
+        for _ in range(8 * count):  # intervals have 6 steps or fewer
             mujoco.mj_copyData(alone, robot.model, robot.data)
             env.step(action)
             alone.ctrl = robot.data.ctrl
@@ -274,6 +263,9 @@ def test_pushes_are_uniform_in_size_and_time_and_independent():
                     if found[kind] < count:
                         pushes[kind, found[kind], i], lengths[kind, found[kind], i] = part, since[kind]
                     found[kind], since[kind] = found[kind] + 1, 0
+            if min(found) >= count:
+                break
+        assert min(found) >= count
     draws = {}
     for kind, largest in enumerate((size, turn)):
         assert_equally_likely(np.bincount(lengths[kind].ravel())[3:], "push intervals of 3 to 6 steps")
@@ -287,7 +279,7 @@ def test_pushes_are_uniform_in_size_and_time_and_independent():
 # --- observation noise ---
 
 NOISE = {"projected gravity": 0.02, "angular velocity": 0.1 * 0.25, "joint position": 0.01, "joint velocity": 0.3 * 0.2}
-"""Amplitudes in the observation's units: those of the readings times their scales."""
+"""Amplitudes in the observation's units: the readings' amplitudes times their scales."""
 NOISY_COLUMNS = [
     (f"{name} {i}", amplitude)
     for (name, amplitude), width in zip(NOISE.items(), (3, 3, 8, 8), strict=True)

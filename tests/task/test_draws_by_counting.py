@@ -70,25 +70,3 @@ def test_added_purpose_shifts_no_other():
     wider = made.uniform(Purposes({"second": 9}), ids, step)
     np.testing.assert_array_equal(wider[:, :4], alone)
     assert not np.isin(made.uniform(Purposes({"third": 4}), ids, step), alone).any()
-
-
-def test_draws_of_an_env_do_not_depend_on_the_other_envs():
-    many, one = draws(9), Draws(1)
-    one.set_key(0, np.random.default_rng([0, 4]))
-    one.begin_episode(np.array([0]))
-    np.testing.assert_array_equal(
-        one.uniform(FIRST, np.array([0]), np.array([7])), many.uniform(FIRST, np.array([4]), np.array([7]))
-    )
-    np.testing.assert_array_equal(
-        many.uniform(FIRST, slice(None), np.full(9, 7))[4], many.uniform(FIRST, np.array([4]), np.array([7]))[0]
-    )
-
-
-def test_restored_state_repeats_the_draws():
-    made, ids = draws(2), np.arange(2)
-    state = made.memory.get_state(1)
-    expected = made.uniform(FIRST, ids, np.array([3, 3]))[1]
-    made.begin_episode(ids)
-    assert not np.isin(made.uniform(FIRST, ids, np.array([3, 3])), expected).any()
-    made.memory.set_state(1, state)
-    np.testing.assert_array_equal(made.uniform(FIRST, ids, np.array([3, 3]))[1], expected)

@@ -8,18 +8,21 @@ import gymnasium
 import numpy as np
 import pytest
 from paths import ROOT
+from policies import save_policy
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
+from quadruped_env.control.controllers import PolicyController
+from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.task_file import load_robot, load_terms
 from quadruped_env.envs import ENV_ID
 from quadruped_env.policies import find_controllers, load_policy
-from quadruped_env.task import BUILT_IN, RewardConfig, TaskConfig, load_task_file
+from quadruped_env.task import RewardConfig, TaskConfig, load_task_file
 
 PAGES = "".join((ROOT / "docs" / f"{name}.md").read_text() for name in ("make-it-yours", "robots"))
 EXAMPLES = [
     example
     for example in re.findall(r"```python\n(.*?)```", PAGES, re.S)
-    if "gymnasium" not in example and "dog.xml" not in example  # that of tests/robot/test_robot_model.py
+    if "gymnasium" not in example and "dog.xml" not in example  # tests/robot/test_robot_model.py runs it
 ]
 SERVOS = next(example for example in EXAMPLES if "hobby_servo" in example)
 """A whole task file, with a robot of its own."""
@@ -128,21 +131,6 @@ def test_single_and_vector_environment_with_own_terms_are_bit_identical(my_task)
             break
 
 
-def test_term_with_a_built_in_name_replaces_the_built_in_term(tmp_path):
-    file = write(
-        tmp_path,
-        "from quadruped_env.task import reward\n"
-        "@reward(weight=3.0)\n"
-        "def upright(context):\n"
-        "    return 0.0 * context.moving + 1.0\n",
-    )
-    definition = load_task_file(file)
-    assert list(definition.weights) == list(BUILT_IN.weights)
-    env = gymnasium.make(ENV_ID, task_file=file)
-    env.reset(seed=0)
-    assert env.step(np.zeros(8))[4]["reward_upright"] == pytest.approx(3.0 * 0.02)
-
-
 def test_defaults_of_a_users_file_are_those_of_its_config(tmp_path):
     file = write(
         tmp_path,
@@ -217,31 +205,22 @@ REFUSED = {
 }
 
 
+MINE = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    "
+REFUSED |= {
+    "a number": (f"{MINE}return 1.0", r"reward mine: expected an array of shape \(1,\).*found float"),
+    "columns": (f"{MINE}return context.joint_offset", r"reward mine: expected an .* \(1,\).*found \(1, 8\)"),
+    "no attribute": (f"{MINE}return context.nothing", r"reward mine: AttributeError: .*nothing"),
+}
+
+
 @pytest.mark.parametrize(("text", "message"), REFUSED.values(), ids=REFUSED)
-def test_a_file_that_does_not_work_is_refused_with_its_line(text, message, tmp_path):
-    with pytest.raises(QuadrupedError, match=message):
-        gymnasium.make(ENV_ID, task_file=write(tmp_path, text))
-
-
-@pytest.mark.parametrize(
-    ("body", "message"),
-    [
-        ("return 1.0", r"reward mine: expected an array of shape \(1,\).*found float"),
-        ("return context.joint_offset", r"reward mine: expected an array of shape \(1,\).*found \(1, 8\)"),
-        ("return context.nothing", r"reward mine: AttributeError: .*nothing"),
-    ],
-)
-def test_a_reward_of_the_wrong_shape_is_refused_before_any_step(body, message, tmp_path):
-    text = f"from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    {body}\n"
+def test_a_file_that_does_not_work_is_refused_before_any_step(text, message, tmp_path):
     with pytest.raises(QuadrupedError, match=message):
         gymnasium.make(ENV_ID, task_file=write(tmp_path, text))
 
 
 def test_a_reward_that_is_not_finite_is_refused_with_its_name_and_step(tmp_path):
-    text = (
-        "import numpy as np\nfrom quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n"
-        "    return np.where(context.control.steps == 2, np.nan, 0.0)\n"
-    )
+    text = f"import numpy as np\n{MINE}return np.where(context.control.steps == 2, np.nan, 0.0)\n"
     env = gymnasium.make(ENV_ID, task_file=write(tmp_path, text))
     env.reset(seed=0)
     env.step(np.zeros(8))
@@ -249,13 +228,8 @@ def test_a_reward_that_is_not_finite_is_refused_with_its_name_and_step(tmp_path)
         env.step(np.zeros(8))
 
 
-def test_run_with_own_robot_is_trained_and_requires_its_file(my_task, tmp_path):
-    pytest.importorskip("stable_baselines3")
-    from quadruped_env.training import TrainConfig
-    from quadruped_env.training.train import train
-
-    config = TrainConfig(num_envs=8, n_steps=8, batch_size=32, timesteps=128, hidden=(8,))
-    directory, _ = train(config, tmp_path / "runs", "train", task_file=my_task)
+def test_policy_of_an_own_robot_requires_its_file(my_task, tmp_path):
+    directory = save_policy(tmp_path / "run", my_task)
     with pytest.raises(
         QuadrupedError, match=r"policy.json: this policy has the robot 'long_legs' from 'my_task.py', which is not exec"
     ):
@@ -274,18 +248,9 @@ def test_run_with_own_robot_is_trained_and_requires_its_file(my_task, tmp_path):
 
 
 def test_policy_of_position_only_servos_does_without_joint_feedback(tmp_path):
-    pytest.importorskip("stable_baselines3")
-    from quadruped_env.control.controllers import PolicyController
-    from quadruped_env.control.live_controller import LiveController
-    from quadruped_env.training import TrainConfig
-    from quadruped_env.training.train import train
-
-    file = write(tmp_path, SERVOS)
     ranges = json.loads(re.search(r'( {4}{"randomization": {"preset".*?}}\n)', PAGES, re.S)[1])
-    small = {"num_envs": 8, "n_steps": 8, "batch_size": 32, "timesteps": 64, "hidden": (8,)}
-    config = TrainConfig(task=ranges, **small)
-    directory, _ = train(config, tmp_path / "runs", "train", task_file=file)
-    policy = load_policy(directory, file)
+    file = write(tmp_path, SERVOS)
+    policy = load_policy(save_policy(tmp_path / "run", file, ranges), file)
     expected = ["projected_gravity", "angular_velocity", "last_action", "command", "gait_clock"]
     assert [entry.name for entry in policy.fields] == expected
     LiveController(PolicyController(policy), robot=policy.robot)
@@ -298,30 +263,18 @@ def test_policy_of_position_only_servos_does_without_joint_feedback(tmp_path):
     assert motors.delay == 0.02
     # The layout is the file's, so a policy of the built-in robot needs the file, too.
     file = write(tmp_path, "joint_position = joint_velocity = None\n")
-    directory, _ = train(TrainConfig(**small), tmp_path / "runs", "train", task_file=file)
+    directory = save_policy(tmp_path / "other", file)
     with pytest.raises(QuadrupedError, match=r"has the observation joint_position, joint_velocity from .own\.py."):
         load_policy(directory)
     assert load_policy(directory, file).fields == load_terms(file).observations
 
 
-def test_a_policy_on_a_robot_reads_observations_without_the_task(my_task):
-    terms = load_terms(write(my_task.parent, EXAMPLES[2]))
-    assert terms.observations[-1].name == "joint_torque"
-
-
-def test_observation_that_the_robot_does_not_measure_is_refused_live(my_task, tmp_path):
-    pytest.importorskip("stable_baselines3")
-    from quadruped_env.control.controllers import PolicyController
-    from quadruped_env.control.live_controller import LiveController
-    from quadruped_env.training import TrainConfig
-    from quadruped_env.training.train import train
-
-    text = EXAMPLES[2].replace("joint_torque", "foot_force").replace('"joints"', '"feet"')
-    file = write(tmp_path, text)
-    config = TrainConfig(num_envs=8, n_steps=8, batch_size=32, timesteps=64, hidden=(8,))
-    directory, _ = train(config, tmp_path / "runs", "train", task_file=file)
+def test_observation_that_the_robot_does_not_measure_is_refused_live(tmp_path):
+    file = write(tmp_path, EXAMPLES[2].replace("joint_torque", "foot_force").replace('"joints"', '"feet"'))
+    policy = load_policy(save_policy(tmp_path / "run", file), file)
+    assert load_terms(file).observations[-1].name == "foot_force"
     with pytest.raises(QuadrupedError, match=r"observes foot_force, which the robot does not measure"):
-        LiveController(PolicyController(load_policy(directory, file)))
+        LiveController(PolicyController(policy))
 
 
 NOISY = {"randomization": {"observation_noise": 1.0, "push_velocity": 0.4, "push_interval": [0.1, 0.3]}}

@@ -27,13 +27,6 @@ from quadruped_env.task import (
 from quadruped_env.task.randomization.randomization import Active
 
 
-def test_hard_has_a_delay_of_60_ms_at_its_edge_and_pushes_of_three_quarters_of_a_metre_per_second():
-    hard = RandomizationConfig(preset="hard")
-    assert hard.action_latency == (0.0, 0.06)
-    assert hard.push_speed == (0.75, 0.75)
-    assert hard.push_interval == (3.0, 3.0)
-
-
 def test_each_preset_contains_the_ranges_of_the_one_before():
     moderate, hard = (RandomizationConfig(preset=name) for name in ("moderate", "hard"))
     for name in PRESETS["moderate"].keys() - {"push_interval", "push_velocity", "push_rotation"}:

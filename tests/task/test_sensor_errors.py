@@ -9,10 +9,9 @@ from scipy.spatial.transform import Rotation
 from settings import settings
 from tasks import LAYOUT, make_task
 
-from quadruped_env.control import ControlInterface
 from quadruped_env.envs import ENV_ID
 from quadruped_env.robot.readings import Readings
-from quadruped_env.task import RandomizationConfig, TaskConfig
+from quadruped_env.task import RandomizationConfig
 from quadruped_env.task.randomization.sensor_errors import MEASURED as DISTURBED
 
 STANCE = np.array([0.6, -0.72] * 4)
@@ -236,15 +235,3 @@ def test_global_factor_scales_the_noise_of_every_field():
 
 
 # --- real robots ---
-
-
-def test_control_of_a_real_robot_takes_its_readings_as_they_are():
-    """Offsets belong to the task: a live controller with the config of a randomized task adds no error of its own."""
-    config = TaskConfig.from_dict({"randomization": "hard"})
-    robot = config.robot
-    readings = Readings.of_a_real_robot(robot)
-    readings.joint_position[:] = robot.stance + 0.1
-    control = ControlInterface(robot, config.control)
-    observation = control.observe(readings)
-    np.testing.assert_allclose(observation[0, LAYOUT.slices["joint_position"]], 0.1, atol=1e-7)
-    np.testing.assert_allclose(control.joint_target(np.zeros((1, 8))), [robot.stance])

@@ -23,7 +23,7 @@ from quadruped_env.simulation import BatchSimulation, build_model, find_terrain
 from quadruped_env.simulation.built_in_terrains import hills, rough
 from quadruped_env.task import Task, TaskConfig, load_task_file
 
-UNEVEN = ("rough", "hills", "stairs", "tiles")
+UNEVEN = ("hills", "tiles")
 
 
 # --- the task

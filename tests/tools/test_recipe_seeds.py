@@ -10,7 +10,7 @@ from comparisons import random_policy
 import recipe_seeds
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import find_policy
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.policies import GaitController, load_policy
 from quadruped_env.task import TaskConfig
 
@@ -64,7 +64,7 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
         entry([0.0, 0.5], [0.010, 0.020], [1.3, 1.4]),
         entry([0.3, -0.5], [0.015, 0.011], [1.0, 1.0]),
     ]
-    monkeypatch.setattr(recipe_seeds.suite_gait, "run", lambda part, measured, progress: {"commands": commands})
+    monkeypatch.setattr(recipe_seeds, "run_gait", lambda part, measured, progress: {"commands": commands})
     assert recipe_seeds.gait(None, say_nothing) == pytest.approx(
         {
             "clearance forwards, mm": 9.0,
@@ -82,7 +82,7 @@ def test_the_gait_is_that_of_the_worst_foot_at_the_worst_command(monkeypatch):
 
 
 def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
-    row = recipe_seeds.errors(MeasuredController("tuned", GaitController(), TaskConfig()), say_nothing, episodes=2)
+    row = recipe_seeds.errors(Candidate("tuned", GaitController(), TaskConfig()), say_nothing, episodes=2)
     assert len(row) == len(recipe_seeds.STRAIGHT_COMMANDS) + len(recipe_seeds.TURN_COMMANDS)
     assert row["0 m/s"] == pytest.approx(0.0, abs=0.01)
     assert row["0.3 m/s"] == pytest.approx(0.0, abs=0.02)
@@ -94,7 +94,7 @@ def test_ten_hours_of_joystick_commands_are_a_minute_with_each_seed(monkeypatch)
         assert part.num_seeds * part.seconds == pytest.approx(10 * 3600)
         return {"undisturbed": {"falls_per_hour": {"mean": 0.1, "low": 0.0, "high": 0.6}}}
 
-    monkeypatch.setattr(recipe_seeds.joystick, "run", run)
+    monkeypatch.setattr(recipe_seeds, "run_joystick", run)
     row = recipe_seeds.joystick_hours(None, say_nothing)
     assert row == {"falls per hour, undisturbed": 0.1, "95 % to, undisturbed": 0.6}
 
@@ -102,11 +102,11 @@ def test_ten_hours_of_joystick_commands_are_a_minute_with_each_seed(monkeypatch)
 def test_regulation_is_that_of_the_policy_next_to_its_zero_action(monkeypatch):
     shares = {"flat": 0.75, "flat, zero action": 0.25}
     monkeypatch.setattr(
-        recipe_seeds.suite_regulation,
-        "run",
+        recipe_seeds,
+        "run_regulation",
         lambda part, measured, progress: {"friction_0.3": {"kept": {"mean": shares[measured.name]}}},
     )
-    row = recipe_seeds.regulation(MeasuredController.of_policy(load_policy("flat"), "flat"), say_nothing)
+    row = recipe_seeds.regulation(Candidate.of_policy(load_policy("flat"), "flat"), say_nothing)
     assert row == {"friction_0.3": 75.0, "friction_0.3, zero action": 25.0}
 
 
@@ -124,7 +124,7 @@ def test_falls_in_the_own_env_are_counted_once_an_episode_with_their_interval(mo
         return env
 
     monkeypatch.setattr(type(policy), "make_vec_env", lambda self, num_envs: scripted(num_envs))
-    row = recipe_seeds.own_env(MeasuredController.of_policy(policy, "flat"), say_nothing, episodes=4, seconds=seconds)
+    row = recipe_seeds.own_env(Candidate.of_policy(policy, "flat"), say_nothing, episodes=4, seconds=seconds)
     assert row == {
         "episodes": 4,
         "falls": 2,

@@ -31,7 +31,7 @@ def transfer(policy):
 
 
 def made(forward, yaw_rate, falls=((0.0,), (0.0,)), commands=((0.5, 0.0),)):
-    """A transfer of a policy with one seed; forward and yaw_rate are those of the commands here and there."""
+    """A transfer of a policy with one seed; forward and yaw_rate are the commands' here and there."""
     engines = [
         {
             "forward_velocity": np.array(forward[i], dtype=float)[:, None],

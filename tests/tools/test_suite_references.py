@@ -13,8 +13,9 @@ from suites import tiny_suite
 import suite_references
 from benchmarks import shipping
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
-from quadruped_env.evaluation.suite.suite import COMPONENTS, read_references, run_suite
+from quadruped_env.evaluation.results import COMPONENTS, read_references
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite import run_suite
 from quadruped_env.evaluation.suite.suite_definition import quick_suite
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import SHIPPED
@@ -31,9 +32,7 @@ def result_of(measured, suite, progress=None, zero_action=False):
         "score": {"total": score, "components": dict.fromkeys(COMPONENTS, score)},
         "commands": {"met": estimate, "envelope": {"forwards": 0.0}},
         "joystick": {"undisturbed": {"falls_per_hour": estimate}},
-        "pushes": {"horizontal": {"half_survival": [estimate]}},
         "terrain": {"rough": {"highest_level": 3, "crossed": []}},
-        "recovery": {"side": {"recovered": estimate, "time": estimate}},
     }
     if zero_action:
         result["zero_action"] = result_of(measured.zero_action(), suite)
@@ -42,7 +41,7 @@ def result_of(measured, suite, progress=None, zero_action=False):
 
 @pytest.fixture(autouse=True)
 def shipped_policies(monkeypatch):
-    """Policies with random weights in place of the shipped ones."""
+    """Policies with random weights instead of the shipped ones."""
 
     def load(name):
         return random_policy("position") if name in SHIPPED else load_policy(name)
@@ -69,7 +68,6 @@ def test_rows_of_all_references_are_written_and_can_be_read(tmp_path, monkeypatc
     assert {row["origin"]["versions"]["numpy"] for row in rows} == {np.__version__}
     assert {row["suite"]["sha256"] for row in rows} == {quick_suite().sha256}
     assert rows[0]["terrain"] == {"rough": 3}
-    assert rows[0]["recovery"]["side"]["mean"] == 0.8
     assert re.search(r"^standing +0.800 ", capsys.readouterr().out, re.MULTILINE)
 
 
@@ -117,7 +115,7 @@ def shipped(tmp_path, monkeypatch):
 @functools.cache
 def quick_result():
     """Results of the policy of `shipped`, which say that they are of the quick suite."""
-    measured = MeasuredController.of_policy(random_policy("position"), "flat")
+    measured = Candidate.of_policy(random_policy("position"), "flat")
     result = run_suite(measured, tiny_suite(), zero_action=True)
     for part in (result, result["zero_action"]):
         part["suite"] = quick_suite().identity
@@ -135,7 +133,7 @@ def finished(directory, **changes):
 def test_finished_results_give_the_row_and_go_onto_the_card(shipped, monkeypatch):
     path = finished(shipped)
     monkeypatch.setattr(suite_references, "run_suite", lambda *_: pytest.fail("the suite ran again"))
-    for _ in range(2):  # the results are still those of the policy when they are on its card
+    for _ in range(2):  # the results still belong to the policy when they are on its card
         assert suite_references.run(asked(shipped.parent, only=["flat"], result=[path])) == 0
     row, zero = read_references(shipped.parent / "references.json")
     result = json.loads(path.read_text())

@@ -49,7 +49,7 @@ def config_of(name, **changes):
 
 
 def model_of(name, robot=MINI_QUADRUPED, **changes):
-    """A model with random parameters, also those of its batch renormalization, and its env."""
+    """A model with random parameters, also in its batch renormalization, and its env."""
     config = config_of(name, **changes)
     torch.manual_seed(0)
     env = make_sb3_vec_env(4, seed=0, privileged=config.asymmetric_critic, robot=robot)
@@ -196,11 +196,11 @@ def test_program_takes_the_defaults_of_the_algorithm(asked):
 @pytest.mark.parametrize(
     ("algo", "given", "message"),
     [
-        ("sac", {"clip_range": 0.1}, r"^clip_range: sac does not use it; leave it out, or choose algo ppo$"),
-        ("sac", {"action_noise": 0.1}, r"^action_noise: sac does not use it; .* algo td3 or ddpg$"),
-        ("ppo", {"tau": 0.1}, r"^tau: ppo does not use it; .*sac or td3 or ddpg or tqc"),
-        ("a2c", {"n_epochs": 2}, r"^n_epochs: a2c does not use it"),
-        ("crossq", {"tau": 0.1}, r"^tau: crossq does not use it"),
+        ("sac", {"clip_range": 0.1}, r"^training.clip_range: sac does not use it; leave it out, or choose algo ppo$"),
+        ("sac", {"action_noise": 0.1}, r"^training.action_noise: sac does not use it; .* algo td3 or ddpg$"),
+        ("ppo", {"tau": 0.1}, r"^training.tau: ppo does not use it; .*sac or td3 or ddpg or tqc"),
+        ("a2c", {"n_epochs": 2}, r"^training.n_epochs: a2c does not use it"),
+        ("crossq", {"tau": 0.1}, r"^training.tau: crossq does not use it"),
     ],
 )
 def test_setting_that_the_algorithm_does_not_use_is_refused(algo, given, message):
@@ -233,7 +233,7 @@ def test_training_leaves_a_complete_run_that_can_be_resumed_and_walks_in_its_env
     assert (policy.card["algo"], policy.card["timesteps"]) == (name, 512)
     assert json.loads((run / CONFIG_FILE).read_text())["training"]["algo"] == name
     parent = Parent.load(run)
-    # A learning rate so low that the network stays that of the first run.
+    # A learning rate so low that the network stays as the first run left it.
     again = learn(tmp_path, dataclasses.replace(parent.config, timesteps=256, learning_rate=1e-12), parent)
     resumed = assert_complete(again)
     assert resumed.card["timesteps"] == 768

@@ -119,7 +119,7 @@ def test_time_limit_leaves_the_whole_observation_that_would_have_followed():
     for env_id, info in enumerate(infos):
         assert info["TimeLimit.truncated"]
         np.testing.assert_array_equal(info["terminal_observation"], following[env_id])
-    assert (observation[:, WIDTH:] != following[:, WIDTH:]).any(axis=1).all(), "another state than that of the reset"
+    assert (observation[:, WIDTH:] != following[:, WIDTH:]).any(axis=1).all(), "another state than the reset's"
 
 
 def test_ppo_bootstraps_a_time_limit_by_the_critics_value_of_the_privileged_readings():

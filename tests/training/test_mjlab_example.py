@@ -106,7 +106,7 @@ def test_observations_and_motion_are_those_of_this_package(mjlab, tmp_path):
     expected = np.clip(np.concatenate(raw, axis=-1) * layout.scale, layout.low, layout.high)
     np.testing.assert_allclose(seen["observation"], expected, atol=1e-5)
     assert np.abs(seen["command"]).max() > 0.02
-    # Motors, contacts and action scale: the same joints and height, but for explicit motors in place of implicit ones.
+    # Motors, contacts and action scale: the same joints and height, but for explicit motors instead of implicit ones.
     start = dict.fromkeys((name for name in TaskConfig().to_dict()["randomization"] if name.startswith("start_")), 0.0)
     env = gymnasium.make(ENV_ID, action_mode="position", config={**CONFIG, "randomization": start})
     env.reset(seed=0)

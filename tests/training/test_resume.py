@@ -69,7 +69,7 @@ def edit(path, section, **changes):
     ],
 )
 def test_setting_that_a_resumed_training_keeps_is_refused(run, asked, field):
-    message = rf"^{field}: \S+-first keeps its own: .* its budget .*and its reward .*; leave it out"
+    message = rf"^training.{field}: \S+-first keeps its own: .* its budget .*and its reward .*; leave it out"
     with pytest.raises(QuadrupedError, match=message):
         Parent.load(run).resumed(asked)
 
@@ -77,8 +77,8 @@ def test_setting_that_a_resumed_training_keeps_is_refused(run, asked, field):
 def test_program_names_the_option_that_a_resumed_training_keeps(run, tmp_path, capsys):
     for options, named in (
         (("--hidden", "8"), "--hidden: "),
-        (("--terrain", "stairs"), "task.terrain: "),
-        (("--randomization", "hard"), "task.randomization: "),
+        (("--terrain", "stairs"), "--task.terrain: "),
+        (("--randomization", "hard"), "--task.randomization: "),
     ):
         assert main(["train", "-o", str(tmp_path / "runs"), "--resume", str(run), *options]) == 2
         assert f"error: {named}{run.name} keeps its own" in capsys.readouterr().err
@@ -234,8 +234,8 @@ def test_an_incomplete_run_is_not_resumed(copy, name):
     ("text", "message"),
     [
         ("{", r"config.json: not valid JSON.*start a new training"),
-        ('{"training": [], "task": {}}', r"config.json: field 'training' is missing"),
-        ('{"training": {}}', r"config.json: field 'task' is missing"),
+        ('{"training": [], "task": {}}', r"config.json: training: expected a table; found \[\]"),
+        ('{"training": {}}', r"config.json: task is missing"),
     ],
 )
 def test_a_damaged_config_is_not_resumed(copy, text, message):
@@ -249,21 +249,20 @@ def test_a_damaged_config_is_not_resumed(copy, text, message):
     [
         (CONFIG_FILE, "training", {"gamma": None}, r"field 'training.gamma' is missing; start a new training"),
         (CONFIG_FILE, "training", {"tempo": 1}, r"field 'training.tempo' is unknown; start a new training"),
-        (CONFIG_FILE, "training", {"hidden": [8.5]}, r"training.hidden: expected up to 16 whole numbers"),
-        (CONFIG_FILE, "training", {"hidden": 8}, r"training.hidden: expected up to 16 whole numbers"),
-        (CONFIG_FILE, "training", {"gamma": 2.0}, r"config.json: training.gamma: .*found 2.0; start a new training"),
-        (CONFIG_FILE, "training", {"device": "cuda"}, r"training.device: found 'cuda', .* its policy works"),
-        (CONFIG_FILE, "training", {"algo": "mine.py:MyPPO"}, r"training.algo: expected one of ppo, .*own-algorithm"),
-        (CONFIG_FILE, "task", {"tempo": 1}, r"config.json: config: unknown field 'tempo'.*start a new training"),
-        (CARD_FILE, "card", {"timesteps": None}, r"policy.json: card.timesteps: expected a whole number, 0 to 1e"),
-        (CARD_FILE, "card", {"timesteps": 1.5}, r"card.timesteps: expected a whole number, 0 to 1e\+15; found 1.5"),
-        (CARD_FILE, "card", {"budget_left": 1.5}, r"card.budget_left: expected a number, 0 to 1; found 1.5"),
+        (CONFIG_FILE, "training", {"hidden": [8.5]}, r"training.hidden must be up to 16 whole numbers"),
+        (CONFIG_FILE, "training", {"hidden": 8}, r"training.hidden must be up to 16 whole numbers"),
         (
-            CARD_FILE,
-            "card",
-            {"seconds": "9" * 999},
-            r"card.seconds: expected a number, 0 to 1e\+15; found '9{40}\.\.\.';",
+            CONFIG_FILE,
+            "training",
+            {"gamma": 2.0},
+            r"config.json: training.gamma must .*found 2.0; start a new training",
         ),
+        (CONFIG_FILE, "training", {"device": "cuda"}, r"training.device: found 'cuda', .* its policy works"),
+        (CONFIG_FILE, "training", {"algo": "mine.py:MyPPO"}, r"training.algo must be one of ppo, .*PPO'; start"),
+        (CONFIG_FILE, "task", {"tempo": 1}, r"config.json: config: unknown field 'tempo'.*start a new training"),
+        (CARD_FILE, "card", {"timesteps": None}, r"policy.json: card: timesteps is missing"),
+        (CARD_FILE, "card", {"timesteps": 1.5}, r"card: timesteps: expected a whole number; found 1.5"),
+        (CARD_FILE, "card", {"seconds": "9" * 99}, r"card: seconds: expected a finite number; found '9{40}\.\.\.';"),
     ],
 )
 def test_a_run_with_a_damaged_field_is_not_resumed(copy, file, section, changes, message):
@@ -272,23 +271,10 @@ def test_a_run_with_a_damaged_field_is_not_resumed(copy, file, section, changes,
         Parent.load(copy)
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("", r"progress.csv: line 1: expected the columns timesteps, seconds, .*; found ''; start a new training"),
-        ("a,b\n1,2\n", r"line 1: expected the columns .*; found 'a,b'; start a new training"),
-    ],
-)
-def test_a_run_with_a_damaged_curve_is_not_resumed(copy, text, message):
+@pytest.mark.parametrize("text", ["a,b\n1,2\n", f"{','.join(PROGRESS_COLUMNS)}\nmany,1,1,0,0.1,0.1\n"])
+def test_a_run_with_a_damaged_curve_is_not_resumed(copy, text):
     (copy / PROGRESS_FILE).write_text(text)
-    with pytest.raises(QuadrupedError, match=message):
-        Parent.load(copy)
-
-
-def test_a_run_with_a_curve_of_words_is_not_resumed(copy):
-    (copy / PROGRESS_FILE).write_text(f"{','.join(PROGRESS_COLUMNS)}\nmany,1,1,0,0.1,0.1\n")
-    wrong = r"progress.csv: not a table of numbers \(.*'many'\); start a new training"
-    with pytest.raises(QuadrupedError, match=wrong):
+    with pytest.raises(QuadrupedError, match=r"progress.csv: not a learning curve \(.*\); start a new training"):
         Parent.load(copy)
 
 

@@ -293,14 +293,14 @@ class TestTargets:
         assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("module", ["rosbags.rosbag2", "rosbags.rosbag1", "yaml"])
+@pytest.mark.parametrize("module", ["rosbags.rosbag2", "rosbags.convert", "yaml"])
 def test_a_missing_library_names_its_extra(tmp_path, monkeypatch, module):
     write_ros1(tmp_path / "a.bag", random_trajectory())
     (tmp_path / "a.yaml").write_text("header:\n")
     monkeypatch.setitem(sys.modules, module, None)
     programs = {
         "rosbags.rosbag2": lambda: random_trajectory().save(tmp_path / "b.mcap"),
-        "rosbags.rosbag1": lambda: JointTrajectory.load(tmp_path / "a.bag"),
+        "rosbags.convert": lambda: JointTrajectory.load(tmp_path / "a.bag"),
         "yaml": lambda: JointTrajectory.load(tmp_path / "a.yaml"),
     }
     with pytest.raises(MissingExtraError, match=r"needs the 'ros' extra: .*pip install 'mini-quadruped\[ros\]'"):

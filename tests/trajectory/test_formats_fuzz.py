@@ -4,7 +4,6 @@ With more files per format: `FUZZED_FILES=2000 pytest tests/trajectory/test_form
 """
 
 import csv
-import json
 import os
 import re
 import sqlite3
@@ -13,7 +12,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from bags import JOINT_STATE, messages_of, write_bag, write_ros1
+from bags import JOINT_STATE, messages_of, write_bag
 from hanging import bounded
 from trajectories import assert_same, random_trajectory
 
@@ -22,7 +21,6 @@ from quadruped_env.errors import MAX_MESSAGE
 
 pytest.importorskip("rosbags")
 import yaml
-from rosbags.rosbag1 import Reader as Reader1
 from rosbags.typesys import Stores, get_typestore
 
 NAMES = ["a_joint", "b_joint"]
@@ -82,39 +80,6 @@ def parse_yaml(path):
     return built(stamps, names, **{kind: None if a is None else np.array(a, float) for kind, a in arrays.items()})
 
 
-def parse_jsonl(path):
-    """JSON lines of rosbridge. A line whose operation or topic is damaged is another message's."""
-    found = [json.loads(line) for line in path.read_text(encoding="utf-8-sig").split("\n") if line.strip()]
-    found = [
-        one["msg"] for one in found if one.get("op", "publish") == "publish" and one.get("topic") == "/joint_states"
-    ]
-    names = found[0]["name"]
-    arrays = {
-        kind: np.array([[float(one[kind][one["name"].index(name)]) for name in names] for one in found])
-        for kind in ("position", "velocity", "effort")
-    }
-    times = [one["header"]["stamp"] for one in found]
-    return built([int(one["sec"]) * 10**9 + int(one["nanosec"]) for one in times], names, **arrays)
-
-
-def parse_echo(path):
-    """Echoed CSV whose joints are two."""
-    rows = [
-        line.split(",")
-        for line in path.read_text(encoding="utf-8-sig").removesuffix("\n").split("\n")
-        if not line.startswith(("A message was lost!!!", "\t"))
-    ]
-    names = rows[0][3:5]
-    groups = [[row[5:7] for row in rows], [row[7:9] for row in rows], [row[9:11] for row in rows]]
-    order = [[row[3:5].index(name) for name in names] for row in rows]
-    arrays = [
-        # A file that is cut off after the velocities of its only line has no efforts.
-        None if group == [[""]] else np.array([[float(g[i]) for i in o] for g, o in zip(group, order, strict=True)])
-        for group in groups
-    ]
-    return built([int(row[0]) * 10**9 + int(row[1]) for row in rows], names, *arrays)
-
-
 def built(stamps, names, position, velocity, effort):
     """A trajectory of messages' numbers; velocities that are all unknown become None."""
     if velocity is not None and np.isnan(velocity).all():
@@ -150,15 +115,6 @@ def parse_sqlite3(path):
     return trajectory_of([store.deserialize_cdr(data, JOINT_STATE) for (data,) in rows])
 
 
-def parse_ros1(path):
-    """A ROS 1 bag, by rosbags' own messages."""
-    store = get_typestore(Stores.ROS1_NOETIC)
-    with Reader1(path) as reader:
-        connections = [one for one in reader.connections if one.msgtype == JOINT_STATE]
-        found = [store.deserialize_ros1(data, JOINT_STATE) for _, _, data in reader.messages(connections)]
-    return trajectory_of(found)
-
-
 def write_yaml(trajectory, path):
     documents = []
     for state in trajectory:
@@ -173,42 +129,18 @@ def write_yaml(trajectory, path):
     path.write_text("".join(documents))
 
 
-def write_jsonl(trajectory, path):
-    lines = []
-    for state in trajectory:
-        stamp = dict(zip(("sec", "nanosec"), divmod(state.stamp, 10**9), strict=True))
-        numbers = {kind: getattr(state, kind).tolist() for kind in ("position", "velocity", "effort")}
-        message = {"header": {"stamp": stamp, "frame_id": ""}, "name": NAMES, **numbers}
-        lines.append(json.dumps({"op": "publish", "topic": "/joint_states", "msg": message}) + "\n")
-    path.write_text("".join(lines))
-
-
-def write_echo(trajectory, path):
-    lines = []
-    for state in trajectory:
-        numbers = [*state.position.tolist(), *state.velocity.tolist(), *state.effort.tolist()]
-        lines.append(",".join(map(str, [*divmod(state.stamp, 10**9), "", *NAMES, *numbers])) + "\n")
-    path.write_text("".join(lines))
-
-
 WRITERS = {
     "csv": lambda trajectory, path: trajectory.save(path),
     "echo.yaml": write_yaml,
-    "echo.csv": write_echo,
-    "jsonl": write_jsonl,
     "mcap": lambda trajectory, path: trajectory.save(path),
     "db3": lambda trajectory, path: trajectory.save(path),
-    "bag": lambda trajectory, path: write_ros1(path, trajectory),
     "db3.zstd": lambda trajectory, path: write_bag(path, messages_of(trajectory), "sqlite3", "file"),
 }
 
 PARSERS = {
     "csv": parse_csv,
     "echo.yaml": parse_yaml,
-    "echo.csv": parse_echo,
-    "jsonl": parse_jsonl,
     "db3": parse_sqlite3,
-    "bag": parse_ros1,
 }
 """Formats without checksums; in the others, everything that is read must be what was written."""
 

@@ -70,7 +70,7 @@ LIES = {
     "degrees/s": ("v *= 180 / np.pi", "velocity", r"are 57\.\d.* times .*degrees/s.*velocity_unit"),
     "flipped": ("q[:, 6] *= -1", "velocity", r"of RH_hip_joint have the opposite sign"),
     "swapped": ("v[:, [1, 2]] = v[:, [2, 1]]", "velocity",
-                r"of LF_knee_joint, RF_hip_joint do not fit .* other joints do \(RF_hip_joint for LF_knee_joint\)"),
+                r"of LF_knee_joint, RF_hip_joint fit the positions of other joints .* \(RF_hip_joint for LF_knee"),
     "no velocity": ("v[:] = 0.0", "velocity", r"LF_hip_joint, LF_knee_joint, RF_hip_joint and 5 more are 0 while"),
     "velocity spikes": ("v[[200, 600], 7] = 186.0, -150.0", "velocity",
                         r"186 rad/s in RH_knee_joint, first at 2\.000 s \(line 200\), 2 times; .*--ignore velocity"),
@@ -146,17 +146,6 @@ def test_wraps_of_a_geared_encoder_in_many_rows_are_wraps():
     found = findings(rows, "line", (2 * np.pi, np.pi / 2))
     assert [finding.kind for finding in found] == ["wrap"]
     assert re.search(r"wrap by 1\.571 rad .* in LF_hip_joint, .* 76 times", found[0].text)
-
-
-def test_findings_at_the_edges_of_blocks_are_each_found_once(tmp_path):
-    lies = "i = [5, 4090, 4096, 4100, 8191, 15_000]; q[i, np.mod(i, 8)] += 2.0; v[12_000, 2] = 200.0"
-    rows = planted(lies, rate=1000.0, seconds=16.0)
-    found = findings(rows, "line")
-    assert [finding.kind for finding in found] == ["jump", "velocity"]
-    assert "6 times" in found[0].text
-    JointTrajectory(rows.stamps, rows.names, *rows.values.values()).save(tmp_path / "a.csv")
-    expected = findings(replace(rows, numbers=rows.numbers + 2), "line")
-    assert JointTrajectory.load(tmp_path / "a.csv").source.notes == tuple(finding.text for finding in expected)
 
 
 class TestRepairs:

@@ -189,10 +189,10 @@ class TestRetarget:
             ("", r"expected a table \[joints\]; found none"),
             ("[joints.a]\noffset = 1.0", r"no joint has a source"),
             ("[joints.a]\nsorce = 'b'", r"\[joints\.a\]: unknown key 'sorce'; known are source, sign"),
-            ("[joints.a]\nsource = 3", r"\[joints\.a\] source: expected the name of a joint; found 3"),
+            ("[joints.a]\nsource = 3", r"\[joints\.a\] source: expected a text; found 3"),
             ("[joints.a]\nsource = 'b'\nsign = 2", r"\[joints\.a\] sign: expected 1 or -1; found 2"),
             ("[joints.a]\nsource = 'b'\nscale = 0", r"\[joints\.a\] scale: expected a number above 0; found 0"),
-            ("[joints.a]\nsource = 'b'\noffset = nan", r"\[joints\.a\] offset: expected a number; found nan"),
+            ("[joints.a]\nsource = 'b'\noffset = nan", r"\[joints\.a\] offset: expected a finite number; found nan"),
             (
                 "[joints.a]\nsource = 'b'\nunit = 'grad'",
                 r"\[joints\.a\] unit: expected 'rad' or 'deg' or 'turn' .*found 'grad'",
@@ -201,13 +201,13 @@ class TestRetarget:
             ("[joints.a]\nsource = 'b'\nunit = 'ticks'", r"\[joints\.a\] ticks_per_turn: expected .*; found None"),
             (
                 "[joints.a]\nsource = 'b'\nticks_per_turn = 9",
-                r"\[joints\.a\] ticks_per_turn: .* only there; found 9 with rad and rad/s",
+                r"\[joints\.a\] ticks_per_turn: .* only there \(here rad and rad/s\); found 9",
             ),
             (
                 "[joints.a]\nsource = 'b'\nscale = 6.2832\nvelocity_unit = 'rpm'",
                 r"\[joints\.a\] scale: 6\.2832 is the unit turn in rad, .* velocity in rpm, too; give unit = \"turn\"",
             ),
-            ("[joints.a]\nsource = 'b'\nsources = {c = 1}", r"\[joints\.a\] sources: expected .* in place of source"),
+            ("[joints.a]\nsource = 'b'\nsources = {c = 1}", r"\[joints\.a\] sources: expected .* instead of source"),
             ("[joints.a]\nsources = {c = 0}", r"\[joints\.a\] sources: expected .* factors other than 0"),
             ("[joints.a]\nsources = {}", r"\[joints\.a\] sources: expected a table joint = factor"),
             ("[joints.a]\nsource = 'b'\neffort_scale = 0", r"\[joints\.a\] effort_scale: expected .* other than 0"),

@@ -2,12 +2,10 @@
 
 import os
 import re
-import runpy
 import shlex
 import subprocess
 import sys
 import tomllib
-import types
 from pathlib import Path
 
 import gymnasium
@@ -16,17 +14,9 @@ from paths import ROOT
 from ros2_peers import install as ros2_install
 
 from quadruped_env import __version__
-from quadruped_env.live.__main__ import main as run_node
 from quadruped_env.utils import interpreter
 
-PROGRAMS = [
-    path.relative_to(ROOT)
-    for folder in ("train", "evaluate", "tools")
-    for path in sorted((ROOT / folder).glob("*.py"))
-    if path.name != "release.py"  # it needs none of the package's dependencies
-]
-BARE = (sys.executable, "-S")
-"""This Python without its installed packages."""
+PYTHON = sys.executable
 
 
 def run(*command, **options):
@@ -46,92 +36,51 @@ def test_program_with_an_old_python_ends_with_a_sentence(version, monkeypatch):
         assert last.startswith(f"ImportError: mini-quadruped needs Python 3.11 or later; this is {old}, {version}.")
 
 
-# --- commands to paste
-
-
 @pytest.fixture
-def python_on_path(tmp_path, monkeypatch):
-    """A `python` on the PATH that is not this one."""
-    (tmp_path / "bin").mkdir()
-    other = tmp_path / "bin" / "python"
-    other.write_text("#!/bin/sh\n")
-    other.chmod(0o755)
-    monkeypatch.setenv("PATH", str(other.parent))
-
-
-def test_the_command_is_python_where_that_is_this_one(monkeypatch, tmp_path):
-    (tmp_path / "python").symlink_to(sys.executable)
-    monkeypatch.setattr(sys, "executable", str(tmp_path / "python3"))
-    monkeypatch.setenv("PATH", str(tmp_path))
-    (tmp_path / "python").chmod(0o755)
-    assert interpreter.python_command() == "python"
-
-
-@pytest.mark.usefixtures("python_on_path")
-def test_the_command_is_this_pythons_path_where_python_is_another(monkeypatch, tmp_path):
+def environment(monkeypatch, tmp_path):
+    """A virtual environment below the working directory, which is not on the PATH."""
+    programs = tmp_path / "my venv" / "bin"
+    programs.mkdir(parents=True)
+    for name in ("python", "mini-quadruped"):
+        (programs / name).touch(0o755)
+    monkeypatch.setattr(sys, "executable", str(programs / "python"))
+    monkeypatch.setenv("PATH", os.defpath)
     monkeypatch.chdir(tmp_path)
-    assert interpreter.python_command() == shlex.quote(sys.executable)
-    monkeypatch.setattr(sys, "executable", str(tmp_path / ".venv" / "bin" / "python"))
-    assert interpreter.python_command() == os.path.join(".venv", "bin", "python")
-    monkeypatch.setattr(sys, "executable", str(tmp_path / "my venv" / "bin" / "python"))
-    assert interpreter.python_command() == "'my venv/bin/python'"
+    return programs
 
 
-@pytest.mark.usefixtures("python_on_path")
-@pytest.mark.parametrize("directory", [ROOT, Path("/")])
-def test_commands_in_help_can_be_pasted(directory, monkeypatch):
-    monkeypatch.chdir(directory)
-    text = interpreter.pasteable("mini-quadruped view flat\n\nmini-quadruped COMMAND and 'pip install mini-quadruped'")
-    first, _, second = text.splitlines()
-    program = first.removesuffix(" view flat")
-    done = run(*shlex.split(program), "--version", cwd=directory)
-    assert done.stdout == f"mini-quadruped {__version__}\n", done.stderr
-    assert second == f"{program} COMMAND and 'pip install mini-quadruped'"
-
-
-@pytest.mark.usefixtures("python_on_path")
-@pytest.mark.parametrize("program", [*PROGRAMS, Path("live")], ids=str)
-def test_no_help_has_a_command_of_another_python(program, monkeypatch, capsys):
+def test_program_command_is_the_name_only_where_the_path_has_this_pythons(environment, monkeypatch, tmp_path):
+    assert interpreter.program_command("view", "my run") == "'my venv/bin/mini-quadruped' view 'my run'"
+    assert interpreter.module_command("tensorboard.main") == "'my venv/bin/python' -m tensorboard.main"
     monkeypatch.chdir(ROOT)
-    monkeypatch.setattr(sys, "path", [*sys.path])
-    monkeypatch.setattr(sys, "argv", [str(program), "--help"])
-    try:
-        if program == Path("live"):
-            run_node(["record", "--help"])
-        else:
-            runpy.run_path(str(ROOT / program), run_name="__main__")
-    except SystemExit as ended:
-        assert ended.code == 0  # noqa: PT017
-    _, _, text = capsys.readouterr().out.partition("\n\n")  # without the usage
-    assert re.search(r"(?<!/)\b(python (train|evaluate|-m)|mini-quadruped \w)", text) is None
+    assert interpreter.program_command("view") == f"'{environment}/mini-quadruped' view"
+    monkeypatch.setenv("PATH", str(environment))
+    assert interpreter.program_command("view") == "mini-quadruped view"
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "mini-quadruped").touch(0o755)
+    monkeypatch.setenv("PATH", f"{other}{os.pathsep}{environment}")
+    assert interpreter.program_command("view") == f"'{environment}/mini-quadruped' view"
 
 
-def test_hint_for_an_extra_installs_the_cpu_build_of_torch_first(monkeypatch):
-    absent = {"torch"}
-    finder = types.SimpleNamespace(find_spec=lambda name: None if name in absent else object())
-    monkeypatch.setattr(interpreter, "PathFinder", finder)
-    monkeypatch.setattr(interpreter, "python_command", lambda: "python")
+@pytest.mark.parametrize("directory", [ROOT, ROOT / "docs"])
+def test_program_command_of_a_checkout_without_installation_starts_the_package(environment, monkeypatch, directory):
+    (environment / "mini-quadruped").unlink()
+    monkeypatch.chdir(directory)
+    python, *words = shlex.split(interpreter.program_command("train", "--version"))
+    assert python == str(environment / "python")
+    # Without the file that makes an editable installation importable.
+    packages = os.environ | {"PYTHONPATH": str(Path(gymnasium.__file__).parents[1])}
+    done = run(PYTHON, "-S", words[0], "--version", cwd=directory, env=packages)
+    assert done.stdout == f"mini-quadruped {__version__}\n", done.stderr
+
+
+def test_hint_for_an_extra_installs_the_cpu_build_of_torch_first():
     index = "https://download.pytorch.org/whl/cpu"
-    for portable, pip in ((False, "python -m pip install"), (True, "pip install")):
-        assert interpreter.install_command("train", portable) == (
-            f"{pip} torch --index-url {index} && {pip} 'mini-quadruped[train]'"
-        )
-        assert interpreter.install_command("report", portable) == f"{pip} 'mini-quadruped[report]'"
-    absent.add("pip")
-    uv = "uv pip install --python python"
-    assert interpreter.install_command("sweep") == f"{uv} torch --index-url {index} && {uv} 'mini-quadruped[sweep]'"
-    absent.remove("torch")
-    assert interpreter.install_command("train") == f"{uv} 'mini-quadruped[train]'"
-
-
-def test_command_of_pip_leaves_distutils_as_it_is(monkeypatch):
-    loaded = types.ModuleType("distutils")
-    monkeypatch.setitem(sys.modules, "distutils", loaded)
-    # As Python does at its start where setuptools is installed.
-    monkeypatch.setattr(sys, "meta_path", [*sys.meta_path])
-    pytest.importorskip("_distutils_hack", reason="no setuptools, whose hook it is").insert_shim()
-    assert "pip" in interpreter.pip_command()
-    assert sys.modules["distutils"] is loaded
+    assert interpreter.install_command("train") == (
+        f"pip install torch --index-url {index} && pip install 'mini-quadruped[train]'"
+    )
+    assert interpreter.install_command("report") == "pip install 'mini-quadruped[report]'"
 
 
 def test_extras_with_torch_are_those_of_the_hint():
@@ -144,34 +93,3 @@ def test_extras_with_torch_are_those_of_the_hint():
         )
 
     assert {extra for extra in extras if needs_torch(extra)} == {*interpreter.CPU_TORCH_EXTRAS}
-
-
-@pytest.fixture
-def copied(monkeypatch, tmp_path):
-    """A checkout that is not installed for this Python; it holds a link to the package."""
-    checkout = tmp_path / "my checkout"
-    (checkout / "train").mkdir(parents=True)
-    (checkout / "pyproject.toml").touch()
-    (checkout / "quadruped_env").symlink_to(ROOT / "quadruped_env")
-    (tmp_path / "bin").mkdir()
-    monkeypatch.setattr(interpreter, "_CHECKOUT", checkout)
-    monkeypatch.setattr(interpreter, "_is_installed", lambda: False)
-    monkeypatch.setattr(sys, "executable", str(tmp_path / "bin" / "python"))
-    return checkout
-
-
-@pytest.mark.parametrize(
-    ("directory", "expected"),
-    [(".", "-m quadruped_env train --seed 1"), ("..", "'my checkout/quadruped_env' train --seed 1")],
-)
-def test_program_command_of_a_checkout_without_installation_starts_the_package(
-    copied, monkeypatch, directory, expected
-):
-    monkeypatch.chdir(copied / directory)
-    command = interpreter.program_command("train", "--seed", 1)
-    assert command.split(" ", 1)[1] == expected
-    words = shlex.split(command)[1:-3]
-    # Without the file that makes an editable installation importable.
-    environment = os.environ | {"PYTHONPATH": str(Path(gymnasium.__file__).parents[1])}
-    done = run(*BARE, *words, "--version", cwd=copied / directory, env=environment)
-    assert done.stdout == f"mini-quadruped {__version__}\n", done.stderr

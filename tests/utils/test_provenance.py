@@ -1,4 +1,4 @@
-"""The commit of the package, and not that of a repository around it."""
+"""The commit of the package, and not of a repository around it."""
 
 import subprocess
 

@@ -1,6 +1,5 @@
 """The viewer's controller without a browser: its clock, commands, gaits, pushes and threads."""
 
-import copy
 import math
 import threading
 
@@ -14,7 +13,6 @@ from quadruped_env.gait.gait_settings import GaitSettings, edited
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.viewer.view_controller import RESTART_AFTER
-from quadruped_env.viewer.viewed_robot import contact_forces
 
 # --- the clock
 
@@ -214,8 +212,7 @@ def test_the_ground_carries_the_weight(control):
     controller = control("stand still")
     for _ in range(20):
         controller.advance(0.1)
-    shown = robot(controller)
-    points, forces = contact_forces(shown.model, copy.copy(shown.data))
+    points, forces = robot(controller).contact_forces()
     np.testing.assert_allclose(forces.sum(axis=0), [0.0, 0.0, MINI_QUADRUPED.total_mass * 9.81], atol=0.02)
     assert len(points) >= 4
     assert np.abs(points[:, 2]).max() < 0.005

@@ -52,7 +52,7 @@ def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control)
     for change in (("stand still", 2), (None, 1), ("gait trot", 2)):
         controller.set_source(change[1], change[0])
         controller.set_terrain("stairs", 8)
-        robots = [slot.robot for slot in controller._robots.slots]
+        robots = controller._robots
         places = [one.data.qpos[:2] for one in robots]
         for one, other in itertools.combinations(places, 2):
             assert np.linalg.norm(one - other) > 0.59
@@ -61,7 +61,7 @@ def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control)
             feet = one.history[-1].foot_position
             assert (feet[:, 2] - one.robot.foot_radius >= field.at(feet) - 1e-6).all()
         controller.set_terrain("flat")
-        assert all((slot.robot.data.qpos[:2] == 0.0).all() for slot in controller._robots.slots)
+        assert all((robot.data.qpos[:2] == 0.0).all() for robot in controller._robots)
 
 
 def test_an_unknown_terrain_or_level_changes_nothing(control):

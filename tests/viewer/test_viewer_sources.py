@@ -12,7 +12,8 @@ from quadruped_env.gait import PRESETS
 from quadruped_env.policies import find_controllers, load_policy
 from quadruped_env.policies.files import SHIPPED
 from quadruped_env.policies.policy_data import CARD_FILE
-from quadruped_env.viewer.viewer_robots import MAX_ROBOTS, RANDOMIZATIONS
+from quadruped_env.viewer.view_controller import MAX_ROBOTS
+from quadruped_env.viewer.viewed_robot import RANDOMIZATIONS
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ import numpy as np
 
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.evaluation.measures import counted_samples, mean_velocities, meets, stands_still
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
@@ -44,7 +44,7 @@ def command_test(policy: Policy, commands: int | None = None, seconds: float | N
     """Test a policy, at all commands of the suite's map or the first of them."""
     part = full_suite().commands
     drawn = list(part.drawn)[:commands]
-    measured = MeasuredController.of_policy(policy, "policy")
+    measured = Candidate.of_policy(policy, "policy")
     rollout = measured.run(drawn, part.seeds[:1], part.seconds if seconds is None else seconds)
     shape = len(drawn), 1
     fallen = rollout.fallen.reshape(shape)

@@ -72,7 +72,7 @@ def measure_rendering(say: Callable[[str], None]) -> list[RenderSpeed]:
                     pictures.append(camera.picture(walk.trace, sample))
                     times.append(time.process_time() - start)
                 start = time.process_time()
-                encode_mp4(camera.film(walk))
+                encode_mp4(camera.film([walk]))
                 film = len(times) / (time.process_time() - start)
             shown = np.array(pictures, np.int16)
             best = shown if best is None else best

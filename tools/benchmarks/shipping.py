@@ -10,7 +10,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import MOTIONS, compare
+from quadruped_env.evaluation.comparison import compare
+from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.measures import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.verdict import verdict
@@ -161,14 +162,10 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
 
 def reference_row(result: Mapping[str, Any]) -> dict[str, Any]:
     """The part of a controller's results that ships: what identifies them, the score, and the main measures."""
-    row = {
+    return {
         **{field: result[field] for field in ("suite", "conditions", "name", "score")},
         "met": result["commands"]["met"],
         "envelope": result["commands"]["envelope"],
         "falls_per_hour": {name: law["falls_per_hour"] for name, law in result["joystick"].items()},
-        "half_survival": result["pushes"]["horizontal"]["half_survival"],
         "terrain": {kind: entry["highest_level"] for kind, entry in result["terrain"].items()},
     }
-    if "recovery" in result:  # not of a zero action
-        row["recovery"] = {name: entry["recovered"] for name, entry in result["recovery"].items()}
-    return row

@@ -118,7 +118,7 @@ def search(
         turns: phase of the leg of each corner, cycles.
         start: initial candidate (3, 2, 6).
         steps: steps that are searched, and how.
-        generations: number of generations, next to those of the steps.
+        generations: number of generations, next to the steps'.
         yaw_rates: targets, rad/s: 0 alone for the straight gait, or positive and increasing; turns to the right are
             their mirror images.
 

@@ -1,6 +1,6 @@
 """Styles of the scripted gaits: the steps that a search looks for, and at which velocities it looks.
 
-Numbers are those of the robot on which the presets were tuned; `Scale` gives those of another.
+Numbers hold for the robot on which the presets were tuned; `Scale` converts them for another.
 """
 
 from dataclasses import dataclass
@@ -41,7 +41,7 @@ class Steps:
     touchdown_cost: float = 30.0
     """Of the difference of each foot's touchdowns per stride from one: feet that bounce, and feet that never land."""
     more_generations: int = 0
-    """Of the search, beyond those of the program's option."""
+    """Seeds of the search, beyond the program's option."""
     spread: float = 0.04
     """Standard deviation of the search's first generation, rad; in turns at the largest yaw rate."""
     draws: int = 0

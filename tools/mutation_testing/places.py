@@ -29,7 +29,7 @@ OPERATORS: Final = (
     *("ReplaceBreakWithContinue", "ReplaceContinueWithBreak", "ExceptionReplacer", "ZeroIterationForLoop"),
     *("NumberReplacer", "RemoveStatement"),
 )
-"""Names of the operators, two or fewer for each place. All but `RemoveStatement` are those of Cosmic Ray."""
+"""Names of the operators, two or fewer for each place. All but `RemoveStatement` are Cosmic Ray's."""
 _BINARY_PARENTS: Final = {"arith_expr", "term", "expr", "and_expr", "xor_expr", "shift_expr", "power"}
 
 
@@ -64,7 +64,7 @@ class Mutant:
     column: int
     operator: str
     occurrence: int
-    """Number of the place among those of the operator in the file"""
+    """Number of the place among the operator's places in the file"""
 
     @property
     def name(self) -> str:

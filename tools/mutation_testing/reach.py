@@ -29,7 +29,7 @@ class Place(NamedTuple):
 
 
 def tests_of(mutant: Mutant, baseline: dict[str, Any]) -> list[str]:
-    """Tests that reach a bug: those of its package first, and those of other packages that take less than `FAST`.
+    """Tests that reach a bug: its package's first, and tests of other packages that take less than `FAST`.
 
     A bug in what runs a single time, such as a default, a decorator or a cached function, is reached by all tests of
     its package, and by those that reach any function of the file.

@@ -110,7 +110,7 @@ def _check_names(plant: Any, robot: Robot) -> None:
 
 
 def _set_contact(plant: Any, scene: Any, robot: Robot, contact: Contact) -> None:
-    """Set the contact model of every link. Drake's parser has given links without a friction of their own that of 1."""
+    """Set the contact model of every link. Drake's parser gives a friction of 1 to links without one."""
     inspector, source = scene.model_inspector(), plant.get_source_id()
     for link in robot.link_names:
         for geometry in plant.GetCollisionGeometriesForBody(plant.GetBodyByName(link)):

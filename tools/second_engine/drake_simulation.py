@@ -27,11 +27,11 @@ class DrakeSimulation:
     """`Simulation` of N robots in Drake, on level ground; all share one diagram, and each has its context.
 
     The motors are `Servos`. The readings mean what they mean in the simulations here: positions, velocities and the
-    accelerometer are those of the sensors' sites, and a touch sensor adds up the normal forces on its link within its
+    accelerometer belong to the sensors' sites, and a touch sensor adds up the normal forces on its link within its
     zone.
 
     Raises:
-        QuadrupedError: if the task's ground is not level, or the URDF is not that of the task's robot.
+        QuadrupedError: if the task's ground is not level, or the URDF describes another robot than the task's.
     """
 
     height_field: HeightField | None = None

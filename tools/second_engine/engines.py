@@ -40,15 +40,15 @@ class MuJoCo:
     name: ClassVar[str] = "MuJoCo"
 
     cone: Cone | None = None
-    """Friction cone; None: that of the model."""
+    """Friction cone; None: the model's."""
     impratio: float | None = None
-    """Ratio of frictional to normal impedance of contacts; None: that of the model."""
+    """Ratio of frictional to normal impedance of contacts; None: the model's."""
     time_constant: float | None = None
-    """Time constant of all contacts, s, critically damped; None: those of the model."""
+    """Time constant of all contacts, s, critically damped; None: the model's."""
     noslip_iterations: int | None = None
-    """Iterations of the solver that removes slip after each step; None: those of the model."""
+    """Iterations of the solver that removes slip after each step; None: the model's."""
     friction: float | None = None
-    """Coefficient of sliding friction of all contacts; None: those of the model."""
+    """Coefficient of sliding friction of all contacts; None: the model's."""
 
     def __post_init__(self) -> None:
         _check("cone", self.cone, lambda value: value in _CONES, " or ".join(_CONES))
@@ -107,7 +107,7 @@ class Drake:
     max_timestep: float = 0.002
     """Maximum time step, s; a control step has a whole number of steps."""
     friction: float | None = None
-    """Coefficient of friction, static and dynamic, of all contacts; None: that of the feet in the MJCF."""
+    """Coefficient of friction, static and dynamic, of all contacts; None: the feet's in the MJCF."""
     relaxation_time: float = 0.001
     """Time constant of the dissipation with `sap`, s; the other approximations have Drake's default dissipation.
 

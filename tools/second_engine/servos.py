@@ -17,7 +17,7 @@ class Servos:
         wanted = kp (target - q) - kd w
         torque = clip(clip(wanted, -stall - slope w, stall - slope w), -stall, stall),   slope = stall / no_load_speed
 
-    The target is that of `delay` ago. Dry friction is not part of the motor's torque; `friction` computes it.
+    The target is the one of `delay` ago. Dry friction is not part of the motor's torque; `friction` computes it.
 
     Args:
         motors: gains, limits, friction and delay.

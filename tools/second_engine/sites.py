@@ -40,7 +40,7 @@ class Site:
         return cls(site.name, link, site.pos.copy(), site.quat.copy(), int(site.type[0]), site.size.copy())
 
     def motion(self, robot: DrakeRobot) -> BodyState:
-        """Motion of the site; its rotation is that of its link."""
+        """Motion of the site; its rotation is its link's."""
         body = robot.body(self.link)
         arm = body.rotation @ self.position
         velocity = body.linear_velocity + np.cross(body.angular_velocity, arm)

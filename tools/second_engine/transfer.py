@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.evaluation.comparison import Command, commands_for, evaluation_task, motion_of
+from quadruped_env.evaluation.conditions import Command, commands_for, evaluation_task, motion_of
 from quadruped_env.evaluation.confidence import bootstrap_mean
 from quadruped_env.evaluation.measures import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out

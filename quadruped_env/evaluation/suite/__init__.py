@@ -1,1 +1,1 @@
-"""The suite `mq-eval`: a fixed, versioned evaluation whose results can be compared with those of others."""
+"""The suite `mq-eval`: a fixed, versioned evaluation whose results can be compared between users."""

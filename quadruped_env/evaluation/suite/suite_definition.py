@@ -1,7 +1,7 @@
 """Definition of the suite `mq-eval`: its parts as data, its version, and its hash. docs/suite.md explains the measures.
 
-All numbers are in SI units and for the built-in robot, angles of directions and tilts in degrees; `for_robot` gives
-those of another one. A change of a number changes the hash. A change of a formula must change `VERSION`.
+All numbers are in SI units and for the built-in robot, slopes in degrees; `for_robot` scales them to another one. A
+change of a number changes the hash. A change of a formula must change `VERSION`.
 """
 
 import dataclasses
@@ -14,6 +14,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.evaluation.conditions import COMMANDS, Command
 from quadruped_env.evaluation.measures import BOUNCE, CLOSE, ROUGH, SPEED_SHARE, SWING_SHARE
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
@@ -26,15 +27,12 @@ from quadruped_env.utils.seeds import EVALUATION_SEEDS
 NAME: Final = "mq-eval"
 VERSION: Final = 2
 
-Command = tuple[float, float]
-"""Forward velocity in m/s and yaw rate in rad/s."""
-
 _FIRST_SEED: Final = EVALUATION_SEEDS.start + 500_000
-"""First seed of the suite; the seeds before it are those of the other evaluations."""
+"""First seed of the suite; the seeds before it belong to the other evaluations."""
 _SEEDS_PER_PART: Final = 10_000
 
 RECTANGLE: Final[tuple[Command, Command]] = ((-0.3, -0.8), (0.6, 0.8))
-"""Least and largest commands that are drawn, those of the task; not in the hash."""
+"""Ranges of the commands that are drawn, as in the task; not in the hash."""
 _R2: Final = np.array([0.7548776662466927, 0.5698402909980532])
 """Steps of the sequence R2: 1 / g and 1 / g^2, where g^3 = g + 1."""
 
@@ -102,8 +100,8 @@ class CommandMap(Part):
 
 
 @dataclass(frozen=True)
-class Factor:
-    """One disturbance: values of the config's section `randomization`, and an incline of the ground."""
+class Disturbance:
+    """Values of the config's section `randomization`, and an incline of the ground."""
 
     name: str
     randomization: dict[str, Any] = field(default_factory=dict)
@@ -116,8 +114,8 @@ class Joystick(Part):
     """Commands that change at any time, as a person gives them."""
 
     rectangle: tuple[Command, Command] = RECTANGLE
-    laws: tuple[Factor, ...] = field(
-        default_factory=lambda: (Factor("undisturbed"), Factor("moderate", dict(PRESETS["moderate"])))
+    laws: tuple[Disturbance, ...] = field(
+        default_factory=lambda: (Disturbance("undisturbed"), Disturbance("moderate", dict(PRESETS["moderate"])))
     )
     """Disturbances under which the episodes run."""
     seconds: float = 60.0
@@ -128,7 +126,7 @@ class Joystick(Part):
     allowance: float = 0.5
     """Time after a change that does not count, s."""
     shortest: float = 0.25
-    """Time after the allowance from which a held command counts, s: that of a stride."""
+    """Time after the allowance from which a held command counts, s: a stride."""
     window: float = 5.0
     """Length of the windows of the score, s."""
     tolerance: tuple[float, float] = ROUGH
@@ -139,18 +137,7 @@ class Joystick(Part):
 class GaitPart(Part):
     """Steady walking, for the measures of the gait."""
 
-    commands: tuple[Command, ...] = (
-        (0.1, 0.0),
-        (0.2, 0.0),
-        (0.3, 0.0),
-        (0.4, 0.0),
-        (0.5, 0.0),
-        (-0.2, 0.0),
-        (0.0, 0.5),
-        (0.0, -0.5),
-        (0.3, 0.5),
-        (0.3, -0.5),
-    )
+    commands: tuple[Command, ...] = tuple(command for command in COMMANDS if any(command))
     seconds: float = 15.0
     tolerance: tuple[float, float] = ROUGH
     """Errors of the mean velocities up to which the gait of an episode counts in the score, m/s and rad/s."""
@@ -220,30 +207,24 @@ class Pushes(Part):
     unit: tuple[float, ...] = (1.0, 1.0, 0.5, 2.0, 2.0, 2.0)
     """Factors on a direction drawn on the sphere in six dimensions: m/s in the world frame, rad/s in the body frame."""
     tolerance: tuple[float, float] = ROUGH
-    """Errors of the mean velocities after a push up to which the episode does what was asked, m/s and rad/s."""
+    """Errors of the mean velocities after a push up to which the episode follows its command, m/s and rad/s."""
     final: float = 2.0
     """Time at the end over which these means are, s."""
-    horizontal_sizes: tuple[float, ...] = _steps(0, 10, 1, 0.2)
-    """Horizontal velocities of the pushes by direction, m/s."""
-    directions: tuple[float, ...] = _steps(0, 315, 45, 1.0)
-    """Directions relative to the heading, degrees: 0 forwards, 90 to the left."""
-    horizontal_seeds: int = 6
-    """Episodes per size and direction."""
     before: tuple[float, float] = (3.0, 4.0)
     """Range of the time until the push, s: it is drawn, so that it comes anywhere in a stride."""
     after: float = 4.0
     """Time from the latest push to the end, s."""
 
 
-def _factors() -> tuple[Factor, ...]:
+def _factors() -> tuple[Disturbance, ...]:
     """Friction, payload, encoder offsets and slopes, one at a time."""
     return (
-        Factor("nominal"),
-        *(Factor(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
-        *(Factor(f"payload_{kg:+g}_kg", {"payload": (kg, kg)}) for kg in (-0.5, 0.5, 1.0, 2.0)),
-        *(Factor(f"encoder_offset_{offset:g}", {"encoder_offset": offset}) for offset in (0.02, 0.04)),
+        Disturbance("nominal"),
+        *(Disturbance(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
+        *(Disturbance(f"payload_{kg:+g}_kg", {"payload": (kg, kg)}) for kg in (-0.5, 0.5, 1.0, 2.0)),
+        *(Disturbance(f"encoder_offset_{offset:g}", {"encoder_offset": offset}) for offset in (0.02, 0.04)),
         *(
-            Factor(f"{way}_{angle:g}_degrees", {"start_heading": 0.0}, sign * angle)
+            Disturbance(f"{way}_{angle:g}_degrees", {"start_heading": 0.0}, sign * angle)
             for angle in (4.0, 8.0, 12.0, 16.0)
             for way, sign in (("up", 1.0), ("down", -1.0))
         ),
@@ -254,7 +235,7 @@ def _factors() -> tuple[Factor, ...]:
 class Regulation(Part):
     """Speed and yaw rate kept under one disturbance at a time, and under all of the preset `hard` together."""
 
-    factors: tuple[Factor, ...] = field(default_factory=_factors)
+    factors: tuple[Disturbance, ...] = field(default_factory=_factors)
     commands: tuple[Command, ...] = ((0.3, 0.0), (0.5, 0.0), (-0.2, 0.0), (0.0, 0.5), (0.3, 0.5))
     seconds: float = 8.0
     standing: float = 0.5
@@ -263,7 +244,7 @@ class Regulation(Part):
     """Error up to which an episode keeps a velocity that is commanded, relative to the command."""
     tolerance: tuple[float, float] = CLOSE
     """The same for a velocity whose command is 0, m/s and rad/s."""
-    together: Factor = field(default_factory=lambda: Factor("hard", dict(PRESETS["hard"])))
+    together: Disturbance = field(default_factory=lambda: Disturbance("hard", dict(PRESETS["hard"])))
     together_seeds: int = 32
     """Episodes per command with all disturbances together."""
     together_seconds: float = 20.0
@@ -301,42 +282,6 @@ class TerrainPart(Part):
 
 
 @dataclass(frozen=True)
-class Release:
-    """A start of a recovery: a limp robot that is released above the ground."""
-
-    name: str
-    height: float
-    """Height of the centre of the base over the ground, m; in the stance of the built-in robot it is 0.184 m."""
-    tilt: float
-    """Angle between the base's up axis and the world's, about a random horizontal axis, degrees."""
-    random_joints: bool
-    """True for joint positions uniform in their ranges; False for the stance."""
-
-
-@dataclass(frozen=True)
-class Recovery(Part):
-    """Limp robots that are released, fall, and are stood up by the live controller."""
-
-    releases: tuple[Release, ...] = (
-        Release("drop_10cm", 0.284, 0.0, False),
-        Release("drop_30cm", 0.484, 0.0, False),
-        Release("collapse", 0.3, 0.0, True),
-        Release("tilt_30", 0.3, 30.0, True),
-        Release("tilt_60", 0.3, 60.0, True),
-        Release("side", 0.3, 90.0, True),
-        Release("back", 0.3, 180.0, True),
-    )
-    limp_seconds: float = 2.0
-    """Time until the live controller is started, s."""
-    seconds: float = 20.0
-    """Time from then on, s."""
-    command: Command = (0.3, 0.0)
-    """Command from the moment when the controller stands, m/s and rad/s."""
-    walk_seconds: float = 3.0
-    """Time on its feet under the command after which the robot has recovered, s."""
-
-
-@dataclass(frozen=True)
 class Suite:
     """The suite: `full_suite` is the one to compare with, `quick_suite` shows whether a policy works.
 
@@ -351,7 +296,6 @@ class Suite:
     pushes: Pushes = Pushes(16, _FIRST_SEED + 4 * _SEEDS_PER_PART)
     regulation: Regulation = Regulation(4, _FIRST_SEED + 5 * _SEEDS_PER_PART)
     terrain: TerrainPart = TerrainPart(16, _FIRST_SEED + 6 * _SEEDS_PER_PART)
-    recovery: Recovery = Recovery(4, _FIRST_SEED + 7 * _SEEDS_PER_PART)
 
     def to_dict(self) -> dict[str, Any]:
         """The definition as plain values."""
@@ -380,12 +324,12 @@ _VELOCITIES: Final = ("m/s", "rad/s")
 _UNITS: Final[Mapping[str, str | tuple[str, ...]]] = {
     **dict.fromkeys(("rectangle", "smallest", "axes", "command", "commands", "first", "then"), _VELOCITIES),
     **dict.fromkeys(("tolerance", "narrowest", "together_tolerance"), _VELOCITIES),
-    **dict.fromkeys(("soft_landing", "little_slip", "horizontal_sizes"), "m/s"),
+    **dict.fromkeys(("soft_landing", "little_slip"), "m/s"),
     **dict.fromkeys(("bounce", "full_clearance"), "m"),
     "unit": ("m/s",) * 3 + ("rad/s",) * 3,
 }
-"""Units of the fields that follow the robot's size. Disturbances, tiles and releases do where they are used; times are
-the same for all."""
+"""Units of the fields that follow the robot's size. Disturbances and tiles do where they are used; times are the same
+for all."""
 
 
 def for_robot(suite: Suite, robot: Robot) -> Suite:
@@ -424,14 +368,7 @@ def quick_suite() -> Suite:
         joystick=replace(full.joystick, num_seeds=4, seconds=15.0),
         gait=replace(full.gait, num_seeds=1, seconds=6.0, commands=((0.3, 0.0), (0.0, 0.5))),
         transients=replace(full.transients, num_seeds=1),
-        pushes=replace(
-            full.pushes,
-            num_seeds=2,
-            sizes=(1.0,),
-            horizontal_seeds=2,
-            horizontal_sizes=(0.0, 0.6, 1.2),
-            directions=(0.0, 90.0, 180.0, 270.0),
-        ),
+        pushes=replace(full.pushes, num_seeds=2, sizes=(1.0,)),
         regulation=replace(
             full.regulation,
             num_seeds=1,
@@ -440,5 +377,4 @@ def quick_suite() -> Suite:
             together_seconds=8.0,
         ),
         terrain=replace(full.terrain, num_seeds=2, kinds=("rough", "steps"), levels=2, terrain_seeds=(_FIRST_SEED,)),
-        recovery=replace(full.recovery, num_seeds=1, releases=(full.recovery.releases[0],)),
     )

@@ -52,7 +52,7 @@ static int put_clock(float *observation, int at, const policy_memory *memory)
 
 /* observe */
 
-#if defined CLOCK_KNOTS || defined GAIT_KNOTS
+#ifdef GAIT_KNOTS
 /* Interval of increasing knots in which x lies, or the first or last one, and the fraction of it below x. */
 static float locate(const float *knots, int count, float x, int *interval)
 {
@@ -62,20 +62,7 @@ static float locate(const float *knots, int count, float x, int *interval)
     *interval = i;
     return clip((x - knots[i]) / (knots[i + 1] - knots[i]), 0.0f, 1.0f);
 }
-#endif
 
-#ifdef CLOCK_KNOTS
-/* Frequency of the gait clock, relative to 1 Hz. */
-static float frequency(const float command[POLICY_COMMANDS])
-{
-    int i;
-    float speed = fabsf(command[0]) + TURN_ARM * fabsf(command[1]);
-    float part = locate(clock_speeds, CLOCK_KNOTS, speed, &i);
-    return clock_frequencies[i] + part * (clock_frequencies[i + 1] - clock_frequencies[i]);
-}
-#endif
-
-#ifdef GAIT_KNOTS
 /* Part of the scripted gait's table (sine, cosine or offset; straight, turn or side) at a speed, rad. */
 static float wave(int table, int interval, float part, int joint)
 {

@@ -2,11 +2,11 @@
 
 import time
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Final
 
-from quadruped_env.live.middleware.node import Node, Publisher, Subscription
+from quadruped_env.live.middleware.node import Node
 from quadruped_env.live.middleware.topics import DIAGNOSTICS
-from quadruped_env.live.pace import Pace, Rate
+from quadruped_env.live.pace import Pace
 from quadruped_env.ros import cdr
 
 OK, WARN, ERROR = range(3)
@@ -28,17 +28,19 @@ class Diagnostics:
         self._hardware = hardware
         self._publisher = node.publish(DIAGNOSTICS)
         self._pace = Pace(_PERIOD)
-        self._rates: dict[Publisher | Subscription[Any], Rate] = {}
+        self._counts: dict[object, int] = {}
+        """Messages of each publisher and subscription until the last status."""
+        self._sent_at = time.monotonic()
 
     def send(self, level: int, message: str, values: Mapping[str, object]) -> None:
         """Send a status if it is time; call it often. `level` is one of `OK`, `WARN`, `ERROR`."""
         if not self._pace.tick():
             return
-        shown = dict(values)
+        now, shown = time.monotonic(), dict(values)
         for end in self._node.ends:
-            if end is not self._publisher:
-                rate = self._rates.setdefault(end, Rate(since=self._pace.due - 2 * _PERIOD))
-                shown[f"{end.topic.name}, Hz"] = f"{rate.per_second(end.count):.1f}"
+            shown[f"{end.topic.name}, Hz"] = f"{(end.count - self._counts.get(end, 0)) / (now - self._sent_at):.1f}"
+            self._counts[end] = end.count
+        self._sent_at = now
         status = {
             "level": level,
             "name": f"{self._node.names.full_node}: robot",

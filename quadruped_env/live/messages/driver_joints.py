@@ -5,15 +5,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP, MAX_MEASURED, MAX_TARGET, Target
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.messages.joint_messages import Joints
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import Floats
 
 if TYPE_CHECKING:
-    from quadruped_env.trajectory.maps import JointMap
+    from quadruped_env.trajectory.joint_map import JointMap
 
 _KINDS: Final = ("position", "velocity", "effort")
 
@@ -27,7 +27,7 @@ class DriverJoints:
         commands: True if commands are converted too, so that the robot's joints have to determine the driver's.
 
     Raises:
-        QuadrupedError: if the map's joints are not those of the robot, do not determine the driver's, or would send
+        QuadrupedError: if the map's joints are not the robot's, do not determine the driver's, or would send
             targets beyond `MAX_TARGET`.
     """
 
@@ -53,7 +53,7 @@ class DriverJoints:
 
     @classmethod
     def load(cls, path: Path | None, robot: Robot, commands: bool = True) -> Self:
-        """Conversion by a map in a TOML file (`quadruped_env.trajectory.maps`); None: no map.
+        """Load the conversion from a map in a TOML file (`quadruped_env.trajectory.joint_map`); None: no map.
 
         Raises:
             QuadrupedError: if the file is not such a map, or does not fit the robot.
@@ -61,7 +61,7 @@ class DriverJoints:
         if path is None:
             return cls(robot)
         # Here, because a controller without a map does without the code for recordings.
-        from quadruped_env.trajectory.maps import JointMap
+        from quadruped_env.trajectory.joint_map import JointMap
 
         loaded = JointMap.load(path)
         given = sorted(loaded.rules, key=lambda name: (*robot.joint_names, name).index(name))
@@ -81,7 +81,7 @@ class DriverJoints:
             )
 
     def to_robot(self, joints: Joints) -> Joints:
-        """A message of the driver's joints (D,) as one of the robot's (J,).
+        """Convert a message of the driver's joints (D,) to the robot's (J,).
 
         Driver's joints that the message lacks are taken from earlier ones. Joints none of whose sources it holds, or
         with a source that no message has held yet, are NaN.
@@ -100,7 +100,7 @@ class DriverJoints:
         return Joints(joints.stamp, position, velocity, effort, joints.others)
 
     def target_to_robot(self, target: Target) -> Target:
-        """A target for the driver's joints (D,) as one for the robot's (J,), or `LIMP`.
+        """Convert a target for the driver's joints (D,) to the robot's (J,); `LIMP` stays `LIMP`.
 
         Raises:
             QuadrupedError: if a target is not finite.
@@ -113,11 +113,11 @@ class DriverJoints:
         return target
 
     def target_to_driver(self, target: Target) -> Target:
-        """A target for the robot's joints (J,) as one for the driver's (D,), or `LIMP`."""
+        """Convert a target for the robot's joints (J,) to the driver's (D,); `LIMP` stays `LIMP`."""
         return LIMP if target is LIMP else self.to_driver(target)[0]
 
-    def to_driver(self, *values: NDArray[np.float64]) -> tuple[NDArray[np.float64], ...]:
-        """Positions, velocities and efforts of the robot's joints (J,), as far as given, as the driver's (D,)."""
+    def to_driver(self, *values: Floats) -> tuple[Floats, ...]:
+        """Convert positions, velocities and efforts of the robot's joints (J,), as far as given, to the driver (D,)."""
         if self._map is None:
             return values
         return tuple(self._map.to_sources(dict(zip(_KINDS, values, strict=False))).values())
@@ -130,5 +130,5 @@ def add_map_argument(parser: argparse.ArgumentParser) -> None:
         type=Path,
         metavar="MAP.toml",
         help="joints, signs, zeros and units of the robot's driver on /joint_states and /joint_commands, as "
-        "'calibrate' writes them (docs/live.md; default: those of the robot, in rad)",
+        "'calibrate' writes them (docs/live.md; default: the robot's joints, in rad)",
     )

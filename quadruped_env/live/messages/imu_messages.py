@@ -3,11 +3,11 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import MAX_MEASURED
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.ros.timestamps import read_stamp
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import inverse, multiply, rotate
 
 _NORM_ERROR = 0.05
@@ -18,9 +18,9 @@ class Imu(NamedTuple):
 
     stamp: int
     """Timestamp, ns."""
-    orientation: NDArray[np.float64]
+    orientation: Floats
     """Unit quaternion wxyz of the sensor (4,)."""
-    angular_velocity: NDArray[np.float64]
+    angular_velocity: Floats
     """Angular velocity in the sensor's frame (3,), rad/s."""
     frame: str
     """The sensor's frame; empty if the message names none."""
@@ -29,7 +29,7 @@ class Imu(NamedTuple):
 
 
 def read_imu(message: Any) -> Imu:
-    """The IMU measurement of a `sensor_msgs/msg/Imu` message.
+    """Read the measurement of a `sensor_msgs/msg/Imu` message.
 
     Raises:
         QuadrupedError: if it has no orientation or timestamp, or a value is not finite or too large.
@@ -56,8 +56,8 @@ def read_imu(message: Any) -> Imu:
     return Imu(stamp, orientation / norm, angular_velocity, message.header.frame_id, content)
 
 
-def in_base(imu: Imu, base: str, mount: NDArray[np.float64] | None) -> Imu:
-    """The measurement of an IMU at the base.
+def in_base(imu: Imu, base: str, mount: Floats | None) -> Imu:
+    """Convert the measurement of an IMU to the base frame.
 
     Args:
         imu: the measurement in the sensor's frame.

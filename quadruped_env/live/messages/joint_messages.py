@@ -4,7 +4,7 @@ import itertools
 import statistics
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Any, Final, NamedTuple, Protocol
+from typing import Final, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.ros.robot_messages import RawJointState, joint_state, read_joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 _REMEMBERED: Final = 16
 """Number of lists of names whose order is remembered."""
@@ -45,11 +46,11 @@ class Joints(NamedTuple):
 
     stamp: int
     """Timestamp, ns."""
-    positions: NDArray[np.float64] | None
+    positions: Floats | None
     """Joint positions (J,), rad; NaN for joints that are not in the message."""
-    velocities: NDArray[np.float64] | None
+    velocities: Floats | None
     """Joint velocities (J,), rad/s; NaN means unknown."""
-    efforts: NDArray[np.float64] | None
+    efforts: Floats | None
     """Joint torques (J,), N m; NaN means unknown."""
     others: tuple[str, ...] = ()
     """Names in the message that are not joints of the robot."""
@@ -99,9 +100,7 @@ class JointReader:
             raise QuadrupedError("the timestamp is empty; have the publisher fill header.stamp")
         return joints
 
-    def _values(
-        self, raw: RawJointState, field: str, columns: "_Columns", nan: bool = False
-    ) -> NDArray[np.float64] | None:
+    def _values(self, raw: RawJointState, field: str, columns: "_Columns", nan: bool = False) -> Floats | None:
         given = getattr(raw, field)
         if not len(given):
             return None
@@ -139,7 +138,7 @@ class JointMerger:
         robot: Jointed,
         velocities: bool,
         say: Callable[[str], None] = lambda text: None,
-        rates: NDArray[np.float64] | float = 1.0,
+        rates: Floats | float = 1.0,
     ) -> None:
         self.period = Period()
         """Period of complete states."""
@@ -189,8 +188,8 @@ class JointMerger:
             return ""
         return f"{self._names[oldest]} on {JOINT_STATES.name}: {lag:.2f} s older than {self._names[newest]}"
 
-    def _differentiated(self, joints: Joints) -> NDArray[np.float64]:
-        """Velocities (J,) from the joints' last positions and a message, through a first-order low-pass filter."""
+    def _differentiated(self, joints: Joints) -> Floats:
+        """Compute velocities (J,) from the last positions and a message, through a first-order low-pass filter."""
         if not self.computes_velocities:
             self.computes_velocities = True
             self._say(
@@ -206,7 +205,7 @@ class JointMerger:
 
 
 def missing_joints(joints: Sequence[str], others: Sequence[str]) -> str:
-    """Description of joints that `/joint_states` does not hold, and of other ones that it holds."""
+    """Return the description of joints that `/joint_states` does not hold, and of other ones that it holds."""
     more = f" and {len(joints) - 1} more" if len(joints) > 1 else ""
     held = f", which holds {', '.join(map(short, others[:_SHOWN]))}{', ...' * (len(others) > _SHOWN)}"
     return f"{joints[0]}{more} on {JOINT_STATES.name}{held if others else ''}"
@@ -229,7 +228,7 @@ class Period:
         return len(steps) * NS_PER_SECOND / sum(steps) if len(steps) >= _STAMPS else None
 
     def _steps(self, count: int = 0) -> list[int]:
-        """Steps between increasing timestamps, of the last `count` timestamps or of all, ns."""
+        """Return the steps between increasing timestamps, of the last `count` timestamps or of all, ns."""
         stamps = list(self._stamps)[-count:]
         return [later - earlier for earlier, later in itertools.pairwise(stamps) if later > earlier]
 
@@ -242,7 +241,7 @@ class Period:
 
 
 def command_message(robot: Jointed, stamp: int, target: Target) -> bytes:
-    """The CDR bytes of a `/joint_commands` message.
+    """Serialize a `/joint_commands` message to CDR.
 
     Args:
         robot: the robot that is commanded, or its driver.
@@ -255,7 +254,7 @@ def command_message(robot: Jointed, stamp: int, target: Target) -> bytes:
 
 
 def read_target(joints: Joints) -> Target:
-    """The target of a `/joint_commands` message.
+    """Read the target of a `/joint_commands` message.
 
     Raises:
         QuadrupedError: if the message holds neither positions nor efforts of zero alone.
@@ -265,19 +264,6 @@ def read_target(joints: Joints) -> Target:
     if joints.efforts is not None and not joints.efforts.any() and joints.velocities is None:
         return LIMP
     raise QuadrupedError("has no positions; send positions in rad, or only efforts of 0 to let the robot go limp")
-
-
-def read_positions(message: Any, robot: Jointed) -> NDArray[np.float64]:
-    """The joint targets of a `/forward_position_controller/commands` message, rad (J,).
-
-    Raises:
-        QuadrupedError: if it does not hold a finite number for each joint.
-    """
-    positions = np.array(message.data, dtype=np.float64)
-    if positions.shape != (len(robot.joint_names),) or not np.isfinite(positions).all():
-        found = positions.tolist() if positions.size <= len(robot.joint_names) else f"{positions.size} numbers"
-        raise QuadrupedError(f"holds {found}; send a finite number of rad for each of {', '.join(robot.joint_names)}")
-    return positions
 
 
 class _Columns(NamedTuple):
@@ -292,7 +278,7 @@ class _Columns(NamedTuple):
 
 
 def _columns(names: tuple[str, ...], joints: tuple[str, ...], whole: bool) -> _Columns:
-    """Where a list of names holds the joints; with `whole`, each of them once and nothing else."""
+    """Find the joints in a list of names; with `whole`, it has to hold each of them once and nothing else."""
     others = tuple(name for name in names if name not in joints)
     found = [i for i, joint in enumerate(joints) if joint in names]
     twice = len(names) - len(others) > len(found)

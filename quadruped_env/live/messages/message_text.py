@@ -1,35 +1,34 @@
 """Messages as text, as `ros2 topic echo --full-length` prints them."""
 
-from collections.abc import Iterator
+from dataclasses import asdict
 from typing import Any, Final
 
+import numpy as np
+
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.ros import message_type
 
 _WIDTH: Final = 2**31 - 1
 """Maximum line width in characters: the largest that the YAML library accepts, so that no line is broken."""
 
-_PLACEHOLDER: Final = "structure_needs_at_least_one_member"
-"""Field of a type that has none."""
+_HIDDEN: Final = ("__msgtype__", "structure_needs_at_least_one_member")
+"""Fields that are no content: the type's name, and the member of a type that has none."""
 
 
 def plain(message: Any) -> dict[str, Any]:
-    """A message of `quadruped_env.ros.cdr` as dicts, lists, numbers and strings, in the field order of its type."""
-    values = {}
-    for field in message_type(message.__msgtype__).fields:
-        if field.name == _PLACEHOLDER:
-            continue
-        value = getattr(message, field.name)
-        if field.is_message:
-            value = [plain(one) for one in value] if field.many else plain(value)
-        elif field.many:
-            value = list(value) if field.base == "string" else value.tolist()
-        values[field.name] = value
-    return values
+    """Return a message of `quadruped_env.ros.cdr` as dicts, lists, numbers and strings, in its type's field order."""
+    return asdict(message, dict_factory=_plain_fields)
+
+
+def _plain_fields(fields: list[tuple[str, Any]]) -> dict[str, Any]:
+    return {
+        name: value.tolist() if isinstance(value, np.ndarray) else value
+        for name, value in fields
+        if name not in _HIDDEN
+    }
 
 
 def field_at(values: Any, path: str) -> Any:
-    """One field of a message.
+    """Return one field of a message.
 
     Args:
         values: the result of `plain`.
@@ -50,7 +49,7 @@ def field_at(values: Any, path: str) -> Any:
 
 
 def as_yaml(values: Any) -> str:
-    """YAML with one line per list item, and the `---` line that ends a message.
+    """Return YAML with one line per list item, and the `---` line that ends a message.
 
     Raises:
         MissingExtraError: if PyYAML is not installed.
@@ -64,21 +63,6 @@ def as_yaml(values: Any) -> str:
     )
     # For a single value PyYAML adds the end-of-document mark.
     return text.removesuffix("...\n") + "---\n"
-
-
-def as_csv(values: Any) -> str:
-    """All values in one CSV line; an empty list becomes one empty cell."""
-    return f"{','.join(_cells(values))}\n"
-
-
-def _cells(values: Any) -> Iterator[str]:
-    if isinstance(values, dict):
-        values = list(values.values())
-    if isinstance(values, list):
-        for one in values or [""]:
-            yield from _cells(one)
-    else:
-        yield str(values)
 
 
 def _count(values: Any) -> str:

@@ -11,23 +11,23 @@ from quadruped_env.ros import cdr
 
 
 def velocity_message(command: Velocity) -> Any:
-    """A Twist with a forward velocity in m/s and a yaw rate in rad/s."""
+    """Make a Twist with a forward velocity in m/s and a yaw rate in rad/s."""
     return cdr.message(CMD_VEL.type_name, linear={"x": command[0]}, angular={"z": command[1]})
 
 
 def read_velocity(message: Any) -> Velocity:
-    """The command of a Twist or TwistStamped: forward velocity in m/s and yaw rate in rad/s."""
+    """Read a Twist or TwistStamped: forward velocity in m/s and yaw rate in rad/s."""
     twist = getattr(message, "twist", message)
     return twist.linear.x, twist.angular.z
 
 
 def settings_message(settings: GaitSettings) -> Any:
-    """A `/gait` or `/gait/settings` message."""
+    """Make a `/gait` or `/gait/settings` message."""
     return cdr.message(GAIT.type_name, data=[settings.amplitude, settings.frequency, *settings.phases])
 
 
 def read_settings(message: Any, robot: Robot) -> GaitSettings:
-    """The settings of a `/gait` or `/gait/settings` message.
+    """Read the settings of a `/gait` or `/gait/settings` message.
 
     Raises:
         QuadrupedError: if it does not hold two numbers and one per leg, or one is outside its range.

@@ -65,7 +65,7 @@ class Network:
 
     @classmethod
     def from_environment(cls, subnet: bool = False) -> "Network":
-        """The domain that ROS 2 would use: ROS_DOMAIN_ID, or 0.
+        """Return the domain that ROS 2 would use: ROS_DOMAIN_ID, or 0.
 
         Raises:
             QuadrupedError: if the variable is not a valid domain ID.
@@ -80,7 +80,7 @@ class Network:
 
 
 def import_dds() -> Any:
-    """The module `cyclonedds`.
+    """Import the module `cyclonedds`.
 
     Raises:
         MissingExtraError: if it is not installed.
@@ -135,7 +135,7 @@ _DOMAINS: Final[dict[int, tuple[Network, Any]]] = {}
 
 
 def _domain(network: Network) -> Any:
-    """The domain of an id within this process, with its settings."""
+    """Return the domain of an id within this process, with its settings."""
     from cyclonedds.domain import Domain
 
     if network.domain_id not in _DOMAINS:
@@ -171,7 +171,7 @@ def _bind_to_loopback(domain_id: int) -> None:
 
 
 def _datagram_sockets() -> Iterator[socket.socket]:
-    """The open UDP sockets of this process, each as a duplicate for the caller to close."""
+    """Yield the open UDP sockets of this process, each as a duplicate for the caller to close."""
     for entry in list(_FILES.iterdir()):
         number = int(entry.name)
         try:

@@ -133,7 +133,7 @@ class Subscription(Generic[T]):
         """Publisher and source timestamp of the last messages of several readers."""
 
     def take(self) -> list[Received]:
-        """All messages received since the last call, in order of arrival; with several readers, in order of sending."""
+        """Return all messages since the last call, in order of arrival; with several readers, in order of sending."""
         taken = [received for entity in self.entities for received in self._take(entity)]
         if len(self.entities) > 1:
             taken = [received for received in sorted(taken, key=lambda one: one.sent) if self._is_new(received)]
@@ -141,7 +141,7 @@ class Subscription(Generic[T]):
         return taken
 
     def _is_new(self, received: Received) -> bool:
-        """False if another reader has received the message; one without a source timestamp counts as new."""
+        """Return False if another reader has received the message; one without a source timestamp counts as new."""
         key = received.writer, received.sent
         if received.sent > 0 and key in self._seen:
             return False
@@ -163,7 +163,7 @@ class Subscription(Generic[T]):
         return taken
 
     def messages(self, refused: Refused) -> Iterator[tuple[Received, T]]:
-        """All messages since the last call that can be decoded, in order of arrival.
+        """Yield all messages since the last call that can be decoded, in order of arrival.
 
         Nodes use this to read messages of other processes: no message raises here, whatever its size or content.
 
@@ -179,7 +179,7 @@ class Subscription(Generic[T]):
                 yield received, message
 
     def newest(self, refused: Refused) -> tuple[Received, T] | None:
-        """The last message since the last call that can be decoded; arguments as in `messages`."""
+        """Return the last message since the last call that can be decoded; arguments as in `messages`."""
         messages = list(self.messages(refused))
         return messages[-1] if messages else None
 
@@ -223,7 +223,7 @@ class Node:
     Args:
         name: the node's name, visible to other processes.
         network: the domain and network; by default ROS_DOMAIN_ID on this machine only.
-        names: names of the node and its topics, in place of `name`.
+        names: names of the node and its topics, instead of `name`.
 
     Raises:
         MissingExtraError: if cyclonedds is not installed.
@@ -328,7 +328,7 @@ def message_reader(topic: Topic, convert: Callable[[Any], T]) -> Read[T]:
 
 
 def _dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
-    """The DDS QoS for an endpoint; its user data carries the type hash, as in ROS 2 Iron and later."""
+    """Return the DDS QoS for an endpoint; its user data carries the type hash, as in ROS 2 Iron and later."""
     from cyclonedds.core import Policy
     from cyclonedds.core import Qos as DdsQos
 
@@ -342,7 +342,7 @@ def _dds_qos(qos: Qos, kind: MessageType, ignore_own: bool = False) -> Any:
 
 
 def _dds_topic(participant: Any, topic: Topic) -> Any:
-    """The topic of a participant, made once: CycloneDDS cannot hold more than some thirty of one type in a process."""
+    """Return a participant's topic, made once: CycloneDDS cannot hold more than some thirty of one type."""
     from cyclonedds.topic import Topic as DdsTopic
 
     with _CREATING:

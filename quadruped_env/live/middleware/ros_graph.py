@@ -31,8 +31,6 @@ class Endpoint:
     """Key of the participant that owns it."""
     key: str = ""
     """Key of the endpoint, under which its process announces the node that it belongs to."""
-    structure: str = ""
-    """Digest of the announced XTypes type information; empty if none is announced, as by the nodes of this package."""
 
     @property
     def kind(self) -> str:
@@ -65,13 +63,13 @@ class Graph:
         """Participant -> node -> keys of its endpoints."""
 
     def endpoints(self, topic: str | None = None) -> list[Endpoint]:
-        """All current endpoints, or those of one topic, including this process's own."""
+        """Return all current endpoints, or one topic's, including this process's own."""
         self._update()
         found = (one for one in self._endpoints.values() if topic in (None, one.topic))
         return sorted(found, key=lambda one: (one.topic, one.type_name, not one.writes, one.handle))
 
     def is_own(self, endpoint: Endpoint) -> bool:
-        """True if the endpoint belongs to this participant."""
+        """Return True if the endpoint belongs to this participant."""
         return endpoint.participant == self.participant
 
     def owner(self, endpoint: Endpoint) -> str:
@@ -84,13 +82,8 @@ class Graph:
                 return f"{shown}{name[name.find(' (') :] if ' (' in name else ''}"
         return name
 
-    def nodes(self) -> list[str]:
-        """Full names of all nodes that processes have announced, this one's included."""
-        self._update()
-        return sorted(node for participant in self._names for node in self._nodes.get(participant, ()))
-
     def problems(self, all_processes: bool = False) -> list[str]:
-        """Reasons why publishers and subscriptions of the same topic do not match, without repetition.
+        """Return the reasons why publishers and subscriptions of the same topic do not match, without repetition.
 
         Args:
             all_processes: include pairs in which neither endpoint belongs to this process.
@@ -146,7 +139,6 @@ class Graph:
                         one.sample_info.instance_handle,
                         str(one.participant_key),
                         key,
-                        _structure(one.type_id),
                     )
 
 
@@ -155,7 +147,7 @@ def _key(gid: Any) -> str:
 
 
 def _read_qos(qos: Any) -> Qos:
-    """The profile of a discovered endpoint; depth 0 means keep all."""
+    """Return the profile of a discovered endpoint; depth 0 means keep all."""
     from cyclonedds.core import Policy
 
     policies = {policy.__scope__: policy for policy in qos}
@@ -167,7 +159,7 @@ def _read_qos(qos: Any) -> Qos:
 
 
 def _read_type_hash(qos: Any) -> str:
-    """The type hash in the user data of a discovered endpoint; empty if it has none."""
+    """Return the type hash in the user data of a discovered endpoint; empty if it has none."""
     for policy in qos:
         if policy.__scope__ == "Userdata":
             for entry in policy.data.decode("ascii", "replace").split(";"):
@@ -178,7 +170,7 @@ def _read_type_hash(qos: Any) -> str:
 
 
 def _obstacle(writer: Endpoint, reader: Endpoint) -> str:
-    """The reason why a reader receives nothing from a writer of its topic; empty if there is none."""
+    """Return the reason why a reader receives nothing from a writer of its topic; empty if there is none."""
     if writer.type_name != reader.type_name:
         return f"no message will arrive; the types differ: {writer.type_name} and {reader.type_name}"
     checks = [
@@ -197,16 +189,11 @@ def _obstacle(writer: Endpoint, reader: Endpoint) -> str:
 
 
 def _taken(reader: Any) -> Iterator[Any]:
-    """All changes since the last call."""
+    """Yield all changes since the last call."""
     while samples := reader.take(_TAKEN):
         yield from samples
         if len(samples) < _TAKEN:
             return
-
-
-def _structure(type_id: Any) -> str:
-    digest = getattr(type_id, "value", None)
-    return bytes(digest).hex() if isinstance(digest, (bytes, list, tuple)) else ""
 
 
 def _ros_type(dds_name: str) -> str:
@@ -215,7 +202,7 @@ def _ros_type(dds_name: str) -> str:
 
 
 def _name(qos: Any) -> str:
-    """A participant's name, process and machine; the DDS implementation determines which of them are announced."""
+    """Return a participant's name, process and machine, as far as its DDS implementation announces them."""
     properties: dict[str, str] = {}
     for policy in qos:
         if hasattr(policy, "key"):

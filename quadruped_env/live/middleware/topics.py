@@ -29,7 +29,7 @@ class Topic:
 
     @property
     def dds_name(self) -> str:
-        """The topic's name on DDS; a name without a slash is that of DDS itself."""
+        """The topic's name on DDS; a name without a slash is DDS's own."""
         return f"rt{self.name}" if self.name.startswith("/") else self.name
 
     @property
@@ -39,7 +39,7 @@ class Topic:
 
 
 def ros_name(dds_name: str) -> str:
-    """The ROS 2 name of a DDS topic; empty if it is not a ROS 2 topic."""
+    """Return the ROS 2 name of a DDS topic; empty if it is not a ROS 2 topic."""
     return dds_name.removeprefix("rt") if dds_name.startswith("rt/") else ""
 
 
@@ -68,10 +68,6 @@ PUSH: Final = Topic("/push", "geometry_msgs/msg/Vector3", _DEFAULT, requests=ANY
 """To `sim`: velocity in the world frame, m/s, that is added to the base's."""
 RESET: Final = Topic("/reset", "std_msgs/msg/Empty", _DEFAULT, requests=ANY_PUBLISHER_QOS)
 """To `sim` and `controller`: start again."""
-PAUSE: Final = Topic("/pause", "std_msgs/msg/Bool", _DEFAULT, requests=ANY_PUBLISHER_QOS)
-"""To `sim` and `controller`: true stops simulated time, false lets it run again."""
-STEP: Final = Topic("/step", "std_msgs/msg/Empty", _DEFAULT, requests=ANY_PUBLISHER_QOS)
-"""To `sim`: one control step of a paused simulation."""
 ESTOP: Final = Topic("/estop", "std_msgs/msg/Bool", LATCHED_QOS, requests=ANY_PUBLISHER_QOS)
 """Emergency stop, to all nodes that move the robot, see `emergency_stop`. Latched, for those that start later."""
 GAIT: Final = Topic("/gait", "std_msgs/msg/Float64MultiArray", _LATEST, requests=ANY_PUBLISHER_QOS)

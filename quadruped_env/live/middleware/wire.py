@@ -22,7 +22,7 @@ _OPERATIONS: Final = (
 
 @cache
 def wire_type(type_name: str) -> Any:
-    """The `cyclonedds` class of a message type; an instance holds the CDR bytes of one message as `data`.
+    """Make the `cyclonedds` class of a message type; an instance holds the CDR bytes of one message as `data`.
 
     Args:
         type_name: `package/msg/Type`.

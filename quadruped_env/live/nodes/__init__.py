@@ -23,8 +23,6 @@ SUMMARIES: Final = {
     "record": "record topics into a bag",
 }
 """Node -> summary, in the order of --help. Kept here so that running a node does not import the others."""
-PRINTING: Final = ("echo", "hz")
-"""Nodes whose only result is what they print, and which end when its reader does."""
 _MODULES: Final = {
     **dict.fromkeys(("display", "walk"), "launch"),
     **dict.fromkeys(("echo", "list", "hz", "record"), "listen"),
@@ -33,6 +31,6 @@ _MODULES: Final = {
 
 
 def node_module(name: str) -> Any:
-    """The module or class of a node of `SUMMARIES`."""
+    """Return the module or class of a node of `SUMMARIES`."""
     module = importlib.import_module(f"{__name__}.{_MODULES.get(name, name)}")
     return getattr(module, name.capitalize()) if name in _MODULES else module

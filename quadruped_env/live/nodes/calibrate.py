@@ -21,19 +21,18 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.live.keyboard import Keyboard
-from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES
+from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.motor_swing import ANGLE, SPEED, Motors, MotorSwing
 from quadruped_env.live.node_options import add_robot_argument, robot_of
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import SENSOR_DATA_QOS
 from quadruped_env.ros.robot_messages import read_joint_state
-from quadruped_env.trajectory.maps import UNITS, JointMap, JointRule, check_rule
+from quadruped_env.trajectory.joint_map import UNITS, JointMap, JointRule, check_rule
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import check_free, write_whole
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.program import CLEAR_LINE
@@ -70,7 +69,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     unit = JointRule(unit=arguments.unit, ticks_per_turn=arguments.ticks_per_turn)
     check_rule("calibrate: --unit:", unit)
     check_free([path], arguments.overwrite)
-    SinglePublisherGuard(session, JOINT_COMMANDS).check()
     names = tuple(arguments.motors or _names(session))
     swing = MotorSwing(session, Motors(names, unit.factors[0]))
     with Keyboard() as keyboard:
@@ -143,7 +141,7 @@ class _Wizard:
             raise QuadrupedError("the robot has to hang free; nothing was moved")
 
     def joint_map(self) -> JointMap:
-        """The map, once all answers make one."""
+        """Ask until the answers make a map, and return it."""
         answers: Answers = {}
         asked = list(self._motors)
         while asked:
@@ -187,15 +185,15 @@ class _Wizard:
                     return {joint: direction * factor for joint, factor in found.items()}
 
     def _chosen(self, required: bool) -> list[str]:
-        """Motors that the user wants to see again."""
+        """Ask which motors the user wants to see again."""
         enter = "" if required else "Enter: go on; or "
         while True:
             chosen = self._ask(f"{enter}a motor to move again: {', '.join(self._motors)}").split()
             if all(name in self._motors for name in chosen) and (chosen or not required):
                 return chosen
 
-    def _angles(self, joints: list[int]) -> NDArray[np.float64]:
-        """Angles at which the user holds a leg's joints, rad."""
+    def _angles(self, joints: list[int]) -> Floats:
+        """Ask for the angles at which the user holds a leg's joints, rad."""
         names = ", ".join(self._robot.joint_names[joint] for joint in joints)
         while True:
             answer = self._ask(
@@ -210,7 +208,7 @@ class _Wizard:
                 return angles
 
     def _list_joints(self) -> None:
-        feet = self._robot.foot_centres(
+        feet = self._robot.skeleton.foot_centres(
             np.vstack([np.zeros(self._robot.num_joints), 0.1 * np.eye(self._robot.num_joints)])
         )
         lines = []
@@ -226,7 +224,7 @@ class _Wizard:
         return bool(self._keyboard.pressed(0.0)) or self._keyboard.gone
 
     def _ask(self, question: str) -> str:
-        """A line that the user types.
+        """Ask a question. Returns the line that the user types.
 
         Raises:
             QuadrupedError: if the session or the terminal ends.
@@ -270,7 +268,7 @@ def parsed_answer(answer: str, joints: Sequence[str]) -> dict[int, float]:
 
 
 def _problem(robot: Robot, answers: Answers, unit: JointRule) -> str:
-    """Why the answers are no map; empty if they are one."""
+    """Return why the answers are no map; empty if they are one."""
     still = [name for i, name in enumerate(robot.joint_names) if not any(i in moved for moved in answers.values())]
     if still:
         return f"no motor moves {', '.join(still)}"
@@ -281,8 +279,8 @@ def _problem(robot: Robot, answers: Answers, unit: JointRule) -> str:
     return ""
 
 
-def _map(robot: Robot, answers: Answers, unit: JointRule, offsets: NDArray[np.float64] | None = None) -> JointMap:
-    """The map of the answers.
+def _map(robot: Robot, answers: Answers, unit: JointRule, offsets: Floats | None = None) -> JointMap:
+    """Return the map of the answers.
 
     Args:
         robot: the robot.

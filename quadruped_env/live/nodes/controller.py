@@ -22,11 +22,9 @@ node ends if another one commands the robot already.
 
 import argparse
 import functools
-from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import JointCommand, LiveController, Mode
@@ -34,17 +32,17 @@ from quadruped_env.control.task_file import Terms, load_terms
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.command_publisher import CommandPublisher
-from quadruped_env.live.control_time import ControlTime, SimTime, SimulatorCommands, SystemTime
+from quadruped_env.live.control_time import ControlTime, SimTime, SystemTime
 from quadruped_env.live.controller_inputs import Measurements, SlowInputs, VelocityCommands
 from quadruped_env.live.emergency_stop import EmergencyStop
 from quadruped_env.live.messages.diagnostics import ERROR, OK, WARN, Diagnostics
 from quadruped_env.live.messages.driver_joints import DriverJoints, add_map_argument
-from quadruped_env.live.middleware.topics import CLOCK, ESTOP, JOINT_COMMANDS, JOINT_POSITIONS
+from quadruped_env.live.middleware.topics import CLOCK, ESTOP, JOINT_POSITIONS, RESET
 from quadruped_env.live.session import Session, add_realtime_argument
-from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.policies.by_name import find_controller
 from quadruped_env.policies.files import DEFAULT, SHIPPED, kept_file, read_policy
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
 _POLL_PERIOD: Final = 0.01
@@ -65,8 +63,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--arrays",
         action="store_true",
         help=f"send the targets in the format of ros2_control on {JOINT_POSITIONS.name}: one number per joint, in the "
-        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or in that of the robot of --task, or with --map in that "
-        "of the log. This format has no limp command: the node stops sending, and the driver has to disable the "
+        f"order {', '.join(MINI_QUADRUPED.joint_names)}, or the order of --task's robot, or with --map the one "
+        "in the log. This format has no limp command: the node stops sending, and the driver has to disable the "
         "motors",
     )
     add_map_argument(parser)
@@ -77,7 +75,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "policy needs it if it defines its robot or observations",
     )
     parser.add_argument(
-        "--trust-task", action="store_true", help="execute the copy of that file that the run keeps, in place of --task"
+        "--trust-task", action="store_true", help="execute the copy of that file that the run keeps, instead of --task"
     )
     parser.add_argument(
         "--imu-mount",
@@ -90,7 +88,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--sim-time",
         action="store_true",
         help=f"the time is that of {CLOCK.name}, or of the states' timestamps where nothing publishes it: for a "
-        "simulator that does not run at real time, pauses or starts again (ROS's use_sim_time)",
+        "simulator that does not run at real time, or starts again (ROS's use_sim_time)",
     )
     parser.add_argument(
         "--start-stopped",
@@ -111,15 +109,11 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     driver = DriverJoints.load(arguments.map, robot)
     if arguments.map is not None:
         session.say(f"--map: drives {', '.join(driver.joint_names)}")
-    publisher = CommandPublisher(session.node, driver, arguments.arrays, session.say)
-    guard = SinglePublisherGuard(
-        session,
-        JOINT_POSITIONS if arguments.arrays else JOINT_COMMANDS,
-        publishing=lambda: live_controller.mode not in (Mode.WAITING, Mode.LIMP),
+    publisher = CommandPublisher(
+        session, driver, arguments.arrays, lambda: live_controller.mode not in (Mode.WAITING, Mode.LIMP)
     )
-    guard.check()
     try:
-        _control(session, arguments, live_controller, driver, publisher, guard)
+        _control(session, arguments, live_controller, driver, publisher)
     finally:
         # Also where an error ends the node: otherwise the motors keep their torque until the driver's watchdog trips.
         publisher.let_go()
@@ -132,13 +126,12 @@ def _control(
     live_controller: LiveController,
     driver: DriverJoints,
     publisher: CommandPublisher,
-    guard: SinglePublisherGuard,
 ) -> None:
     """Answer the robot's states until the session ends."""
     robot = live_controller.robot
     commands = VelocityCommands(session, live_controller)
     clock: ControlTime = SimTime(session.node) if arguments.sim_time else SystemTime()
-    simulator, stop = SimulatorCommands(session), EmergencyStop(session, arguments.start_stopped)
+    stop, resets = EmergencyStop(session, arguments.start_stopped), session.node.subscribe(RESET)
     inbox = Measurements(session, robot, driver, live_controller.needs_velocities, _mount(arguments))
 
     def send(answer: JointCommand | None) -> None:
@@ -154,8 +147,7 @@ def _control(
     slow = SlowInputs(1.0 / live_controller.period, session.say)
     diagnostics = Diagnostics(session.node, robot.name)
     for _ in session.turns(lambda: min(_POLL_PERIOD, live_controller.remaining(clock.now))):
-        clock.pause(simulator.paused)
-        if simulator.reset:
+        if resets.newest(session.refuse):
             live_controller.restart("reset")
             inbox.commanded(LIMP)
         if clock.set_back(session.refuse):
@@ -178,33 +170,27 @@ def _control(
             waiting = stop.awaited if stop.stopped else inbox.missing() or waiting
         session.wait_for(waiting)
         slow.update(inbox.rates)
-        problems = [one for one in (live_controller.fault, guard.problem, slow.warning, *inbox.problems) if one]
-        moving = live_controller.moving(now)
-        stands = live_controller.mode is Mode.WALKING and not moving
-        session.details = ["standing: no /cmd_vel" * stands, *problems[:1]]
-        values = {
-            "policy": arguments.policy,
-            "velocity command": moving,
-            "refused messages": session.refuse.count,
-            "problems": "; ".join(problems),
-            "control rate, Hz": f"{1.0 / live_controller.period:g}",
-            **{f"{name}, Hz by timestamps": f"{rate:.1f}" for name, rate in inbox.rates.items()},
-        }
-        _send_status(diagnostics, live_controller, waiting, values)
-
-
-def _send_status(
-    diagnostics: Diagnostics, live_controller: LiveController, waiting: str, values: Mapping[str, object]
-) -> None:
-    """Send mode, what is waited for, and values on `/diagnostics`, if it is time."""
-    mode, fault = live_controller.mode, live_controller.fault
-    level = ERROR if mode is Mode.LIMP or fault else WARN if waiting or values["problems"] else OK
-    text = "; ".join(filter(None, [mode.value, f"waits for {waiting}" * bool(waiting), str(values["problems"])]))
-    diagnostics.send(level, text, values)
+        problems = [
+            one for one in (live_controller.fault, publisher.guard.problem, slow.warning, *inbox.problems) if one
+        ]
+        mode = live_controller.mode
+        level = ERROR if mode is Mode.LIMP or live_controller.fault else WARN if waiting or problems else OK
+        diagnostics.send(
+            level,
+            "; ".join([mode.value, *[f"waits for {waiting}"] * bool(waiting), *problems]),
+            {
+                "policy": arguments.policy,
+                "velocity command": live_controller.moving(now),
+                "refused messages": session.refuse.count,
+                "problems": "; ".join(problems),
+                "control rate, Hz": f"{1.0 / live_controller.period:g}",
+                **{f"{name}, Hz by timestamps": f"{rate:.1f}" for name, rate in inbox.rates.items()},
+            },
+        )
 
 
 def _terms(arguments: argparse.Namespace) -> Terms:
-    """Robot and terms of `--task`, or of the copy that the run of the policy keeps."""
+    """Load robot and terms of `--task`, or of the copy that the run of the policy keeps."""
     if not arguments.trust_task:
         return Terms() if arguments.task is None else load_terms(arguments.task)
     if arguments.task is not None:
@@ -213,8 +199,8 @@ def _terms(arguments: argparse.Namespace) -> Terms:
     return Terms() if kept is None else load_terms(*kept)
 
 
-def _mount(arguments: argparse.Namespace) -> NDArray[np.float64] | None:
-    """The quaternion of `--imu-mount`."""
+def _mount(arguments: argparse.Namespace) -> Floats | None:
+    """Return the quaternion of `--imu-mount`."""
     angles = arguments.imu_mount
     if angles is None:
         return None

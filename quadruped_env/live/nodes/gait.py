@@ -17,7 +17,6 @@ import time
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.gait import PRESETS, SinusoidalGait
 from quadruped_env.gait.gait_settings import GaitSettings, edited
@@ -32,6 +31,7 @@ from quadruped_env.live.single_publisher import SinglePublisherGuard
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros.robot_messages import joint_state
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.utils.arrays import Floats
 
 PERIOD: Final = 0.05
 """Time between joint states, as in the tutorial, s."""
@@ -53,7 +53,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     settings.send(settings_message(gait.settings))
     for complaint in gait.current.violations():
         session.say(f"beyond the robot's limits: {complaint}")
-    SinglePublisherGuard(session).check()
+    SinglePublisherGuard(session)
     states, efforts = node.publish(JOINT_STATES), np.zeros(robot.num_joints)
     start, pace = time.time_ns(), Pace(PERIOD)
     for _ in session.turns(lambda: pace.remaining):
@@ -65,7 +65,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             stamp = start + round(t * NS_PER_SECOND)
             values = driver.to_driver(gait.positions(t), gait.velocities(t), efforts)
             states.send_bytes(joint_state(stamp, driver.joint_names, *values))
-        session.details = [f"beyond the robot's limits: {complaint}" for complaint in gait.current.violations()[:1]]
     return 0
 
 
@@ -91,10 +90,10 @@ class AdjustableGait:
         self.settings = settings
         self.current = edited(self._preset, settings)
 
-    def positions(self, t: float) -> NDArray[np.float64]:
+    def positions(self, t: float) -> Floats:
         """Joint positions at time `t` (s), rad (J,)."""
         return self.current.positions(t + self._time_offset)
 
-    def velocities(self, t: float) -> NDArray[np.float64]:
+    def velocities(self, t: float) -> Floats:
         """Joint velocities at time `t` (s), rad/s (J,)."""
         return self.current.velocities(t + self._time_offset)

@@ -131,7 +131,6 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
                 if enabled or before:
                     velocities.send(velocity_message(command))
                 session.wait_for("" if velocities.readers else f"a subscription to {CMD_VEL.name}")
-                session.details = [f"{command[0]:+.2f} m/s, {command[1]:+.2f} rad/s" if enabled else "not enabled"]
     finally:
         if enabled:
             velocities.send(velocity_message(_STAND))
@@ -140,7 +139,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
 
 def velocity(gamepad: Gamepad, axes: list[int]) -> Velocity:
-    """The command of two axes, of which full deflection is the end of the range that policies are trained for."""
+    """Return the command of two axes: full deflection is the end of the range that policies are trained for."""
     values = []
     for entry, axis in zip(COMMANDS, axes, strict=True):
         low, high = entry.range

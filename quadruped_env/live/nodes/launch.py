@@ -4,10 +4,9 @@ import argparse
 import signal
 import subprocess
 import sys
-import threading
 import time
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import Final
 
 from quadruped_env.gait import PRESETS
 from quadruped_env.live.node_options import (
@@ -17,7 +16,7 @@ from quadruped_env.live.node_options import (
 )
 from quadruped_env.live.session import POLL_PERIOD
 from quadruped_env.policies.files import DEFAULT
-from quadruped_env.utils.program import CLEAR_LINE, on_stop
+from quadruped_env.utils.program import on_stop
 from quadruped_env.viewer import PORT
 from quadruped_env.viewer.server import add_allow_host
 
@@ -89,7 +88,7 @@ def add_view_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:
-    """Options as they were given, for another node."""
+    """Return options as they were given, for another node."""
     found = []
     for name in names:
         value = getattr(arguments, name)
@@ -102,8 +101,6 @@ def passed_on(arguments: argparse.Namespace, *names: str) -> list[str]:
 def _launch(nodes: Sequence[Sequence[str]]) -> int:
     """Run each node in its own process until one of them ends or Ctrl-C ends all.
 
-    The last one has the terminal, with its status line; the log of the others is written through this process.
-
     Args:
         nodes: arguments of `python -m quadruped_env.live`, one list per node.
 
@@ -112,17 +109,14 @@ def _launch(nodes: Sequence[Sequence[str]]) -> int:
     """
     signals: list[int] = []
     with on_stop(signals.append):
-        processes = [_started(node, piped=node is not nodes[-1]) for node in nodes]
-        logs = [threading.Thread(target=_copy, args=(one.stderr,), daemon=True) for one in processes if one.stderr]
-        for log in logs:
-            log.start()
+        processes = [subprocess.Popen([sys.executable, "-m", "quadruped_env.live", *node]) for node in nodes]  # noqa: S603
         ended: list[tuple[str, int]] = []
         while not signals and not ended:
             time.sleep(POLL_PERIOD)
             found = [(node[0], process.poll()) for node, process in zip(nodes, processes, strict=True)]
             ended = [(name, status) for name, status in found if status is not None]
         if ended:
-            _say(f"[launch] {ended[0][0]} ended; ending the other nodes\n")
+            _say(f"{ended[0][0]} ended; ending the other nodes")
         for process in processes:
             if process.poll() is None:
                 process.send_signal(signal.SIGINT)
@@ -130,24 +124,11 @@ def _launch(nodes: Sequence[Sequence[str]]) -> int:
             try:
                 process.wait(_GRACE)
             except subprocess.TimeoutExpired:
-                _say(f"[launch] {node[0]} has not ended within {_GRACE:g} s; killing it\n")
+                _say(f"{node[0]} has not ended within {_GRACE:g} s; killing it")
                 process.kill()
                 process.wait()
-        for log in logs:
-            log.join(_GRACE)
     return ended[0][1] if ended else 0
 
 
-def _started(node: Sequence[str], piped: bool) -> subprocess.Popen[str]:
-    command = [sys.executable, "-m", "quadruped_env.live", *node]
-    stderr = subprocess.PIPE if piped else None
-    return subprocess.Popen(command, stderr=stderr, encoding="utf-8", errors="replace")  # noqa: S603
-
-
-def _copy(log: Any) -> None:
-    for line in log:
-        _say(line)
-
-
 def _say(line: str) -> None:
-    print(f"{CLEAR_LINE if sys.stderr.isatty() else ''}{line}", end="", file=sys.stderr, flush=True)
+    print(f"[launch] {line}", file=sys.stderr, flush=True)

@@ -12,7 +12,7 @@ import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.message_recorder import Recorder
-from quadruped_env.live.messages.message_text import as_csv, as_yaml, field_at, plain
+from quadruped_env.live.messages.message_text import as_yaml, field_at, plain
 from quadruped_env.live.middleware.dds import DOMAIN_VARIABLE
 from quadruped_env.live.middleware.node import Read, Subscription, message_reader
 from quadruped_env.live.middleware.ros_graph import Endpoint, Graph
@@ -59,7 +59,6 @@ class List:
             action="store_true",
             help="also list publishers and subscriptions, with QoS and type hash",
         )
-        parser.add_argument("--nodes", action="store_true", help="list the nodes instead, like 'ros2 node list'")
         _add_seconds(parser, "listen for S seconds", DISCOVERY)
 
     @staticmethod
@@ -68,9 +67,6 @@ class List:
         while session.running:
             session.wait()
         graph = session.node.graph
-        if arguments.nodes:
-            print("\n".join(graph.nodes()))
-            return 0
         endpoints = graph.endpoints()
         for name, group in itertools.groupby(endpoints, key=lambda one: one.topic):
             ends = list(group)
@@ -91,11 +87,11 @@ class Echo:
         mini-quadruped live echo /joint_states
         mini-quadruped live echo /imu/data --once
         mini-quadruped live echo /cmd_vel --field linear.x
-        mini-quadruped live echo /joint_states --csv --seconds 10 > recording.csv
+        mini-quadruped live echo /joint_states --seconds 10 > recording.yaml
 
     Requests a quality of service that all publishers of the topic offer. Messages that cannot be decoded or lack the
-    field are counted in the log; if none is printed, the exit status is 2. Printed joint states, as YAML or CSV, can be
-    read back: `mini-quadruped replay recording.csv`.
+    field are counted in the log; if none is printed, the exit status is 2. Printed joint states can be read back:
+    `mini-quadruped replay recording.yaml`.
     """
 
     @staticmethod
@@ -103,7 +99,6 @@ class Echo:
         """Add the topic and the output format."""
         parser.add_argument("topic", metavar="TOPIC", help="topic name, for example /joint_states")
         parser.add_argument("--once", action="store_true", help="end after the first message")
-        parser.add_argument("--csv", action="store_true", help="one line of values per message, and nothing else")
         parser.add_argument(
             "--field",
             default="",
@@ -115,11 +110,10 @@ class Echo:
     @staticmethod
     def run(session: Session, arguments: argparse.Namespace) -> int:
         """Print until the session ends."""
-        write = as_csv if arguments.csv else as_yaml
         printed: set[str] = set()
 
         def reader(topic: Topic) -> Read[str]:
-            return message_reader(topic, lambda message: write(field_at(plain(message), arguments.field)))
+            return message_reader(topic, lambda message: as_yaml(field_at(plain(message), arguments.field)))
 
         for subscription in _listen(session, [arguments.topic], "print", lambda: printed, reader):
             for _, text in subscription.messages(session.refuse):
@@ -205,7 +199,6 @@ class Record:
             for subscription in _listen(session, arguments.topics, "record", lambda: recorder.count):
                 for received in subscription.take():
                     recorder.write(subscription.topic, received.data)
-                session.details = [f"{recorder.size / 1e6:.1f} MB"]
         print(f"{recorder.count} messages of {recorder.topics} topics: {path}")
         return 0
 
@@ -269,7 +262,7 @@ def _published(session: Session) -> dict[str, list[Endpoint]]:
 
 
 def _topic(session: Session, publishers: Sequence[Endpoint], names: Sequence[str]) -> Topic | None:
-    """A topic as its publishers offer it, or None if its type is unknown."""
+    """Return a topic as its publishers offer it, or None if its type is unknown."""
     known = [endpoint for endpoint in publishers if endpoint.type_name in MESSAGE_TYPES]
     name = publishers[0].topic
     if known:
@@ -283,9 +276,9 @@ def _topic(session: Session, publishers: Sequence[Endpoint], names: Sequence[str
 
 
 def common_qos(offers: Sequence[Qos], name: str) -> Qos:
-    """The QoS with which a subscription matches all publishers of a topic, as in ROS 2's tools.
+    """Return the QoS that matches all publishers of a topic, as ROS 2's tools choose it.
 
-    The depth is that of this robot's topic of the same name, since publishers need not announce theirs.
+    The depth is taken from this robot's topic of the same name, since publishers need not announce theirs.
     """
     depth = TOPICS[name].qos.depth if name in TOPICS else _DEFAULT_DEPTH
     return Qos(
@@ -296,7 +289,7 @@ def common_qos(offers: Sequence[Qos], name: str) -> Qos:
 
 
 def rate_text(times: deque[float]) -> str:
-    """Description of the rate and periods of messages with these arrival times, s."""
+    """Return the description of the rate and periods of messages with these arrival times, s."""
     if len(times) < 2:
         return f"{len(times)} messages" if len(times) != 1 else "1 message"
     periods = 1e3 * np.diff(times)

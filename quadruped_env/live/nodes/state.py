@@ -33,14 +33,14 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     reader = JointReader(driver, states=True)
     states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
     description.send(cdr.message(ROBOT_DESCRIPTION.type_name, data=robot.urdf))
-    fixed.send_bytes(next(transform_messages([time.time_ns()], robot.fixed_transforms())))
+    fixed.send_bytes(next(transform_messages([time.time_ns()], robot.skeleton.fixed_transforms())))
     waiting_for = JOINT_STATES.name
     for _ in session.turns(drain=True):
         for _, message in states.messages(session.refuse):
             joints = driver.to_robot(message)
             assert joints.positions is not None
             known = np.isfinite(joints.positions)
-            links = robot.joint_transforms(np.where(known, joints.positions, 0.0))
+            links = robot.skeleton.joint_transforms(np.where(known, joints.positions, 0.0))
             if known.any():
                 moved = [link for link, one in zip(links, known, strict=True) if one]
                 transforms.send_bytes(next(transform_messages([joints.stamp], moved)))

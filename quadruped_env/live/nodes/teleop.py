@@ -49,14 +49,13 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
             if pace.tick() or command != before:
                 publisher.send(velocity_message(command))
             session.wait_for("" if publisher.readers else f"a subscription to {CMD_VEL.name}")
-            session.details = [f"{command[0]:+.1f} m/s, {command[1]:+.1f} rad/s"]
     publisher.send(velocity_message((0.0, 0.0)))
     publisher.wait_until_read(0.5)
     return 0
 
 
 def after(command: Velocity, key: str) -> Velocity:
-    """The command after a key press, clipped to the range that policies are trained for."""
+    """Return the command after a key press, clipped to the range that policies are trained for."""
     if key in (STOP, END):
         return 0.0, 0.0
     if key not in STEPS:

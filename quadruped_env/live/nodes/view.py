@@ -7,9 +7,8 @@ The page accepts browsers on this machine only; the log prints its address.
 """
 
 import argparse
-import time
 
-from quadruped_env.live.live_robot import LiveRobot, LiveViewController
+from quadruped_env.live.live_robot import NAME, LiveRobot
 from quadruped_env.live.messages.driver_joints import DriverJoints
 from quadruped_env.live.middleware.topics import JOINT_STATES
 from quadruped_env.live.node_options import (
@@ -20,7 +19,7 @@ from quadruped_env.live.node_options import (
 )
 from quadruped_env.live.nodes.launch import add_view_arguments
 from quadruped_env.live.session import POLL_PERIOD, Session
-from quadruped_env.viewer import RESULTS, Show
+from quadruped_env.viewer import RESULTS, Show, ViewController
 from quadruped_env.viewer.server import import_viser
 
 
@@ -37,19 +36,17 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     chosen = robot_of(arguments)
     driver = DriverJoints.load(arguments.map, chosen, commands=False)
     robot = LiveRobot(session.node, chosen, session.refuse, chosen_terrain(arguments), driver)
-    controller = LiveViewController(robot, RESULTS)
+    controller = ViewController({NAME: lambda: robot}, [NAME], RESULTS, chosen)
     controller.available = robot.offered()
     show = Show(controller, port=arguments.port, allowed_hosts=arguments.allow_host)
     try:
         session.say(f"the live robot: {show.address}")
         for _ in session.turns(lambda: 0.0):
-            began = time.monotonic()
             show.run(POLL_PERIOD)
             controller.available = robot.offered()
             session.wait_for("" if robot.receives_states else JOINT_STATES.name)
             for message in controller.messages():
                 session.say(message)
-            session.details = ["slow" * (time.monotonic() - began > 2 * POLL_PERIOD)]
     finally:
         show.close()
     return 0

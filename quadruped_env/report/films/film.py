@@ -1,6 +1,5 @@
 """Films of a robot, rendered from recordings, with overlays of command, velocity and gait."""
 
-import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -50,8 +49,6 @@ _VIEW: Final = (115.0, -17.0, 0.95, 0.08)
 """Azimuth and elevation of the camera in degrees, its distance from the point that it looks at in m, and the height of
 this point over the ground in m, for a robot of size 1. The robot walks slightly towards the viewer, no leg hides
 another, and there is room for the overlay."""
-_FEET_VIEW: Final = (102.0, -6.0, 0.58, 0.05)
-"""The same for a close-up of the feet."""
 _SMOOTHING: Final = 0.25
 """Half the window over which the camera's position is averaged, s: it follows the robot without shaking with each
 stride."""
@@ -68,8 +65,6 @@ class Clip:
 
     title: str
     trace: Trace
-    feet: bool = False
-    """True for a close-up of the feet"""
 
     @classmethod
     def of_rollout(cls, rollout: Rollout, row: int, title: str, start: float = 0.0, stop: float = np.inf) -> Self:
@@ -83,23 +78,6 @@ class Clip:
         """Indices of the samples that a film at `FRAME_RATE` shows."""
         times = np.arange(0.0, self.trace.seconds - 1e-9, 1.0 / FRAME_RATE)
         return np.minimum(np.round(times / self.trace.timestep), len(self.trace) - 1).astype(np.intp)
-
-
-def stills(clips: Sequence[Clip], count: int) -> list[tuple[Clip, int]]:
-    """Clips and samples of pictures that represent a film, in order.
-
-    The film has `count` equal parts, and each picture is of the clip in the middle of its part. The pictures of one
-    clip are the middles of equal parts of that clip, so that none is where one clip ends and the next begins.
-    """
-    samples = [clip.frame_samples() for clip in clips]
-    ends = np.cumsum([len(each) for each in samples])
-    middles = (np.arange(count) + 0.5) / count * ends[-1]
-    chosen = np.searchsorted(ends, middles, side="right")
-    found: list[tuple[Clip, int]] = []
-    for clip, each, number in zip(clips, samples, np.bincount(chosen, minlength=len(clips)), strict=True):
-        places = (np.arange(number) + 0.5) / max(number, 1) * len(each)
-        found += [(clip, int(each[int(place)])) for place in places]
-    return found
 
 
 def facing_ahead(trace: Trace) -> Trace:
@@ -121,12 +99,6 @@ def smoothed_position(trace: Trace, sample: int) -> NDArray[np.float64]:
     """Position of the base around a sample, averaged over time so that a camera can follow it: x and y, m (2,)."""
     around = round(_SMOOTHING / trace.timestep)
     return trace.base_pose[max(0, sample - around) : sample + around + 1, :2].mean(axis=0, dtype=np.float64)
-
-
-def check_opengl() -> None:
-    """Raise a QuadrupedError if OpenGL is not available."""
-    model = mujoco.MjSpec().compile()
-    SceneRenderer(model, mujoco.MjData(model), "rgb_array", WIDTH, HEIGHT).close()
 
 
 class Camera:
@@ -171,8 +143,8 @@ class Camera:
         """Free the OpenGL context."""
         self._renderer.close()
 
-    def picture(self, trace: Trace, sample: int, feet: bool = False) -> Picture:
-        """Picture of the robot (HEIGHT, WIDTH, 3) at a sample (its index) of a trace of one env, or of its feet."""
+    def picture(self, trace: Trace, sample: int) -> Picture:
+        """Return the picture of the robot (HEIGHT, WIDTH, 3) at a sample (its index) of a trace of one env."""
         if trace.terrain != self._terrain:
             self.close()
             self._set_up(trace.terrain)
@@ -184,7 +156,7 @@ class Camera:
         mujoco.mj_forward(self._model, self._data)
         centre = smoothed_position(trace, sample)
         size = size_of(self._robot)
-        self._view.azimuth, self._view.elevation, distance, height = _FEET_VIEW if feet else _VIEW
+        self._view.azimuth, self._view.elevation, distance, height = _VIEW
         self._view.distance = size * distance
         self._view.lookat[:] = *centre, size * height
         if self._height_field is not None:
@@ -195,22 +167,16 @@ class Camera:
         assert picture is not None
         return picture
 
-    def film(self, clip: Clip) -> Iterator[Picture]:
-        """Pictures (HEIGHT, WIDTH, 3) of a clip at `FRAME_RATE`, with overlays."""
-        overlay = Overlay(clip.title, clip.trace)
-        for sample in clip.frame_samples():
-            yield overlay.draw(self.picture(clip.trace, sample, clip.feet), sample)
+    def film(self, clips: Sequence[Clip], progress: Progress | None = None) -> Iterator[Picture]:
+        """Yield the pictures (HEIGHT, WIDTH, 3) of clips one after another at `FRAME_RATE`, with overlays.
 
-    def stills(self, clips: Sequence[Clip], count: int) -> Iterator[Picture]:
-        """Pictures (HEIGHT, WIDTH, 3) that represent a film of clips, with overlays: see `stills`."""
-        for clip, sample in stills(clips, count):
-            yield Overlay(clip.title, clip.trace).draw(self.picture(clip.trace, sample, clip.feet), sample)
-
-    def films(self, clips: Sequence[Clip], progress: Progress | None = None) -> Iterator[Picture]:
-        """Pictures of several clips, one after another; `progress` is called with the fraction done."""
-        total = sum(len(clip.frame_samples()) for clip in clips)
-        pictures = itertools.chain.from_iterable(map(self.film, clips))
-        for number, picture in enumerate(pictures, 1):
-            yield picture
-            if progress is not None:
-                progress(number / total)
+        `progress` is called with the fraction done.
+        """
+        total, done = sum(len(clip.frame_samples()) for clip in clips), 0
+        for clip in clips:
+            overlay = Overlay(clip.title, clip.trace)
+            for sample in clip.frame_samples():
+                yield overlay.draw(self.picture(clip.trace, sample), sample)
+                done += 1
+                if progress is not None:
+                    progress(done / total)

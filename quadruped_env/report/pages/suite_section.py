@@ -8,11 +8,11 @@ import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.measures import OF_FEET
-from quadruped_env.evaluation.suite.aggregate import aggregate
-from quadruped_env.evaluation.suite.suite import (
+from quadruped_env.evaluation.measures import METRICS, OF_FEET
+from quadruped_env.evaluation.results import (
     COMPONENTS,
     RESULTS_FILE,
+    aggregate,
     check_comparable,
     ranked,
     read_references,
@@ -20,45 +20,18 @@ from quadruped_env.evaluation.suite.suite import (
     references_for,
     with_zero_action,
 )
+from quadruped_env.evaluation.verdict import listed
 from quadruped_env.report.pages.page import figure, provenance, without_nan
 from quadruped_env.report.plots import suite_plots as plots
 from quadruped_env.utils.files import write_json
+from quadruped_env.utils.text_table import Table
 
-_GAIT_ROWS: Final[dict[str, tuple[str, float, int, str]]] = {
-    "clearance": ("Clearance of the lowest foot", 1000.0, 1, "mm"),
-    "swings_per_stride": ("Swings per stride, most", 1.0, 2, ""),
-    "bounces_per_stride": ("Bounces per stride, worst foot", 1.0, 2, ""),
-    "landing_speed": ("Landing speed, worst foot", 1.0, 2, "m/s"),
-    "slip": ("Slip, worst foot", 1.0, 3, "m/s"),
-    "duty_factor": ("Duty factor, mean", 1.0, 2, ""),
-    "stride_frequency": ("Stride frequency", 1.0, 2, "Hz"),
-    "peak_force": ("Peak force on a foot", 1.0, 1, "body weights"),
-    "joint_limit_share": ("Time at a joint limit", 100.0, 1, "%"),
-    "speed_limit_share": ("Time at a speed limit", 100.0, 1, "%"),
-    "torque_rate": ("Change of torque", 1.0, 0, "N m/s"),
-    "roll": ("Roll", 57.29578, 1, "°"),
-    "pitch": ("Pitch", 57.29578, 1, "°"),
-    "electrical_power": ("Electrical power", 1.0, 1, "W"),
-    "electrical_cost_of_transport": ("Electrical cost of transport", 1.0, 2, ""),
-}
-"""Measure of the gait -> label, factor, digits and unit in the table."""
-
-
-_SIDES: Final = (
-    "forwards",
-    "to the front left",
-    "to the left",
-    "to the rear left",
-    "backwards",
-    "to the rear right",
-    "to the right",
-    "to the front right",
-)
-"""Directions in steps of 45 degrees."""
+_SCORES: Final = ("", "score", *COMPONENTS)
+"""Titles of the columns of a table of scores."""
 
 
 def summary(result: Mapping[str, Any]) -> dict[str, Any]:
-    """The part of a result that is stored in metrics.json: suite, conditions and score."""
+    """Return the part of a result that is stored in metrics.json: suite, conditions and score."""
     return {**result["suite"], "conditions": result["conditions"], "score": result["score"], "file": RESULTS_FILE}
 
 
@@ -71,7 +44,7 @@ def write_results(evaluated: EvaluatedPolicy, result: Mapping[str, Any], command
 
 
 def results_of(evaluated: EvaluatedPolicy) -> dict[str, Any]:
-    """A policy's results of the suite, from the default directory of its evaluation.
+    """Return a policy's results of the suite, from the default directory of its evaluation.
 
     Raises:
         QuadrupedError: if there are no results, or they are those of another policy.
@@ -86,44 +59,8 @@ def results_of(evaluated: EvaluatedPolicy) -> dict[str, Any]:
     return result
 
 
-def section(result: Mapping[str, Any]) -> dict[str, Any]:
-    """Template variables of the suite's sections in the report of one policy."""
-    rows = *with_zero_action(result), *references_for(result, read_references())
-    compared = ranked([(row["name"], row) for row in rows])
-    return {
-        "label": _label(result),
-        "quick": result["suite"]["quick"],
-        "sha256": result["suite"]["sha256"],
-        "meaning": COMPONENTS,
-        "scores": score_rows(compared),
-        "components": list(COMPONENTS),
-        "own": result["name"],
-        "figures": _figures(result),
-        "gait": _gait_table(result),
-        "transients": _transients(result),
-        "joystick": [
-            {
-                "label": name,
-                "cells": [
-                    f"{law['robot_hours']:.2f}",
-                    interval(law["falls_per_hour"], 1),
-                    *("-" if error is None else f"{error:.3f}" for error in law["mean_error"]),
-                    percent(law["windows_met"]),
-                ],
-            }
-            for name, law in result["joystick"].items()
-        ],
-        "envelope": _envelope(result),
-        "regulation": _regulation(result),
-        "recovery": [
-            {"label": name.replace("_", " "), "cells": [percent(entry["recovered"]), interval(entry["time"], 1)]}
-            for name, entry in result["recovery"].items()
-        ],
-    }
-
-
 def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
-    """Ranking of several policies on the suite, as plain values: `suite`, `policies` (the best first) and `recipes`.
+    """Return the ranking of several policies as plain values: `suite`, `policies` (the best first) and `recipes`.
 
     A recipe is the aggregate of a group of runs that differ in their training seed only.
 
@@ -135,12 +72,11 @@ def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
     groups: dict[str, list[str]] = {}
     for name, evaluated in policies.items():
         groups.setdefault(evaluated.recipe, []).append(name)
-    rows = [
+    order = ranked(
         (name if row is result else row["name"], row)
         for name, result in results.items()
         for row in with_zero_action(result)
-    ]
-    order = ranked(rows)
+    )
     return {
         "suite": order[0][1]["suite"],
         "policies": [{"name": name, **row["score"]} for name, row in order],
@@ -153,31 +89,51 @@ def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
 
 
 def ranking_in_words(found: Mapping[str, Any]) -> str:
-    """A sentence that names the policies in the order of their scores."""
-    suite = found["suite"]
+    """Return a sentence that names the policies in the order of their scores."""
     order = ", ".join(f"{entry['name']} {entry['total']:.3f}" for entry in found["policies"])
-    quick = " (quick)" if suite["quick"] else ""
-    return f"Score in {suite['name']} {suite['version']}{quick}, the best first: {order}."
+    return f"Score in {_label(found)}, the best first: {order}."
 
 
-def score_rows(entries: Sequence[tuple[str, Mapping[str, Any]]]) -> list[dict[str, Any]]:
-    """Rows of a table of scores: label, total and components as text."""
-    return [
-        {
-            "label": name,
-            "cells": [
-                f"{entry['score']['total']:.3f}",
-                *(f"{entry['score']['components'][component]:.2f}" for component in COMPONENTS),
-            ],
-        }
-        for name, entry in entries
-    ]
+def ranking_table(found: Mapping[str, Any]) -> Table:
+    """Return the scores of a ranking, with a row for the mean of each recipe."""
+    rows = [_scores(entry["name"], entry) for entry in found["policies"]]
+    for recipe in found["recipes"]:
+        names = listed([run["name"] for run in recipe["runs"]])
+        parts = (interval(recipe["components"][name], 2) for name in COMPONENTS)
+        label = f"{len(recipe['runs'])} training seeds of one recipe ({names}): mean"
+        rows.append([label, interval(recipe["score"], 3), *parts])
+    return Table("Ranking", _SCORES, rows, ranking_in_words(found))
+
+
+def section(result: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the template variables of the suite's sections in the report of one policy."""
+    rows = *with_zero_action(result), *references_for(result, read_references())
+    scores = [_scores(name, row["score"]) for name, row in ranked((row["name"], row) for row in rows)]
+    return {
+        "label": _label(result),
+        "quick": result["suite"]["quick"],
+        "sha256": result["suite"]["sha256"],
+        "meaning": COMPONENTS,
+        "scores": Table("", _SCORES, scores),
+        "own": result["name"],
+        "figures": _figures(result),
+        "tables": [_joystick(result), _gait(result), _transients(result), _regulation(result)],
+        "envelope": _envelope(result),
+    }
 
 
 def percent(share: Mapping[str, Any]) -> str:
-    """A share with its interval as text."""
+    """Return a share with its interval as text."""
     mean, low, high = (100.0 * share[end] for end in ("mean", "low", "high"))
     return f"{mean:z.0f} % [{low:z.0f}, {high:z.0f}]"
+
+
+def interval(entry: Mapping[str, Any], digits: int, factor: float = 1.0) -> str:
+    """Return a mean with its interval as text; a dash for one that is not known."""
+    if entry["mean"] is None:
+        return "-"
+    mean, low, high = (f"{factor * entry[end]:z.{digits}f}" for end in ("mean", "low", "high"))
+    return f"{mean} [{low}, {high}]"
 
 
 def _label(result: Mapping[str, Any]) -> str:
@@ -185,42 +141,52 @@ def _label(result: Mapping[str, Any]) -> str:
     return f"{suite['name']} {suite['version']}{' (quick)' if suite['quick'] else ''}"
 
 
-def interval(entry: Mapping[str, Any], digits: int, factor: float = 1.0) -> str:
-    """A mean with its interval as text; a dash for what is not known."""
-    if entry["mean"] is None:
-        return "-"
-    mean, low, high = (f"{factor * entry[end]:z.{digits}f}" for end in ("mean", "low", "high"))
-    return f"{mean} [{low}, {high}]"
+def _scores(name: str, score: Mapping[str, Any]) -> list[str]:
+    return [name, f"{score['total']:.3f}", *(f"{score['components'][component]:.2f}" for component in COMPONENTS)]
 
 
-def _gait_table(result: Mapping[str, Any]) -> dict[str, Any]:
+def _command(command: Sequence[float]) -> str:
+    return f"{command[0]:g} m/s, {command[1]:g} rad/s"
+
+
+def _joystick(result: Mapping[str, Any]) -> Table:
+    head = ("", "robot hours", "falls per hour", "speed error (m/s)", "yaw error (rad/s)", "5 s windows met")
+    rows = [
+        [
+            name,
+            f"{law['robot_hours']:.2f}",
+            interval(law["falls_per_hour"], 1),
+            *("-" if error is None else f"{error:.3f}" for error in law["mean_error"]),
+            percent(law["windows_met"]),
+        ]
+        for name, law in result["joystick"].items()
+    ]
+    return Table("Changing commands", head, rows)
+
+
+def _gait(result: Mapping[str, Any]) -> Table:
+    entries = result["gait"]["commands"]
     rows = []
-    for name, (label, factor, digits, unit) in _GAIT_ROWS.items():
+    for name in filter(entries[0].__contains__, METRICS):
         cells = []
-        for entry in result["gait"]["commands"]:
-            value = entry[name]
-            if name in OF_FEET:
-                value = None if None in value else float(OF_FEET[name](np.array(value)))
-            cells.append("-" if value is None else f"{factor * value:z.{digits}f}")
-        rows.append({"label": label, "unit": unit, "cells": cells})
-    commands = (entry["command"] for entry in result["gait"]["commands"])
-    return {"commands": [f"{v:g} m/s, {w:g} rad/s" for v, w in commands], "rows": rows}
+        for entry in entries:
+            feet = np.array(entry[name], dtype=np.float64)  # NaN where a value is unknown
+            cells.append(METRICS[name].show(float(OF_FEET[name](feet) if name in OF_FEET else feet)))
+        rows.append([f"{METRICS[name].label}\n{METRICS[name].unit}", *cells])
+    return Table("Gait at every speed", ["", *(_command(entry["command"]) for entry in entries)], rows)
 
 
-def _transients(result: Mapping[str, Any]) -> list[dict[str, Any]]:
-    return [
-        {
-            "label": name.replace("_", " "),
-            "note": " to ".join(f"{v:g} m/s, {w:g} rad/s" for v, w in (entry["first"], entry["then"])),
-            "cells": [
-                percent(entry["followed"]),
-                interval(entry["settling_time"], 2),
-                interval(entry["overshoot"], 0, 100.0),
-                interval(entry["stopping_distance"], 2) if "stopping_distance" in entry else "-",
-            ],
-        }
+def _transients(result: Mapping[str, Any]) -> Table:
+    rows = [
+        [
+            f"{name.replace('_', ' ')}\n{' to '.join(map(_command, (entry['first'], entry['then'])))}",
+            percent(entry["followed"]),
+            interval(entry["settling_time"], 2),
+        ]
         for name, entry in result["transients"].items()
     ]
+    head = ("", "followed", "settling time (s)")
+    return Table("Changes of the command", head, rows)
 
 
 def _envelope(result: Mapping[str, Any]) -> str:
@@ -228,8 +194,7 @@ def _envelope(result: Mapping[str, Any]) -> str:
     return ", ".join(f"{name} {result['commands']['envelope'][name]:g} {unit}" for name, unit in units.items())
 
 
-def _regulation(result: Mapping[str, Any]) -> dict[str, Any]:
-    """Table of the signed share of each commanded velocity that is kept, by factor and command."""
+def _regulation(result: Mapping[str, Any]) -> Table:
     entries = result["regulation"]
     commands = [entry["command"] for entry in next(iter(entries.values()))["commands"]]
     rows = []
@@ -238,41 +203,32 @@ def _regulation(result: Mapping[str, Any]) -> dict[str, Any]:
             " / ".join("-" if share is None else f"{100.0 * share:.0f}" for share, wanted in pairs if wanted)
             for pairs in (zip(one["share"], one["command"], strict=True) for one in entry["commands"])
         ]
-        cells = [percent(entry["kept"]), percent(entry["falls"]), *shares]
-        rows.append({"label": name.replace("_", " "), "cells": cells})
-    return {"commands": [f"{v:g} m/s, {w:g} rad/s" for v, w in commands], "rows": rows}
-
-
-def _direction(degrees: float) -> str:
-    """Direction of a push in words."""
-    eighths, rest = divmod(round(degrees), 45)
-    return f"at {degrees:g} degrees" if rest else _SIDES[eighths % 8]
-
-
-def _figures(result: Mapping[str, Any]) -> dict[str, dict[str, str]]:
-    commands, horizontal = result["commands"], result["pushes"]["horizontal"]
-    met = percent(commands["met"])
-    weakest = min(
-        zip(horizontal["directions"], horizontal["half_survival"], strict=True), key=lambda pair: float(pair[1]["mean"])
+        rows.append([name.replace("_", " "), percent(entry["kept"]), percent(entry["falls"]), *shares])
+    note = (
+        "An episode is kept if speed and yaw rate are within 20 % of the command, with one disturbance, and with all "
+        "of them. The other columns are the shares of the commanded speed and yaw rate that are kept, %."
     )
-    return {
-        "commands": figure(
+    return Table("Regulation", ["", "episodes kept", "falls", *map(_command, commands)], rows, note)
+
+
+def _figures(result: Mapping[str, Any]) -> list[dict[str, str]]:
+    met = percent(result["commands"]["met"])
+    return [
+        figure(
             "Every command",
             plots.command_map(result),
             f"Achieved minus commanded velocity at commands drawn over the rectangle: red too much, blue too little. "
             f"Crosses mark commands with falls. {met} of the episodes meet their command.",
         ),
-        "pushes": figure(
+        figure(
             "Pushes",
             plots.pushes(result),
-            f"Left: share of the robots that do what was asked after a push of all six components, by its size and the "
-            f"command. Right: horizontal push that half of the robots survive while they walk, by its direction. The "
-            f"weakest direction is {_direction(weakest[0])}: {interval(weakest[1], 2)} m/s.",
+            "Share of the robots that follow their command after a push of all six components, by its size.",
         ),
-        "terrain": figure(
+        figure(
             "Terrain",
             plots.crossings(result),
-            "Share of the tiles that the robot crosses, up to the first level that it does not pass. The dashed line "
-            "is what passes a level.",
+            "Share of the tiles that the robot crosses, up to the first level that it does not pass. A level is passed "
+            "above the dashed line.",
         ),
-    }
+    ]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.report.plots.canvas import controller_styles, draw_figure, legend_above
+from quadruped_env.report.plots.canvas import controller_styles, draw_figure, label, legend_above
 from quadruped_env.training.run_directory import TERM_COLUMN
 from quadruped_env.utils.documents import check_regular
 
@@ -95,12 +95,11 @@ def learning_curve(
                 # Only rows in which an episode ended have a return.
                 known = np.isfinite(columns[quantity])
                 steps = columns["timesteps"][known] / 1e6
-                ax.plot(
-                    steps, columns[quantity][known], color=styles[name]["color"], marker=".", markersize=3, label=name
-                )
+                style = {"color": styles[name]["color"]}
+                ax.plot(steps, columns[quantity][known], marker=".", markersize=3, label=label(name), **style)
                 if quantity == "return" and name in zero_returns:
-                    label = f"zero action of {name}" if len(progress) > 1 else "zero action"
-                    ax.axhline(zero_returns[name], color=styles[name]["color"], linestyle="--", label=label)
+                    of_zero = f"zero action of {name}" if len(progress) > 1 else "zero action"
+                    ax.axhline(zero_returns[name], linestyle="--", label=of_zero, **style)
             ax.set_ylabel(axis_label)
             if quantity == "fall_rate":
                 ax.set_ylim(-0.03, 1.03)

@@ -5,8 +5,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import words
-from quadruped_env.report.palette import BLUE, GREY, SERIES
+from quadruped_env.evaluation.conditions import words
+from quadruped_env.report.palette import GREY, SERIES
 from quadruped_env.report.plots.canvas import REFERENCE, draw_figure
 
 _RANGES: Final = (0.3, 0.6)
@@ -36,38 +36,21 @@ def command_map(result: Mapping[str, Any]) -> str:
 
 
 def pushes(result: Mapping[str, Any]) -> str:
-    """Share of the robots that do what was asked after a push, and the push that half survive in each direction."""
-    found, sizes = result["pushes"], result["definition"]["pushes"]["sizes"]
-    horizontal = found["horizontal"]
-    largest = max(horizontal["sizes"])
+    """Share of the robots that follow their command after a push, over the size of the push."""
+    sizes = result["definition"]["pushes"]["sizes"]
 
     def draw(axes: Any) -> None:
-        left, right = axes[0]
-        for i, entry in enumerate(found["commands"]):
+        ax = axes[0, 0]
+        for i, entry in enumerate(result["pushes"]["commands"]):
             share = [100.0 * size["mean"] for size in entry["obeyed"]]
             colour = SERIES[i % len(SERIES)]
-            left.plot(sizes, share, color=colour, marker="o", markersize=4, label=words(entry["command"]))
-        left.axhline(50.0, **REFERENCE)
-        left.set(xlabel="size of the push", ylabel="does what was asked (%)", title="six components")
-        left.set_ylim(-3.0, 103.0)
-        left.legend()
-        place, figure = right.get_subplotspec(), right.figure
-        right.remove()
-        round_ax = figure.add_subplot(place, projection="polar")
-        angle = np.radians([*horizontal["directions"], horizontal["directions"][0]])
-        half = [*horizontal["half_survival"], horizontal["half_survival"][0]]
-        low, high, mean = (np.array([entry[end] for entry in half]) for end in ("low", "high", "mean"))
-        round_ax.fill_between(angle, low, high, color=BLUE, alpha=0.2, linewidth=0.0)
-        round_ax.plot(angle, mean, color=BLUE, marker="o", markersize=4)
-        round_ax.set_theta_zero_location("N")
-        round_ax.set_ylim(0.0, largest)
-        round_ax.set_yticks(np.linspace(0.0, largest, 5)[1:])
-        round_ax.set_rlabel_position(22.5)
-        ends = zip((0, 90, 180, 270), ("forwards", "left", "backwards", "right"), strict=True)
-        round_ax.set_xticks(np.radians([0, 90, 180, 270]), [name for _, name in ends])
-        round_ax.set_title("50 % survive (m/s)")
+            ax.plot(sizes, share, color=colour, marker="o", markersize=4, label=words(entry["command"]))
+        ax.axhline(50.0, **REFERENCE)
+        ax.set(xlabel="size of the push", ylabel="follow the command (%)")
+        ax.set_ylim(-3.0, 103.0)
+        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
-    return draw_figure(1, 2, 3.2, draw)
+    return draw_figure(1, 1, 2.6, draw)
 
 
 def crossings(result: Mapping[str, Any]) -> str:

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.control.episode_memory import EpisodeMemory
+from quadruped_env.utils.arrays import Floats
 
-Floats = NDArray[np.float64]
 Keys = NDArray[np.uint64]
 
 _GOLDEN: Final = np.uint64(0x9E3779B97F4A7C15)
@@ -70,7 +70,7 @@ class Draws:
         self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
 
     def uniform(self, purposes: Purposes, env_ids: NDArray[np.intp] | slice, step: NDArray[np.int64]) -> Floats:
-        """Numbers in [0, 1) for some envs at a step of their episodes.
+        """Return the numbers in [0, 1) for some envs at a step of their episodes.
 
         Args:
             purposes: purposes to draw for.

@@ -1,8 +1,9 @@
 """Randomized fields of MuJoCo's model."""
 
+import functools
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Final, Literal, get_args
+from typing import ClassVar, Final, Literal, get_args
 
 import mujoco
 import numpy as np
@@ -11,22 +12,16 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
-from quadruped_env.task.randomization.event import Apply, Event
-from quadruped_env.utils.fields import Range
+from quadruped_env.task.randomization.randomization import Apply, Event, Randomization, ends_of
+from quadruped_env.utils.arrays import EnvIds, Floats
+from quadruped_env.utils.fields import Range, one_of
 
-Floats = NDArray[np.float64]
 Mode = Literal["set", "scale", "divide", "add"]
 
 _DELAY: Final = "actuator_delay"
 _POSITIVE: Final = ("body_mass", "body_inertia")
 _NOT_NEGATIVE: Final = ("geom_friction", "dof_damping", "dof_frictionloss", "dof_armature", _DELAY)
 _DC_MOTOR: Final = int(mujoco.mjtGain.mjGAIN_DCMOTOR)
-
-
-def check_choice(what: str, value: object, choices: tuple[str, ...]) -> None:
-    """Raise a QuadrupedError unless a value is one of the choices."""
-    if value not in choices:
-        raise QuadrupedError(f"{what} must be one of {', '.join(choices)}; found {short(value)}")
 
 
 @dataclass(frozen=True)
@@ -52,7 +47,7 @@ class ModelField:
     mode: Mode = "scale"
 
     def __post_init__(self) -> None:
-        check_choice(f"ModelField({self.field!r}): mode", self.mode, get_args(Mode))
+        one_of(self.mode, get_args(Mode), f"ModelField({self.field!r}): mode")
 
     def bind(self, simulation: Simulation, width: int) -> Apply:
         """Look the names up in a model, for `width` values per env.
@@ -71,10 +66,28 @@ class ModelField:
             )
         for name in (self.field, *(["body_inertia"] if self.field == "body_mass" else [])):
             simulation.model_field(name)
-        return _BoundField(self, simulation, ids, len(ids) == 1 and width == columns > 1)
+        return functools.partial(self._write, simulation, ids, len(ids) == 1 and width == columns > 1)
+
+    def _write(self, simulation: Simulation, ids: EnvIds, by_column: bool, event: Event, values: Floats) -> None:
+        """Write values (R, 1), (R, E) for E elements, or with `by_column` (R, C) for the columns of one element."""
+        rows: tuple[NDArray[np.intp] | int, ...] = (event.env_ids[:, None], ids[None, :])
+        target = simulation.model_field(self.field)
+        where = rows if self.column is None else (*rows, self.column)
+        compiled = simulation.compiled_field(self.field)[ids]
+        old = (
+            target[where] if event.at_start else (compiled if self.column is None else compiled[..., self.column])[None]
+        )
+        shaped = values[:, None] if by_column else values.reshape(*values.shape, *([1] * (old.ndim - 2)))
+        target[where] = new = self.changed(old, shaped)
+        if self.field == "body_mass":
+            inertia = simulation.model_field("body_inertia")
+            base = inertia[rows] if event.at_start else simulation.compiled_field("body_inertia")[ids]
+            # A body without mass, such as the world, has no inertia either.
+            factor = np.divide(new, old, out=np.ones_like(new), where=old > 0.0)
+            inertia[rows] = factor[..., None] * base
 
     def _values(self, simulation: Simulation) -> Floats:
-        """Values of the compiled model."""
+        """Return the values of the compiled model."""
         if not isinstance(getattr(simulation.model, self.field, None), np.ndarray):
             raise QuadrupedError(
                 f"ModelField: {self.field!r} is not an array of MuJoCo's model; see the docs of MjModel"
@@ -82,7 +95,7 @@ class ModelField:
         return simulation.compiled_field(self.field)
 
     def ids(self, simulation: Simulation) -> NDArray[np.intp]:
-        """Indices of the elements."""
+        """Return the indices of the elements."""
         model, kind = simulation.model, self.field.partition("_")[0]
         names = self.names(simulation.robot) if callable(self.names) else self.names
         try:
@@ -95,16 +108,12 @@ class ModelField:
             raise QuadrupedError(f"ModelField({self.field!r}): {error}") from error
 
     def changed(self, old: Floats, value: Floats | float) -> Floats:
-        """New values (..., shape of the element) for old ones and a value that broadcasts to them."""
+        """Return new values (..., shape of the element) for old ones and a value that broadcasts to them."""
         if self.mode == "set":
             return value + 0.0 * old
         if self.mode == "add":
             return value + old
         return old / value if self.mode == "divide" else value * old
-
-    def part(self, values: Floats) -> Floats:
-        """The columns that it changes, of the field's values (..., elements, columns)."""
-        return values if self.column is None else values[..., self.column]
 
 
 @dataclass(frozen=True)
@@ -121,34 +130,6 @@ class MotorField(ModelField):
         return super().bind(simulation, width)
 
 
-@dataclass(frozen=True, eq=False)
-class _BoundField:
-    """A `ModelField` of a simulation."""
-
-    model_field: ModelField
-    simulation: Simulation
-    ids: NDArray[np.intp]
-    by_column: bool
-    """True if there is one value for each column of a single element."""
-
-    def __call__(self, event: Event, values: Floats) -> None:
-        """Write values (R, 1), (R, E) for E elements, or (R, C) for C columns of one element."""
-        field, simulation = self.model_field, self.simulation
-        rows: tuple[NDArray[np.intp] | int, ...] = (event.env_ids[:, None], self.ids[None, :])
-        target = simulation.model_field(field.field)
-        where = rows if field.column is None else (*rows, field.column)
-        old = target[where] if event.at_start else field.part(simulation.compiled_field(field.field)[self.ids])[None]
-        shaped = values[:, None] if self.by_column else values.reshape(*values.shape, *([1] * (old.ndim - 2)))
-        new = field.changed(old, shaped)
-        target[where] = new
-        if field.field == "body_mass":
-            inertia = simulation.model_field("body_inertia")
-            base = inertia[rows] if event.at_start else simulation.compiled_field("body_inertia")[self.ids]
-            # A body without mass, such as the world, has no inertia either.
-            factor = np.divide(new, old, out=np.ones_like(new), where=old > 0.0)
-            inertia[rows] = factor[..., None] * base
-
-
 @dataclass(frozen=True)
 class Payload:
     """A mass on the base, of the base's shape and at the event's `payload_position`.
@@ -156,35 +137,28 @@ class Payload:
     A negative mass is missing in the base as a whole, so its position does not count: the base stays physical.
     """
 
-    def mass(self, simulation: Simulation) -> ModelField:
-        """The field that holds the mass."""
-        return ModelField("body_mass", [simulation.robot.base_name], mode="add")
+    mass: ClassVar[ModelField] = ModelField("body_mass", lambda robot: (robot.base_name,), mode="add")
+    """Field that holds the mass."""
 
     def bind(self, simulation: Simulation, width: int) -> Apply:
-        """Function for a simulation."""
+        """Return the function for a simulation."""
         for name in ("body_mass", "body_inertia", "body_ipos", "body_iquat"):
             simulation.model_field(name)
-        return _BoundPayload(simulation, simulation.model.body(simulation.robot.base_name).id)
+        return functools.partial(self._add, simulation, simulation.model.body(simulation.robot.base_name).id)
 
-
-@dataclass(frozen=True, eq=False)
-class _BoundPayload:
-    simulation: Simulation
-    base: int
-
-    def __call__(self, event: Event, values: Floats) -> None:
+    def _add(self, simulation: Simulation, base: int, event: Event, values: Floats) -> None:
         """Add masses (R, 1) in kg."""
         masses, inertias, centres, axes = (
-            self.simulation.model_field(name) for name in ("body_mass", "body_inertia", "body_ipos", "body_iquat")
+            simulation.model_field(name) for name in ("body_mass", "body_inertia", "body_ipos", "body_iquat")
         )
-        where = (event.env_ids, self.base)
+        where = (event.env_ids, base)
         old, added = masses[where], values[:, 0]
         masses[where] = new = added + old
         inertias[where] = (new / old)[:, None] * inertias[where]
         offsets = event.payload_position
         off_centre = np.flatnonzero(np.any(offsets != 0.0, axis=-1) & (added > 0.0))
         if len(off_centre):
-            at = event.env_ids[off_centre], self.base
+            at = event.env_ids[off_centre], base
             shift, inertias[at], axes[at] = _joined(
                 old[off_centre], added[off_centre], offsets[off_centre], inertias[at], axes[at]
             )
@@ -194,7 +168,7 @@ class _BoundPayload:
 def _joined(
     mass: Floats, added: Floats, offset: Floats, inertia: Floats, axes: Floats
 ) -> tuple[Floats, Floats, Floats]:
-    """Bodies (R,) and their payloads as one body each: shifts of the centre of mass, moments of inertia and their axes.
+    """Join bodies (R,) with payloads; return shifts of the centre of mass, moments of inertia and their axes.
 
     Two bodies about their common centre of mass: parallel axis theorem with the reduced mass. `offset` (R, 3) is from
     the body's centre of mass to the payload's; `inertia` (R, 3) is of both as if at one point, about the `axes` (R, 4).
@@ -213,42 +187,48 @@ def _joined(
     return (added / total)[:, None] * offset, moments, turned
 
 
-def check_physical(
-    fields: Iterable[tuple[str, ModelField | Payload, Range]], simulation: Simulation, unit_of: Callable[[str], str]
-) -> None:
+def longest_delay(delay: float, active: Iterable[tuple[Randomization, Range | float]]) -> float:
+    """Return the longest delay that randomizations with their settings allow for motors with a delay, s."""
+    delays = [delay]
+    for randomization, setting in active:
+        for part in randomization.parts:
+            if isinstance(part, ModelField) and part.field == _DELAY:
+                delays += [float(part.changed(np.array(delays[-1]), end)) for end in ends_of(setting)]
+    return max(delays)
+
+
+def check_physical(active: Iterable[tuple[Randomization, Range | float]], simulation: Simulation) -> None:
     """Check that ranges leave masses, inertia, friction, damping and delays possible, also at their worst together.
 
     Args:
-        fields: name of the randomization, what it changes, and its range, in the order in which they apply.
+        active: randomizations and their settings, in the order in which they apply.
         simulation: simulation whose compiled model they change.
-        unit_of: unit of a randomization by name.
 
     Raises:
         QuadrupedError: naming the randomization, its range, what it would lead to, and what is possible.
     """
     bounds: dict[str, tuple[Floats, Floats]] = {}
-    for name, part, ends in fields:
-        entry = part.mass(simulation) if isinstance(part, Payload) else part
+    fields = [(entry, setting, part) for entry, setting in active for part in entry.parts]
+    for randomization, setting, part in fields:
+        entry, ends = part.mass if isinstance(part, Payload) else part, ends_of(setting)
+        if not isinstance(entry, ModelField):
+            continue
         compiled = simulation.compiled_field(entry.field)
         low, high = bounds.setdefault(entry.field, (compiled.copy(), compiled.copy()))
-        rows: tuple[NDArray[np.intp] | int, ...] = (
-            entry.ids(simulation),
-            *(() if entry.column is None else (entry.column,)),
-        )
+        ids = entry.ids(simulation)
+        rows = ids if entry.column is None else (ids, entry.column)
         candidates = [entry.changed(values[rows], end) for values in (low, high) for end in ends]
         low[rows], high[rows] = np.minimum.reduce(candidates), np.maximum.reduce(candidates)
         # A body without mass, as the world is, stays so.
         changed = low[rows] != compiled[rows]
         problem = _problem(entry.field, low[rows][changed], high[rows], simulation.model)
         if problem:
-            unit = unit_of(name)
-            raise QuadrupedError(
-                f"randomization.{name}: {short(list(ends))}{'' if unit == '1' else f' {unit}'} {problem}"
-            )
+            unit = "" if randomization.unit == "1" else f" {randomization.unit}"
+            raise QuadrupedError(f"randomization.{randomization.name}: {short(list(ends))}{unit} {problem}")
 
 
 def _problem(field: str, low: Floats, high: Floats, model: mujoco.MjModel) -> str:
-    """Problem of the lowest and highest values of a field, with its fix; empty if there is none."""
+    """Return the problem of the lowest and highest values of a field, with its fix; empty if there is none."""
     least = float(low.min(initial=np.inf))
     if field in _POSITIVE and least <= 0.0:
         return f"makes {field} {least:.3g}, which must be positive: raise the lower end"

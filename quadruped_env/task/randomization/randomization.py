@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Annotated, Any, Final, Literal, Self, get_args
+from typing import Annotated, Any, Final, Literal, Protocol, Self, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,18 +11,64 @@ from numpy.typing import NDArray
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
-from quadruped_env.task.randomization.event import Apply, Bindable, Event
-from quadruped_env.task.randomization.model_fields import ModelField, check_choice
-from quadruped_env.task.randomization.sensor_errors import Quantity
-from quadruped_env.utils.fields import Amplitude, Range, Section
-from quadruped_env.utils.parameters import Parameter, is_quantity
+from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
+from quadruped_env.task.randomization.servo_errors import ServoErrors
+from quadruped_env.utils.arrays import EnvIds, Floats
+from quadruped_env.utils.fields import Amplitude, Range, Section, converted, one_of
+from quadruped_env.utils.parameters import Parameter
 
-Floats = NDArray[np.float64]
-Law = Literal["uniform", "log_uniform", "normal", "direction"]
+Law = Literal["uniform", "log_uniform", "direction"]
 Width = int | Literal["joints", "feet", "links"]
 
 _PLANE: Final = 2
 """Number of components of a horizontal vector."""
+
+
+@dataclass(slots=True)
+class Event:
+    """Envs to which a randomization is applied, at the start of their episodes or within them."""
+
+    simulation: Simulation
+    robot: Robot
+    env_ids: EnvIds
+    """Indices of the envs (R,)."""
+    qpos: Floats
+    """Initial base pose and joint positions in MuJoCo's order, (R, 7 + J); empty within an episode."""
+    qvel: Floats
+    """Initial base and joint velocities in MuJoCo's order, (R, 6 + J)."""
+    tilt: Floats
+    """Initial roll, pitch and heading of the base (R, 3), rad."""
+    sensors: Sensors | None = None
+    """Errors of the sensors; None if no randomization of the task sets any."""
+    servos: ServoErrors | None = None
+    """Errors of the servos; None if the motors have none and no randomization sets any."""
+    payload_position: Floats = field(default_factory=lambda: np.zeros((1, 3)))
+    """Position of the payload relative to the centre of mass of the base, in its frame, (R, 3) or (1, 3), m."""
+
+    @property
+    def at_start(self) -> bool:
+        """True at the start of an episode."""
+        return self.qpos.size > 0
+
+
+class Apply(Protocol):
+    """Function that applies a randomization."""
+
+    def __call__(self, event: Event, values: Floats) -> None:
+        """Apply values (R, width)."""
+        ...
+
+
+class Bindable(Protocol):
+    """Description of what a randomization changes; a simulation turns it into a function."""
+
+    def bind(self, simulation: Simulation, width: int) -> Apply:
+        """Return the function for a simulation and `width` values per env.
+
+        Raises:
+            QuadrupedError: if the model lacks what it changes, or cannot take that many values.
+        """
+        ...
 
 
 @dataclass(frozen=True)
@@ -37,14 +83,10 @@ class SensorError:
     quantity: Quantity
 
     def __post_init__(self) -> None:
-        check_choice("SensorError: quantity", self.quantity, get_args(Quantity))
+        one_of(self.quantity, get_args(Quantity), "SensorError: quantity")
 
     def bind(self, simulation: Simulation, width: int) -> Apply:
-        """Function for a simulation.
-
-        Raises:
-            QuadrupedError: if the quantity cannot take `width` values.
-        """
+        """Return the itself; raise a QuadrupedError if the quantity cannot take `width` values."""
         joints = simulation.robot.num_joints
         valid = {"encoder_offset": (1, joints), "imu_mounting": (3,), "latency": (1,)}[self.quantity]
         if width not in valid:
@@ -64,7 +106,7 @@ class Randomization:
 
     name: str
     """Name of the randomization, and of its field in `config["randomization"]`."""
-    apply: Apply | Bindable | tuple[ModelField, ...]
+    apply: Apply | Bindable | tuple[Bindable, ...]
     """Function (event, values (R, width)); or a `ModelField`, several that receive the same values, or a
     `SensorError`."""
     default: Amplitude
@@ -73,10 +115,8 @@ class Randomization:
     width: Width = 1
     """Number of values per env."""
     law: Law = "uniform"
-    """Distribution: `uniform`, `log_uniform` (both ends positive), `normal`, or `direction`. The normal one has its
-    mean at the middle of the range and a quarter of the width as standard deviation, and is clipped to the range. With
-    `direction` the two values are a horizontal vector, whose length is uniform in the range and its direction in the
-    circle."""
+    """Distribution: `uniform`, `log_uniform` (both ends positive), or `direction`: the two values are a horizontal
+    vector, whose length is uniform in the range and its direction in the circle."""
     valid: Parameter = field(default_factory=Parameter)
     """Constraint on both ends of the range."""
     interval: tuple[str, Range] | None = None
@@ -86,66 +126,46 @@ class Randomization:
     description: str = ""
     """Meaning of the values, for the docs."""
     source: str = ""
-    """Reason or reference for the built-in ranges, in the docs."""
+    """Reason or reference for the built-in ranges."""
 
     def __post_init__(self) -> None:
-        check_choice(f"randomization {self.name}: law", self.law, get_args(Law))
+        what = f"randomization {self.name}"
+        one_of(self.law, get_args(Law), f"{what}: law")
         if self.law == "log_uniform" and not self.valid.low > 0.0:
             object.__setattr__(self, "valid", replace(self.valid, low=0.0, exclusive=True))
         if self.law == "direction" and not self.valid.low >= 0.0:
             object.__setattr__(self, "valid", replace(self.valid, low=0.0))
         if isinstance(self.width, int) and self.width < 1:
-            raise QuadrupedError(f"randomization {self.name}: width must be 1 or more; found {self.width}")
+            raise QuadrupedError(f"{what}: width must be 1 or more; found {self.width}")
         if self.law == "direction" and self.width != _PLANE:
             raise QuadrupedError(
-                f"randomization {self.name}: width must be {_PLANE} for the law direction, which draws a horizontal "
-                f"vector; found {short(self.width)}"
+                f"{what}: width must be {_PLANE} for the law direction, which draws a horizontal vector; found "
+                f"{short(self.width)}"
             )
         if self.duration is not None and self.interval is None:
-            raise QuadrupedError(
-                f"randomization {self.name}: a duration needs an interval, after which the next one begins; found none"
-            )
-        setting = self.default
-        if setting is None:
-            return
-        if not isinstance(setting, (tuple, list)):
-            # An amplitude x stands for (-x, x).
-            paired = {"log_uniform": "a pair of positive numbers", "direction": "a pair of numbers, 0 or more"}
-            valid = is_quantity(setting) and setting >= 0 and self.law not in paired
-            rule = paired.get(self.law, "0 or more, or a pair (low, high)")
-        else:
-            valid = (
-                len(setting) == 2
-                and all(is_quantity(end) and self.valid.accepts(end) for end in setting)
-                and setting[0] <= setting[1]
-            )
-            rule = f"None, or a pair (low, high) with low <= high, each {self.valid.rule()}"
-        if not valid:
-            raise QuadrupedError(f"randomization {self.name}: default must be {rule}; found {short(setting)}")
+            raise QuadrupedError(f"{what}: a duration needs an interval, after which the next one begins; found none")
+        kind = Amplitude if self.law == "uniform" else Range | None
+        object.__setattr__(self, "default", converted(self.default, Annotated[kind, self.valid], f"{what}: default"))
+
+    @property
+    def parts(self) -> tuple[Apply | Bindable, ...]:
+        """Functions and descriptions that receive the same values."""
+        return self.apply if isinstance(self.apply, tuple) else (self.apply,)
 
     def columns(self, robot: Robot) -> int:
-        """Number of values per env."""
+        """Return the number of values, and of uniform draws, per env."""
         numbers = {"joints": robot.num_joints, "feet": robot.num_legs, "links": len(robot.link_names)}
         return numbers[self.width] if isinstance(self.width, str) else self.width
 
-    def draws(self, robot: Robot) -> int:
-        """Number of uniform draws per env."""
-        return self.columns(robot) * (2 if self.law == "normal" else 1)
-
     def values(self, draws: Floats, setting: Range | float) -> Floats:
-        """Values (R, width) for uniform draws (R, draws) in [0, 1)."""
+        """Return the values (R, width) for uniform draws (R, width) in [0, 1)."""
         low, high = ends_of(setting)
         if self.law == "uniform":
             return between((low, high), draws)
         if self.law == "log_uniform":
             return np.exp(between((math.log(low), math.log(high)), draws))
-        if self.law == "direction":
-            length, angle = between((low, high), draws[:, 0]), math.tau * draws[:, 1]
-            return np.stack([length * np.cos(angle), length * np.sin(angle)], axis=-1)
-        # Box and Muller 1958, https://doi.org/10.1214/aoms/1177706645
-        first, second = np.split(draws, 2, axis=1)
-        normal = np.sqrt(-2.0 * np.log1p(-first)) * np.cos(math.tau * second)
-        return np.clip(0.5 * (low + high) + 0.25 * (high - low) * normal, low, high)
+        length, angle = between((low, high), draws[:, 0]), math.tau * draws[:, 1]
+        return np.stack([length * np.cos(angle), length * np.sin(angle)], axis=-1)
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -161,38 +181,29 @@ class RandomizationSection(Section, path="config.randomization"):
     """Factor on the noise of the observations."""
     noise_amplitude: Mapping[str, float]
 
-    def active(self, randomizations: Iterable[Randomization]) -> list[Randomization]:
-        """Those that their settings enable."""
-        return [entry for entry in randomizations if is_active(self[entry.name])]
-
-    def longest_delay(self, delay: float, randomizations: Iterable[Randomization]) -> float:
-        """Longest delay that these randomizations allow for motors with a delay, s."""
-        delays = [delay]
-        for entry in self.active(randomizations):
-            for part in entry.apply if isinstance(entry.apply, tuple) else (entry.apply,):
-                if isinstance(part, ModelField) and part.field == "actuator_delay":
-                    delays += [float(part.changed(np.array(delays[-1]), end)) for end in ends_of(self[entry.name])]
-        return max(delays)
+    def active(self, randomizations: Iterable[Randomization]) -> list[tuple[Randomization, Range | float]]:
+        """Return the randomizations that are enabled, with their settings."""
+        return [(entry, self[entry.name]) for entry in randomizations if is_active(self[entry.name])]
 
 
 def is_active(setting: Amplitude) -> bool:
-    """True if a setting enables its randomization."""
+    """Return True if a setting enables its randomization."""
     return setting is not None and setting not in (0.0, (0.0, 0.0))
 
 
 def ends_of(setting: Range | float) -> Range:
-    """The range of a setting, in which a number x stands for (-x, x)."""
+    """Return the range of a setting, in which a number x stands for (-x, x)."""
     return setting if isinstance(setting, tuple) else (-setting, setting)
 
 
 def between(bounds: Range, draw: Floats) -> Floats:
-    """Uniform draws in [0, 1), scaled to [low, high)."""
+    """Return uniform draws in [0, 1), scaled to [low, high)."""
     low, high = bounds
     return low + (high - low) * draw
 
 
 def in_steps(seconds: Floats, timestep: float) -> NDArray[np.int64]:
-    """Times in s as numbers of control steps, at least one."""
+    """Return the times in s as numbers of control steps, at least one."""
     return np.maximum(np.rint(seconds / timestep), 1.0).astype(np.int64)
 
 
@@ -207,17 +218,15 @@ class Active:
 
     @classmethod
     def of(cls, randomization: Randomization, setting: Range | float, simulation: Simulation) -> Self:
-        """A randomization with a setting, in a simulation.
+        """Bind a randomization with a setting to a simulation.
 
         Raises:
             QuadrupedError: if the model lacks what it changes, or cannot take that many values.
         """
-        apply: Any = randomization.apply
         width = randomization.columns(simulation.robot)
         try:
-            functions = [
-                part.bind(simulation, width) if hasattr(part, "bind") else part
-                for part in (apply if isinstance(apply, tuple) else (apply,))
+            functions: list[Any] = [
+                part.bind(simulation, width) if hasattr(part, "bind") else part for part in randomization.parts
             ]
         except QuadrupedError as error:
             raise QuadrupedError(f"randomization {randomization.name}: {error}") from error
@@ -228,9 +237,9 @@ class Active:
         """Name of the randomization."""
         return self.randomization.name
 
-    def values(self, draws: Floats) -> Floats:
-        """Values (R, width) for uniform draws (R, draws) in [0, 1)."""
-        return self.randomization.values(draws, self.setting)
+    def draw(self, event: Event, draws: Floats) -> None:
+        """Apply the values for uniform draws (R, width) in [0, 1)."""
+        self.apply(event, self.randomization.values(draws, self.setting))
 
     def apply(self, event: Event, values: Floats) -> None:
         """Apply values (R, width)."""

@@ -13,60 +13,43 @@ from quadruped_env.utils.plain import Plain, plain
 PRESET: Final = "preset"
 """Field of the section that names a preset, next to the fields that change it."""
 
+_RANGES: Final[Mapping[str, tuple[Plain, Plain]]] = {
+    "friction": ((0.5, 1.1), (0.3, 1.2)),
+    "link_mass": ((0.9, 1.1), (0.8, 1.2)),
+    "link_inertia": ((0.9, 1.1), (0.8, 1.2)),
+    "base_com": (0.01, 0.02),
+    "payload_position": (0.03, 0.05),
+    "payload": ((-0.2, 0.5), (-0.5, 1.0)),
+    "motor_strength": ((0.9, 1.1), (0.8, 1.2)),
+    "supply_voltage": ((0.95, 1.05), (0.85, 1.05)),
+    "position_gain": ((0.9, 1.1), (0.8, 1.2)),
+    "velocity_gain": ((0.9, 1.1), (0.8, 1.2)),
+    "joint_damping": ((0.7, 1.5), (0.5, 2.0)),
+    "rotor_inertia": ((0.8, 1.25), (0.67, 1.5)),
+    "encoder_offset": (0.01, 0.02),
+    "imu_mounting": (0.01, 0.03),
+    "action_latency": ((0.0, 0.02), (0.0, 0.06)),
+    "observation_latency": ((0.0, 0.005), (0.0, 0.01)),
+    "push_speed": (None, (0.75, 0.75)),
+    "push_velocity": (0.5, None),
+    "push_rotation": (0.8, None),
+    "push_interval": ((2.0, 4.0), (3.0, 3.0)),
+    "push_force": ((0.0, 3.0), (0.0, 6.0)),
+    "observation_noise": (1.0, 1.5),
+}
+"""Ranges of the presets `moderate` and `hard` for the built-in robot; None: the default."""
+
 PRESETS: Final[Mapping[str, Mapping[str, Plain]]] = {
     "none": {},
-    "moderate": {
-        "friction": (0.5, 1.1),
-        "link_mass": (0.9, 1.1),
-        "link_inertia": (0.9, 1.1),
-        "base_com": 0.01,
-        "payload_position": 0.03,
-        "payload": (-0.2, 0.5),
-        "motor_strength": (0.9, 1.1),
-        "supply_voltage": (0.95, 1.05),
-        "position_gain": (0.9, 1.1),
-        "velocity_gain": (0.9, 1.1),
-        "joint_damping": (0.7, 1.5),
-        "rotor_inertia": (0.8, 1.25),
-        "encoder_offset": 0.01,
-        "imu_mounting": 0.01,
-        "action_latency": (0.0, 0.02),
-        "observation_latency": (0.0, 0.005),
-        "push_velocity": 0.5,
-        "push_rotation": 0.8,
-        "push_interval": (2.0, 4.0),
-        "push_force": (0.0, 3.0),
-        "observation_noise": 1.0,
-    },
-    "hard": {
-        "friction": (0.3, 1.2),
-        "link_mass": (0.8, 1.2),
-        "link_inertia": (0.8, 1.2),
-        "base_com": 0.02,
-        "payload_position": 0.05,
-        "payload": (-0.5, 1.0),
-        "motor_strength": (0.8, 1.2),
-        "supply_voltage": (0.85, 1.05),
-        "position_gain": (0.8, 1.2),
-        "velocity_gain": (0.8, 1.2),
-        "joint_damping": (0.5, 2.0),
-        "rotor_inertia": (0.67, 1.5),
-        "encoder_offset": 0.02,
-        "imu_mounting": 0.03,
-        "action_latency": (0.0, 0.06),
-        "observation_latency": (0.0, 0.01),
-        "push_speed": (0.75, 0.75),
-        "push_interval": (3.0, 3.0),
-        "push_force": (0.0, 6.0),
-        "observation_noise": 1.5,
-    },
+    "moderate": {name: moderate for name, (moderate, _) in _RANGES.items() if moderate is not None},
+    "hard": {name: hard for name, (_, hard) in _RANGES.items() if hard is not None},
 }
 """Changes to the default randomization, by name of the preset, for the built-in robot. In all of them the start of an
 episode is random; with `none`, nothing else is."""
 
 
 def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plain]:
-    """Values of a preset as plain values, in the units of the robot.
+    """Return the values of a preset as plain values, in the units of the robot.
 
     Raises:
         QuadrupedError: if there is no such preset.
@@ -83,7 +66,7 @@ def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plai
 
 
 def with_preset(values: Plain, robot: Robot) -> Plain:
-    """Values of the section with the preset in place that they name, by itself or in the field `preset`.
+    """Return the values of the section with the preset in place that they name, by itself or in the field `preset`.
 
     Raises:
         QuadrupedError: if there is no such preset.

@@ -16,8 +16,8 @@ from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import Simulation
 from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import Floats
 
-Floats = NDArray[np.float64]
 Quantity = Literal["encoder_offset", "imu_mounting", "latency"]
 
 _IMU_VECTORS: Final = ("angular_velocity_b", "linear_acceleration_b", "up_b")
@@ -67,10 +67,10 @@ class Sensors:
         self._turn: Floats = self.memory.zeros("imu_turn", 4, 4)
         """Matrix that turns an orientation of the base into one of the IMU; both are quaternions."""
         self._to_imu: Floats = self.memory.zeros("imu_matrix", 3, 3)
-        """Matrix from the frame of the base to that of the IMU."""
+        """Matrix from the base's frame to the IMU's."""
         self._steps: NDArray[np.int64] = self.memory.zeros("latency_steps", dtype=np.int64)
         self._share: Floats = self.memory.zeros("latency_share", 1)
-        # A ring of readings: the latest, and those of as many control steps as the latency reaches back.
+        # A ring of readings: the latest, and one per control step that the latency reaches back.
         self._depth = math.ceil(largest["latency"] / timestep - _ROUNDING) + 1 if "latency" in largest else 0
         ends = np.cumsum([simulation.sensordata[:, simulation.sensor_columns[name]].shape[1] for name in MEASURED])
         self._columns = [slice(start, end) for start, end in zip([0, *ends[:-1]], ends, strict=True)]
@@ -121,15 +121,15 @@ class Sensors:
             self._measured[:, columns] = true
 
     def encoder_position(self) -> Floats:
-        """Present joint positions (N, J) in rad as the encoders show them."""
+        """Return the present joint positions (N, J) in rad as the encoders show them."""
         return self._simulation.readings.joint_position + self.encoder_offset
 
     def joint_target(self, target: Floats) -> Floats:
-        """Joint positions (N, J) in rad at which the encoders show the targets (N, J)."""
+        """Return the joint positions (N, J) in rad at which the encoders show the targets (N, J)."""
         return target - self.encoder_offset if "encoder_offset" in self._randomized else target
 
     def read(self, steps: NDArray[np.int64]) -> Readings:
-        """Readings with their errors at a control step of each episode (N,); the next call overwrites them."""
+        """Return readings with their errors at a control step of each episode (N,); the next call overwrites them."""
         self._measure()
         if "latency" in self._randomized:
             ring, newer, older = self._ring.reshape(-1, self._ring.shape[-1]), self._measured, self._older
@@ -156,7 +156,7 @@ class Sensors:
 
 
 def _applied(matrices: Floats, vectors: Floats) -> Floats:
-    """Products (N, K) of matrices (N, K, K) and vectors (N, K); a sum of columns, which is fast for small K."""
+    """Return products (N, K) of matrices (N, K, K) and vectors (N, K); a sum of columns, which is fast for small K."""
     result = matrices[:, :, 0] * vectors[:, :1]
     for i in range(1, vectors.shape[1]):
         result += matrices[:, :, i] * vectors[:, i, None]

@@ -6,8 +6,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import SERVO_ERRORS, MotorConfig, servo_target
 from quadruped_env.simulation import Simulation
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 class ServoErrors:
@@ -28,12 +27,12 @@ class ServoErrors:
         self._play: Floats = self.memory.zeros("play", robot.num_joints)
 
     def clear(self, env_ids: NDArray[np.intp]) -> None:
-        """Set the errors of some envs (R,) to those of the motors."""
+        """Set the errors of some envs (R,) to the motors' own."""
         for values, least in zip(self._values, self._least, strict=True):
             values[env_ids] = least
 
     def add(self, quantity: str, env_ids: NDArray[np.intp], values: Floats) -> None:
-        """Set an error of some envs (R,) to that of the motors and values (R, 1) or (R, J) in rad more."""
+        """Add values (R, 1) or (R, J) in rad to the motors' own error in some envs (R,)."""
         i = SERVO_ERRORS.index(quantity)
         self._values[i][env_ids] = self._least[i] + values
 
@@ -42,5 +41,5 @@ class ServoErrors:
         self._play[env_ids] = position
 
     def joint_target(self, target: Floats, position: Floats) -> Floats:
-        """Positions (N, J) that the gains pull to, for targets and measured positions (N, J); all in rad."""
+        """Return the positions (N, J) that the gains pull to, for targets and measured positions (N, J); all in rad."""
         return servo_target(target, position, self._play, *self._values)

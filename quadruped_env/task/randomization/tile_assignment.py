@@ -14,9 +14,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.terrain_section import TilesSection
-
-Floats = NDArray[np.float64]
-EnvIds = NDArray[np.intp]
+from quadruped_env.utils.arrays import Bools, EnvIds, Floats
 
 EPISODE_SECONDS: Final = 20.0
 """Length of an episode without a fall, s. The distance that a fallen robot was commanded to walk counts up to it."""
@@ -58,8 +56,8 @@ class TileAssignment:
         self._walked: Floats = self.memory.zeros("walked_distance")
         self._seconds: Floats = self.memory.zeros("seconds")
         self._speed: Floats = self.memory.zeros("commanded_speed")
-        self._left: NDArray[np.bool_] = self.memory.zeros("left_tile", dtype=np.bool_)
-        self._fallen: NDArray[np.bool_] = self.memory.zeros("fallen", dtype=np.bool_)
+        self._left: Bools = self.memory.zeros("left_tile", dtype=np.bool_)
+        self._fallen: Bools = self.memory.zeros("fallen", dtype=np.bool_)
         self._of_episode = (self._commanded, self._walked, self._seconds, self._speed, self._left, self._fallen)
 
     def check(self, tiles: NDArray[np.intp], count: int) -> None:
@@ -80,7 +78,7 @@ class TileAssignment:
             )
 
     def begin_episodes(
-        self, env_ids: EnvIds, first: NDArray[np.bool_], draws: Draws, tiles: NDArray[np.intp] | None = None
+        self, env_ids: EnvIds, first: Bools, draws: Draws, tiles: NDArray[np.intp] | None = None
     ) -> Floats:
         """Choose the tiles of new episodes in some envs (R,), and return the middles of the tiles (R, 2), m.
 
@@ -108,9 +106,7 @@ class TileAssignment:
             array[env_ids] = 0
         return self._centre_of(env_ids)
 
-    def update(
-        self, context: TaskContext, terminated: NDArray[np.bool_], diverged: NDArray[np.bool_], running: EnvIds | None
-    ) -> None:
+    def update(self, context: TaskContext, terminated: Bools, diverged: Bools, running: EnvIds | None) -> None:
         """Account for a control step, in all envs or some (R,), before their commands change."""
         env_ids = slice(None) if running is None else running
         valid = ~diverged[env_ids]
@@ -126,13 +122,13 @@ class TileAssignment:
         self._fallen[env_ids] = terminated[env_ids]
 
     def mean_levels(self) -> dict[str, float]:
-        """Mean level of all envs, `mean_level`, and of those of each kind that has envs, `level_<kind>`."""
+        """Return the mean level of all envs, `mean_level`, and per kind that has envs, `level_<kind>`."""
         of_kinds = {name: self.level[self.kind == kind] for kind, name in enumerate(self.kinds)}
         levels = {"mean_level": self.level} | {f"level_{name}": own for name, own in of_kinds.items() if own.size}
         return {name: float(own.mean()) for name, own in levels.items()}
 
     def _change(self, env_ids: EnvIds) -> NDArray[np.int64]:
-        """1 for promoted envs, -1 for demoted ones, else 0, (R,)."""
+        """Return 1 for promoted envs, -1 for demoted ones, else 0, (R,)."""
         rest = np.maximum(EPISODE_SECONDS - self._seconds[env_ids], 0.0) * self._speed[env_ids]
         commanded = self._commanded[env_ids] + np.where(self._fallen[env_ids], rest, 0.0)
         walked, counts = self._walked[env_ids], commanded >= self._shortest

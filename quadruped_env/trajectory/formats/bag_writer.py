@@ -26,6 +26,7 @@ from quadruped_env.ros.message_types import typestore
 from quadruped_env.ros.robot_messages import joint_state, transform_messages
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.rows import KINDS, Rows
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import unwritable, whole
 
 STORAGES: Final = {"mcap": ".mcap", "sqlite3": ".db3"}
@@ -40,9 +41,7 @@ _CHUNK_CRC_AT: Final = 9 + 24
 """Offset of the checksum in a chunk of MCAP, in bytes."""
 
 
-def write(
-    rows: Rows, path: Path, robot: Robot, storage: str, base_pose: NDArray[np.float64] | None, overwrite: bool
-) -> None:
+def write(rows: Rows, path: Path, robot: Robot, storage: str, base_pose: Floats | None, overwrite: bool) -> None:
     """Write a bag, in full or not at all: a directory, or one bare storage file if the path ends in its suffix.
 
     Args:
@@ -83,7 +82,7 @@ def check_target(path: Path, overwrite: bool) -> None:
 
 @contextmanager
 def open_bag(bag: Path, storage: str) -> Iterator[Any]:
-    """A writer of rosbags for a new bag; `connect` adds topics.
+    """Provide a writer of rosbags for a new bag; `connect` adds topics.
 
     Chunks of MCAP get checksums: without them, damage would be read as numbers.
 
@@ -119,7 +118,7 @@ def save_progress(writer: Any) -> None:
         connection.commit()
 
 
-def _write_messages(rows: Rows, writer: Any, robot: Robot, base_pose: NDArray[np.float64] | None) -> None:
+def _write_messages(rows: Rows, writer: Any, robot: Robot, base_pose: Floats | None) -> None:
     joints = connect(writer, "/joint_states", "sensor_msgs/msg/JointState", JOINT_STATES_QOS)
     due = np.zeros(len(rows), np.bool_)
     transforms: Iterator[bytes] = iter(())
@@ -138,13 +137,11 @@ def _write_messages(rows: Rows, writer: Any, robot: Robot, base_pose: NDArray[np
             writer.write(tf, stamp, next(transforms))
 
 
-def _transforms(
-    stamps: NDArray[np.int64], positions: NDArray[np.float64], poses: NDArray[np.float64] | None, robot: Robot
-) -> Iterator[bytes]:
-    """The messages of /tf at timestamps (T,), in pieces: as Python objects, all would take gigabytes."""
+def _transforms(stamps: NDArray[np.int64], positions: Floats, poses: Floats | None, robot: Robot) -> Iterator[bytes]:
+    """Yield the messages of /tf at timestamps (T,), in pieces: as Python objects, all would take gigabytes."""
     for start in range(0, len(stamps), _ROWS_PER_PIECE):
         part = slice(start, start + _ROWS_PER_PIECE)
-        moved = robot.joint_transforms(positions[part], None if poses is None else poses[part])
+        moved = robot.skeleton.joint_transforms(positions[part], None if poses is None else poses[part])
         yield from transform_messages(stamps[part].tolist(), moved)
 
 
@@ -152,12 +149,12 @@ def _write_description(writer: Any, robot: Robot, stamp: int) -> None:
     """Write the robot's description and its fixed transforms."""
     description = connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
     writer.write(description, stamp, cdr.serialize(cdr.message("std_msgs/msg/String", data=robot.urdf)))
-    message = next(transform_messages([stamp], robot.fixed_transforms()))
+    message = next(transform_messages([stamp], robot.skeleton.fixed_transforms()))
     writer.write(connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), stamp, message)
 
 
 def connect(writer: Any, topic: str, message_type: str, qos: Qos) -> Any:
-    """A new topic of a bag, with the offered quality of service; the writer's `write` takes it."""
+    """Return a new topic of a bag, with the offered quality of service; the writer's `write` takes it."""
     from rosbags.interfaces import Qos as BagQos
     from rosbags.interfaces import QosDurability, QosHistory, QosLiveliness, QosReliability, QosTime
 

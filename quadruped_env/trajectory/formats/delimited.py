@@ -12,7 +12,7 @@ from quadruped_env.utils.documents import check_regular
 
 @contextmanager
 def opened(reading: Reading) -> Iterator[TextIO]:
-    """The file, opened as text; errors of the system and the encoding become this package's."""
+    """Provide the file, opened as text; errors of the system and the encoding become this package's."""
     check_regular(reading.path, "name a file of joint states")
     try:
         # Spreadsheets put a byte-order mark in front of UTF-8.
@@ -25,7 +25,7 @@ def opened(reading: Reading) -> Iterator[TextIO]:
 
 
 def lines(file: TextIO, reading: Reading) -> Iterator[str]:
-    """The lines of a file, with progress, each with a line end.
+    """Yield the lines of a file, with progress, each with a line end.
 
     A last line without one gets it, and a remark, since its last number may be cut off.
     """
@@ -43,7 +43,7 @@ def lines(file: TextIO, reading: Reading) -> Iterator[str]:
 
 
 def parse_number(text: str) -> float:
-    """A number.
+    """Return a number.
 
     Python's own parser accepts underscores and digits of other scripts, which are damage in a file of numbers.
 
@@ -56,7 +56,7 @@ def parse_number(text: str) -> float:
 
 
 def is_number(text: str) -> bool:
-    """True if `parse_number` reads a text."""
+    """Return True if `parse_number` reads a text."""
     try:
         parse_number(text)
     except ValueError:

@@ -1,4 +1,4 @@
-"""Messages as text: output of `ros2 topic echo`, as YAML and with `--csv`, and the JSON lines of rosbridge.
+"""Messages as text: output of `ros2 topic echo`, as YAML and with `--csv`.
 
 YAML: one document per message, in block or flow style, each ended by a line `---`, also as ROS 1 prints it. Notices of
 lost messages between them, whose last line ends in `---`, are reported. CSV has no header and no quotes:
@@ -7,30 +7,23 @@ lost messages between them, whose last line ends in `---`, are reported. CSV has
 
 and an empty array is one empty field. Both shorten arrays of over 128 numbers to `...`, unless called with
 `--full-length`; shortened arrays are an error.
-
-JSON lines: each line is a message, or an object whose `msg` is one, as in
-`{"op": "publish", "topic": "/joint_states", "msg": {"header": ...}}`. Other operations are left out.
 """
 
-import json
 import re
 from collections.abc import Iterator
-from contextlib import suppress
-from dataclasses import replace
 from itertools import takewhile
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
-from quadruped_env.ros.robot_messages import RECORDED_TYPES, RawJointState, dynamic_state
+from quadruped_env.ros.robot_messages import RawJointState
 from quadruped_env.ros.timestamps import NS_PER_SECOND
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
 from quadruped_env.trajectory.formats.message_rows import assembled
-from quadruped_env.trajectory.formats.storage import choose_topics
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, Rows
+from quadruped_env.utils.arrays import Floats
 
 LOST: Final = "A message was lost!!!"
 """First words of a notice of lost messages."""
@@ -38,10 +31,8 @@ LOST: Final = "A message was lost!!!"
 _LOST_NOTE: Final = "the recording itself says that messages were lost"
 _MAX_DOCUMENT: Final = 1_000_000
 """Maximum characters of a message; no joint state is longer."""
-_NO_TOPIC: Final = "(no topic)"
 _SHORTENED: Final = "an array is shortened to '...'; record it again with ros2 topic echo --full-length"
 _FORM: Final = "expected what ros2 topic echo prints of a sensor_msgs/msg/JointState"
-_JSON_FORM: Final = 'expected one JSON object per line, such as {"topic": "/joint_states", "msg": {...}} of rosbridge'
 _SPECIAL: Final = {".nan": "nan", ".inf": "inf", "-.inf": "-inf"}
 """Numbers that are not finite in YAML -> in Python."""
 _INTEGER: Final = re.compile(r"-?\d{1,18}$", re.ASCII)
@@ -50,17 +41,14 @@ _MAX_DEPTH: Final = 8
 """Maximum levels of nesting; a trajectory has five."""
 
 _STATE_KEYS: Final = ("name", *KINDS)
-_DYNAMIC_KEYS: Final = ("joint_names", "interface_values")
-_TRAJECTORY_KEYS: Final = ("joint_names", "points")
 _ARRAY_KEYS: Final = ("layout", "data")
-_POINT_KEYS: Final = ("positions", "velocities", "accelerations", "effort", "time_from_start")
 
 Node = str | list[Any] | dict[str, Any] | None
-"""A node of YAML or JSON, its values still as text"""
+"""A node of YAML, its values still as text."""
 
 
-def read_yaml(reading: Reading) -> Iterator[Rows]:
-    """The messages of YAML text, not validated.
+def read_yaml(reading: Reading) -> Rows | None:
+    """Return the messages of YAML text, not validated.
 
     Raises:
         QuadrupedError: if the file is missing or damaged.
@@ -69,22 +57,13 @@ def read_yaml(reading: Reading) -> Iterator[Rows]:
     return assembled(_yaml_messages(reading), reading, is_text=True)
 
 
-def read_csv(reading: Reading) -> Iterator[Rows]:
-    """The messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
+def read_csv(reading: Reading) -> Rows | None:
+    """Return the messages of `--csv` text, not validated. Raises a QuadrupedError if the file is missing or damaged."""
     return assembled(_csv_messages(reading), reading, is_text=True)
 
 
-def read_json_lines(reading: Reading) -> Iterator[Rows]:
-    """The messages of lines of JSON, not validated.
-
-    Raises:
-        QuadrupedError: if the file is missing or damaged, or has several topics and the options name none.
-    """
-    return assembled(_json_messages(reading), reading, is_text=True)
-
-
 def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
-    """Number in the file, and joint states of the messages."""
+    """Yield the number in the file, and joint states of the messages."""
     reading.row_name = "message"
     with opened(reading) as file:
         number = 0
@@ -93,64 +72,17 @@ def _yaml_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]
                 reading.note(_LOST_NOTE)
                 continue
             try:
-                states = _states(safe_yaml(text, _MAX_DEPTH), reading)
+                state = _state(safe_yaml(text, _MAX_DEPTH), reading)
             except ValueError as error:
                 raise reading.error(number, f"{error}; {_FORM}; fix it or delete it") from error
-            yield number, states
+            yield number, [state]
             number += 1
     if not number:
         raise reading.error(None, f"there is no message in it; {_FORM}")
 
 
-def _json_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
-    """Number of the line, and joint states of the message."""
-    reading.row_name = "line"
-    types: dict[str, str] = {}
-    # The file is read twice, since a topic may come late. Damage is reported by the second time.
-    with suppress(QuadrupedError):
-        for _, topic, node in _json_nodes(replace(reading, progress=None)):
-            types.setdefault(topic, _type_of(node))
-    wanted = choose_topics(types, reading) if types else (_NO_TOPIC,)
-    for number, topic, node in _json_nodes(reading):
-        if topic in wanted:
-            try:
-                yield number, _states(node, reading)
-            except ValueError as error:
-                raise reading.error(number, f"{error}; {_JSON_FORM}; fix it or delete it") from error
-
-
-def _json_nodes(reading: Reading) -> Iterator[tuple[int, str, Node]]:
-    """Number of the line, topic, and message."""
-    with opened(reading) as file:
-        for number, line in enumerate(lines(file, reading), 1):
-            if not line.strip():
-                continue
-            try:
-                # Numbers stay text: some are longer than Python reads.
-                node = json.loads(line, parse_float=str, parse_int=str, parse_constant=str)
-            except (ValueError, RecursionError) as error:
-                raise reading.error(number, f"not JSON ({error}); {_JSON_FORM}; fix it or delete it") from error
-            fields = node if isinstance(node, dict) else {}
-            if fields.get("op", "publish") != "publish":
-                reading.note("lines with another operation than publish were left out")
-            elif "msg" in fields:
-                yield number, str(fields.get("topic", _NO_TOPIC)), fields["msg"]
-            elif "op" in fields or "topic" in fields:
-                raise reading.error(number, f"there is no msg in it; {_JSON_FORM}; fix it or delete it")
-            else:
-                yield number, _NO_TOPIC, node
-
-
-def _type_of(node: Node) -> str:
-    """Name of the type of a message, by its keys."""
-    keys = _keys(node)
-    types = zip((_STATE_KEYS, _DYNAMIC_KEYS, _TRAJECTORY_KEYS, _ARRAY_KEYS), RECORDED_TYPES, strict=True)
-    other = f"another one, with the keys {', '.join(short(key)[1:-1] for key in keys[:_MAX_KEYS_SHOWN])}"
-    return next((name for known, name in types if set(known) <= set(keys)), other)
-
-
 def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]:
-    """Number of the line, and message."""
+    """Yield the number of the line, and message."""
     reading.row_name = "line"
     with opened(reading) as file:
         for number, line in enumerate(lines(file, reading), 1):
@@ -164,7 +96,7 @@ def _csv_messages(reading: Reading) -> Iterator[tuple[int, list[RawJointState]]]
 
 
 def safe_yaml(text: str, max_depth: int) -> Any:
-    """The only document in YAML text, its scalars as text; None if it is empty.
+    """Return the only document in YAML text, its scalars as text; None if it is empty.
 
     Raises:
         ValueError: if it is not YAML, holds several documents or anchors, or is nested too deeply.
@@ -189,7 +121,7 @@ def safe_yaml(text: str, max_depth: int) -> Any:
 
 
 def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
-    """The texts between lines `---`, except empty ones.
+    """Yield the texts between lines `---`, except empty ones.
 
     Raises:
         QuadrupedError: if a message is too long, or a line of one ends in `---`, whose end may be cut off.
@@ -218,8 +150,8 @@ def _documents(found: Iterator[str], reading: Reading) -> Iterator[str]:
         yield "".join(parts)
 
 
-def _states(node: Node, reading: Reading) -> list[RawJointState]:
-    """The joint states in a node: of a `JointState`, `DynamicJointState`, `JointTrajectory` or `Float64MultiArray`.
+def _state(node: Node, reading: Reading) -> RawJointState:
+    """Return the joint state in a node, of a `JointState` or `Float64MultiArray`.
 
     Raises ValueError if the node holds another message.
     """
@@ -228,59 +160,33 @@ def _states(node: Node, reading: Reading) -> list[RawJointState]:
         if reading.options.period is None:
             raise ValueError("an array has no timestamp: give the time from row to row in s (--stamps 0.02)")
         data = _numbers(_mapping(node, _ARRAY_KEYS, "the message")["data"], "data")
-        return [RawJointState(0, (), data, np.empty(0), np.empty(0))]
-    rest = next((one for one in (_DYNAMIC_KEYS, _TRAJECTORY_KEYS) if one[-1] in keys), _STATE_KEYS)
-    fields = _mapping(node, ("header", *rest), "the message")
+        return RawJointState(0, (), data, np.empty(0), np.empty(0))
+    fields = _mapping(node, ("header", *_STATE_KEYS), "the message")
     ros1 = ("seq",) if "seq" in _keys(fields["header"]) else ()
     header = _mapping(fields["header"], (*ros1, "stamp", "frame_id"), "header")
+    names = [_scalar(item, "name") for item in _sequence(fields["name"], "name")]
     stamp = _time(header["stamp"], "header.stamp")
-    names = tuple(_texts(fields[rest[0]], rest[0]))
-    if rest == _DYNAMIC_KEYS:
-        parts = [
-            _mapping(one, ("interface_names", "values"), "interface_values")
-            for one in _sequence(fields[rest[1]], rest[1])
-        ]
-        interfaces = [
-            (_texts(part["interface_names"], "interface_names"), _numbers(part["values"], "values")) for part in parts
-        ]
-        return [dynamic_state(stamp, names, interfaces)]
-    if rest == _TRAJECTORY_KEYS:
-        points = [_mapping(one, _POINT_KEYS, "points") for one in _sequence(fields["points"], "points")]
-        return [
-            RawJointState(
-                stamp + _time(point["time_from_start"], "time_from_start"),
-                names,
-                *(_numbers(point[key], key) for key in ("positions", "velocities", "effort")),
-            )
-            for point in points
-        ]
-    return [RawJointState(stamp, names, *(_numbers(fields[kind], kind) for kind in KINDS))]
+    return RawJointState(stamp, tuple(names), *(_numbers(fields[kind], kind) for kind in KINDS))
 
 
 def _time(node: Node, what: str) -> int:
-    """A time or a duration, ns."""
+    """Return a time or a duration, ns."""
     keys = ("secs", "nsecs") if "secs" in _keys(node) else ("sec", "nanosec")
     found = _mapping(node, keys, what)
     return _stamp(*(_scalar(found[key], key) for key in keys))
 
 
-def _texts(node: Node, what: str) -> list[str]:
-    texts = [_scalar(item, what) for item in _sequence(node, what)]
-    "".join(texts).encode()  # a ValueError for half a character, which can be neither printed nor written
-    return texts
-
-
-def _numbers(node: Node, what: str) -> NDArray[np.float64]:
+def _numbers(node: Node, what: str) -> Floats:
     return np.array([_number(item, what) for item in _sequence(node, what)], dtype=np.float64)
 
 
 def _keys(node: Node) -> list[str]:
-    """Keys of a mapping; none of another node."""
+    """Return keys of a mapping; none of another node."""
     return [str(key) for key in node] if isinstance(node, dict) else []
 
 
 def _mapping(node: Node, keys: tuple[str, ...], what: str) -> dict[str, Any]:
-    """A mapping with these keys. Raises ValueError for another node."""
+    """Return a mapping with these keys. Raises ValueError for another node."""
     found = _keys(node)
     if sorted(found) != sorted(keys):
         some = ", ".join(short(key)[1:-1] for key in found[:_MAX_KEYS_SHOWN])
@@ -305,8 +211,8 @@ def _scalar(node: Node, what: str) -> str:
 
 
 def _number(node: Node, what: str) -> float:
-    """A number; to YAML, 1e-05 is a text. JSON has no NaN, and rosbridge sends null for it."""
-    text = "nan" if node is None else _scalar(node, what)
+    """Return a number; to YAML, 1e-05 is a text."""
+    text = _scalar(node, what)
     return _cell_number(_SPECIAL.get(text, text), what)
 
 
@@ -320,7 +226,7 @@ def _stamp(sec: str, nanosec: str) -> int:
 
 
 def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJointState:
-    """The message in the fields of a line. Raises ValueError if they are not a joint state."""
+    """Return the message in the fields of a line. Raises ValueError if they are not a joint state."""
     if "..." in cells:
         raise ValueError(_SHORTENED)
     if len(cells) < 7:
@@ -347,7 +253,7 @@ def _state_of_cells(cells: list[str], given: tuple[str, ...] | None) -> RawJoint
 
 
 def _count_without_names(cells: list[str]) -> int:
-    """Length of the arrays of a message without names."""
+    """Return the length of the arrays of a message without names."""
     filled = 3 - cells.count("")
     numbers = len(cells) - cells.count("")
     if filled <= 0 or numbers % filled:

@@ -1,28 +1,26 @@
-"""CSVs, read by a map of their columns: see `quadruped_env.trajectory.maps`."""
+"""CSVs, read by a map of their columns: see `quadruped_env.trajectory.column_map`."""
 
 import csv
 import math
 import re
 from array import array
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime
 from decimal import Decimal, DecimalException
-from itertools import chain, zip_longest
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros.timestamps import NS_PER_SECOND
+from quadruped_env.trajectory.column_map import STAMP_UNITS, Column, ColumnMap
 from quadruped_env.trajectory.formats.delimited import is_number, lines, opened, parse_number
-from quadruped_env.trajectory.maps import STAMP_UNITS, Column, ColumnMap
 from quadruped_env.trajectory.reading import Reading, salvaged
 from quadruped_env.trajectory.rows import ARRAYS, KINDS, Rows
 
 MISSING: Final = "values that the column map marks as missing: read as not recorded (NaN)"
-_ROWS_PER_PIECE: Final = 4096
 _MAX_SHOWN: Final = 12
 """Names of columns that an error lists."""
 _KIND_WORDS: Final = {
@@ -41,11 +39,11 @@ _TIME_TITLE: Final = re.compile(
 )
 
 
-def read(reading: Reading, columns: ColumnMap | None = None) -> Iterator[Rows]:
-    """The rows of a CSV, by a column map, by default that of the options, not validated.
+def read(reading: Reading, columns: ColumnMap | None = None) -> Rows:
+    """Return the rows of a CSV, read by a column map (default: the one in the options), not validated.
 
     Raises:
-        QuadrupedError: if a file is missing or damaged, or lacks a column.
+        QuadrupedError: if the file is missing or damaged, or lacks a column.
     """
     given = columns or reading.options.columns
     assert isinstance(given, ColumnMap)
@@ -55,18 +53,51 @@ def read(reading: Reading, columns: ColumnMap | None = None) -> Iterator[Rows]:
             f"{given.name}: no timestamps: name their column (stamp), or give the time from row to row in s "
             f"(period in the map, or --stamps 0.02)",
         )
-    velocity_file = (given.velocity_files or {}).get(reading.path.name)
-    rows = _rows(reading, given) if velocity_file is None else _rows_of_two_files(reading, given, velocity_file)
-    return salvaged(rows, reading, len, is_text=True)
+    if velocity_file := (given.velocity_files or {}).get(reading.path.name):
+        return _read_with_velocities(given, velocity_file, reading)
+    reading.row_name = "line"
+    layout = _Layout(given, reading)
+    numbers, stamps, values = array("q"), array("q"), array("d")
+    for number, stamp, found in salvaged(_lines(layout, reading), reading, is_text=True):
+        numbers.append(number)
+        stamps.append(stamp)
+        values.extend(found)
+    table = np.frombuffer(values).reshape(len(numbers), -1)
+    marked = np.isin(table, [mark for mark in given.marks if not isinstance(mark, str)])
+    reading.counted[MISSING] += int(np.count_nonzero(marked))
+    kinds = tuple(given.columns)
+    parts = np.split(np.where(marked, np.nan, table), len(kinds), axis=1)
+    arrays = dict(zip(kinds, parts, strict=True))
+    return Rows(np.frombuffer(numbers, np.int64), np.frombuffer(stamps, np.int64), given.joints, arrays)
+
+
+def _read_with_velocities(columns: ColumnMap, name: str, reading: Reading) -> Rows:
+    """Return the rows with the velocities of another file."""
+    rows = read(reading, replace(columns, velocities=None, velocity_files=None))
+    path = reading.path.with_name(name)
+    other = replace(reading, path=path, name=str(path), rows=0, progress=None)
+    positions = columns.velocities or columns.positions
+    speeds = read(other, replace(columns, positions=positions, velocities=None, efforts=None, velocity_files=None))
+    if reading.repairs("salvage"):
+        # A file that ends at damage is shorter than the other.
+        count = min(len(rows), len(speeds))
+        rows, speeds = rows.take(np.s_[:count]), speeds.take(np.s_[:count])
+    if not np.array_equal(rows.stamps, speeds.stamps):
+        raise reading.error(
+            None, f"{name} must have the same timestamps, row by row; found others; leave velocity_files out"
+        )
+    order = [speeds.names.index(name) for name in rows.names]
+    values = rows.values | {"velocity": speeds.values["position"][:, order]}
+    return replace(rows, values={kind: values[kind] for kind in KINDS if kind in values})
 
 
 def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
-    """The column map of a CSV whose columns bear the names of joints, from its first line; None if they do not.
+    """Return the column map of a CSV whose columns bear the names of joints, from its first line; None if they do not.
 
-    The joints are those of the options, or the built-in robot's. A title is a joint's name, or holds it with a word for
-    the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its title, or
-    is s. Numbers have decimal commas if the beginning of the file, `text`, holds such numbers alone, and commas do not
-    separate its columns.
+    The joints are named by the options, or are the built-in robot's. A title is a joint's name, or holds it with a
+    word for the kind (`position.LF_hip_joint`, `/joint_states/LF_hip_joint/velocity`). The unit of the time is in its
+    title, or is s. Numbers have decimal commas if the beginning of the file, `text`, holds only such numbers, and
+    commas do not separate its columns.
     """
     names = reading.options.names or MINI_QUADRUPED.joint_names
     patterns = {name: re.compile(rf"(?<![^\W_]){re.escape(name)}(?![^\W_])") for name in names}
@@ -91,7 +122,7 @@ def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
             raise reading.error(1, f"no column bears the name {short(missing[0])} (--names); found {short(line)}")
         kinds_of_all = {kind: columns for kind, columns in found.items() if set(columns) == set(joints)}
         times = [match for title in titles if (match := _TIME_TITLE.match(title))]
-        unit = (times[0]["unit"] or times[0]["word"] or "s").lower() if times else ""
+        unit: Any = (times[0]["unit"] or times[0]["word"] or "s").lower() if times else ""
         unit = unit if unit in STAMP_UNITS else "s"
         time = f"time in {unit} from {short(times[0].string)}, " if times else ""
         commas = separator != "," and re.search(r"\d,\d", text) and not re.search(r"\d\.\d", text)
@@ -112,114 +143,71 @@ def by_titles(line: str, text: str, reading: Reading) -> ColumnMap | None:
     return None
 
 
-def _rows_of_two_files(reading: Reading, columns: ColumnMap, velocity_file: str) -> Iterator[Rows]:
-    path = reading.path.with_name(velocity_file)
-    other = replace(reading, path=path, name=str(path), progress=None)
-    of_velocities = replace(columns, positions=columns.velocities or columns.positions, velocities=None, efforts=None)
-    pieces = _rows(reading, replace(columns, velocities=None))
-    for piece, speeds in zip_longest(pieces, _rows(other, of_velocities)):
-        if piece is not None and speeds is not None and reading.repairs("salvage"):
-            # A piece that ends at damage is shorter than that of the other file.
-            count = min(len(piece), len(speeds))
-            piece, speeds = piece.take(np.s_[:count]), speeds.take(np.s_[:count])  # noqa: PLW2901
-        if piece is None or speeds is None or not np.array_equal(piece.stamps, speeds.stamps):
-            raise reading.error(
-                None,
-                f"{other.path.name} must have the same timestamps, row by row; found others; leave velocity_files out",
-            )
-        order = [speeds.names.index(name) for name in piece.names]
-        values = piece.values | {"velocity": speeds.values["position"][:, order]}
-        yield replace(piece, values={kind: values[kind] for kind in KINDS if kind in values})
+def _lines(layout: "_Layout", reading: Reading) -> Iterator[tuple[int, int, list[float]]]:
+    """Yield the number, timestamp in ns, and used cells of each line; titles are given to the layout.
 
-
-def _rows(reading: Reading, columns: ColumnMap) -> Iterator[Rows]:
-    """The rows of one file. If the options ask to salvage, those before a damaged line come before its error."""
-    reading.row_name = "line"
+    Raises:
+        QuadrupedError: if the file cannot be read, has no row, lacks a column, or a line is damaged.
+    """
     with opened(reading) as file:
-        table = csv.reader(lines(file, reading), delimiter=columns.separator, strict=True)
+        table = csv.reader(lines(file, reading), delimiter=layout.columns.separator, strict=True)
         try:
-            first = next(table, None)
-            if first is None:
-                expected = "a line that names the columns, and rows" if columns.has_header_line else "rows"
-                raise reading.error(None, f"the file is empty; expected {expected}")
-            cells: Iterable[tuple[int, list[str]]] = ((table.line_num, row) for row in table)
-            if columns.has_header_line:
-                titles = [title.strip() for title in first]
-            else:
-                cells = chain([(table.line_num, first)], cells)
-                given = columns.header if isinstance(columns.header, list) else None
-                titles = given or [f"column {number}" for number in range(1, len(first) + 1)]
-            yield from _pieces(cells, _Layout(titles, columns, reading), reading)
+            for cells in table:
+                if not layout.titles and layout.take_titles(cells):
+                    continue
+                if len(cells) != len(layout.titles):
+                    raise reading.error(
+                        table.line_num,
+                        f"expected {len(layout.titles)} columns, as in the header; found {len(cells)}; "
+                        f"the line is damaged or cut off: fix it, or keep the lines before it (--repair salvage)",
+                    )
+                reading.rows += 1
+                try:
+                    stamp = reading.rows - 1 if layout.stamp is None else layout.parse_stamp(cells[layout.stamp])
+                    found = [layout.parse(cells[column]) for column in layout.used]
+                    _ = array("q", [stamp])
+                except (ValueError, OverflowError):
+                    raise _bad_cell(cells, layout, table.line_num, reading) from None
+                yield table.line_num, stamp, found
         except csv.Error as error:
             raise reading.error(table.line_num, f"{error}; fix the line") from error
-
-
-def _pieces(table: Iterable[tuple[int, list[str]]], layout: "_Layout", reading: Reading) -> Iterator[Rows]:
-    """The rows of a table, given as line numbers and cells."""
-    numbers, stamps, values = array("q"), array("q"), array("d")
-
-    def piece() -> Rows:
-        # Without what a bad cell has left unfinished.
-        count, width = len(numbers), len(layout.used)
-        found = np.frombuffer(values)[: count * width].reshape(count, width)
-        marked = np.isin(found, layout.marks)
-        reading.counted[MISSING] += int(np.count_nonzero(marked))
-        parts = np.split(np.where(marked, np.nan, found), len(layout.kinds), axis=1)
-        rows = dict(zip(layout.kinds, parts, strict=True))
-        return Rows(np.frombuffer(numbers, np.int64), np.frombuffer(stamps, np.int64)[:count], layout.names, rows)
-
-    try:
-        for number, cells in table:
-            if len(cells) != len(layout.titles):
-                raise reading.error(
-                    number,
-                    f"expected {len(layout.titles)} columns, as in the header; found {len(cells)}; "
-                    f"the line is damaged or cut off: fix it, or keep the lines before it (--repair salvage)",
-                )
-            reading.rows += 1
-            try:
-                stamps.append(reading.rows - 1 if layout.stamp is None else layout.parse_stamp(cells[layout.stamp]))
-                values.extend(map(layout.parse, [cells[column] for column in layout.used]))
-            except (ValueError, OverflowError):
-                raise _bad_cell(cells, layout, number, reading) from None
-            numbers.append(number)
-            if len(numbers) == _ROWS_PER_PIECE:
-                yield piece()
-                numbers, stamps, values = array("q"), array("q"), array("d")
-    except (ValueError, OSError, csv.Error):
-        if reading.repairs("salvage") and numbers:
-            yield piece()
-        raise
-    if numbers:
-        yield piece()
-    elif not reading.rows:
+    if not layout.titles:
+        expected = "a line that names the columns, and rows" if layout.columns.has_header_line else "rows"
+        raise reading.error(None, f"the file is empty; expected {expected}")
+    if not reading.rows:
         raise reading.error(None, "there is a header and no row; the recording is empty, record again")
 
 
 class _Layout:
-    """The columns of a file with these titles, by a column map."""
+    """The columns of a file, by a column map and, once its first line is read, by their titles."""
 
-    def __init__(self, titles: list[str], columns: ColumnMap, reading: Reading) -> None:
-        self.titles = titles
-        self.names = columns.joints
-        self.kinds = tuple(columns.columns)
-        self.stamp = None if columns.stamp is None else self._index("stamp", columns.stamp, columns, reading)
+    def __init__(self, columns: ColumnMap, reading: Reading) -> None:
+        self.columns = columns
+        self.titles: list[str] = []
+        self.stamp: int | None = None
         """Index of the column of the timestamp; without one, rows are 1 ns apart"""
-        self.used = [
-            self._index(ARRAYS[kind], given[name], columns, reading)
-            for kind, given in columns.columns.items()
-            for name in self.names
-        ]
+        self.used: list[int] = []
         """Indices of all other columns that are read, kind by kind"""
-        self.marks = [mark for mark in columns.marks if not isinstance(mark, str)]
-        """Numbers that mark a missing value"""
-        self.unit = columns.stamp_unit
         self._blanks = {mark.strip() for mark in columns.marks if isinstance(mark, str)}
-        self._decimal = columns.decimal
-        self._counted = reading.counted
+        self._reading = reading
 
-    def _index(self, key: str, column: Column, columns: ColumnMap, reading: Reading) -> int:
-        titles = self.titles
+    def take_titles(self, first: list[str]) -> bool:
+        """Find the columns by the cells of the first line. Returns False if that line is a row already."""
+        columns = self.columns
+        if columns.has_header_line:
+            self.titles = [title.strip() for title in first]
+        elif isinstance(columns.header, list):
+            self.titles = columns.header
+        else:
+            self.titles = [f"column {number}" for number in range(1, len(first) + 1)]
+        self.stamp = None if columns.stamp is None else self._index("stamp", columns.stamp)
+        self.used = [
+            self._index(ARRAYS[kind], given[name]) for kind, given in columns.columns.items() for name in columns.joints
+        ]
+        return columns.has_header_line
+
+    def _index(self, key: str, column: Column) -> int:
+        titles, columns, reading = self.titles, self.columns, self._reading
         if isinstance(column, int):
             if column > len(titles):
                 raise reading.error(1, f"no column {column}, which {columns.name} {key} asks for; found {len(titles)}")
@@ -233,20 +221,20 @@ class _Layout:
         return titles.index(column)
 
     def parse(self, text: str) -> float:
-        """The number in a cell; NaN for a text that marks a missing value. Raises ValueError for another text."""
+        """Return the number in a cell; NaN for a mark of a missing value. Raises ValueError for another text."""
         if self._blanks and text.strip() in self._blanks:
-            self._counted[MISSING] += 1
+            self._reading.counted[MISSING] += 1
             return math.nan
         return parse_number(self._with_point(text))
 
     def parse_stamp(self, text: str) -> int:
-        """The timestamp in a cell, ns. Raises ValueError if it is not one."""
+        """Return the timestamp in a cell, ns. Raises ValueError if it is not one."""
         if "_" in text or not text.isascii():
             raise ValueError(text)
         if ":" in text:
             return _date_and_time(text.replace(",", "."))
         try:
-            time = Decimal(self._with_point(text)).scaleb(STAMP_UNITS[self.unit])
+            time = Decimal(self._with_point(text)).scaleb(STAMP_UNITS[self.columns.stamp_unit])
         except DecimalException as error:
             raise ValueError(text) from error
         # Before it is rounded: 1e999999999 has more digits than fit into memory.
@@ -255,8 +243,8 @@ class _Layout:
         return round(time)
 
     def _with_point(self, text: str) -> str:
-        """A number with a decimal point. Raises ValueError if it has one already and the decimal sign is a comma."""
-        if self._decimal == ".":
+        """Return a number with a decimal point. Raises ValueError for a point where the decimal sign is a comma."""
+        if self.columns.decimal == ".":
             return text
         if "." in text:
             raise ValueError(text)
@@ -264,13 +252,13 @@ class _Layout:
 
 
 def _bad_cell(cells: list[str], layout: _Layout, number: int, reading: Reading) -> QuadrupedError:
-    """The error for the first invalid cell of a line."""
+    """Return the error for the first invalid cell of a line."""
     for column in sorted({*layout.used} if layout.stamp is None else {layout.stamp, *layout.used}):
         is_stamp = column == layout.stamp
         try:
             _ = layout.parse_stamp(cells[column]) if is_stamp else layout.parse(cells[column])
         except (ValueError, OverflowError):
-            form = f"a time in {layout.unit}" if is_stamp else "a number"
+            form = f"a time in {layout.columns.stamp_unit}" if is_stamp else "a number"
             comma = re.fullmatch(r"\s*[-+]?\d+,\d+([eE][-+]?\d+)?\s*", cells[column])
             fix = ', or if this is a decimal comma, say so in a map (decimal = ",")' if comma else ""
             problem = f"{short(cells[column])} is not {form}; fix the value or delete the line{fix}"
@@ -279,7 +267,7 @@ def _bad_cell(cells: list[str], layout: _Layout, number: int, reading: Reading) 
 
 
 def _date_and_time(text: str) -> int:
-    """Ns of a date and time of ISO 8601, UTC if it names no zone. Raises ValueError if it is not one."""
+    """Return ns of a date and time of ISO 8601, UTC if it names no zone. Raises ValueError if it is not one."""
     found = re.fullmatch(r"(?P<whole>[^.]+:\d\d)(\.(?P<part>\d{1,9}))?(?P<zone>Z|[+-]\d\d:?\d\d)?", text.strip())
     if found is None:
         raise ValueError(text)

@@ -6,22 +6,21 @@ from itertools import chain, islice
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import short
 from quadruped_env.ros.robot_messages import RawJointState
 from quadruped_env.trajectory.reading import Reading, salvaged
 from quadruped_env.trajectory.rows import TORQUE_ONLY, Rows
+from quadruped_env.utils.arrays import Floats
 
-_ROWS_PER_PIECE: Final = 4096
 _MESSAGES_TO_KNOW_ALL: Final = 1000
 """Messages at the beginning in which every joint of a robot that sends several has come."""
 _MAX_SKEW: Final = 1.5
 """Time between the joints of one row, in periods of the slowest message."""
 
 
-def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Reading, is_text: bool) -> Iterator[Rows]:
-    """The rows of messages.
+def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Reading, is_text: bool) -> Rows | None:
+    """Return the rows of messages; None without a usable one.
 
     The first usable message decides which joints there are, and whether there are velocities and efforts.
 
@@ -37,7 +36,7 @@ def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Read
     if reading.repairs("merge"):
         states = _merged(states, reading)
     builder = _Builder(reading)
-    for number, state in salvaged(states, reading, lambda message: 1, is_text):
+    for number, state in salvaged(states, reading, is_text):
         reading.rows += 1
         problem = builder.add(number, state)
         if problem is not None:
@@ -45,16 +44,13 @@ def assembled(messages: Iterator[tuple[int, list[RawJointState]]], reading: Read
                 merge = ", merge the messages of several drivers (--repair merge)" if "joint '" in problem else ""
                 raise reading.error(number, f"{problem}; fix it{merge}, or leave such messages out (--repair drop)")
             reading.left_out[problem] += 1
-        elif len(builder) == _ROWS_PER_PIECE:
-            yield builder.take()
-    if len(builder):
-        yield builder.take()
+    return builder.rows()
 
 
 def _single(
     messages: Iterator[tuple[int, list[RawJointState]]], reading: Reading
 ) -> Iterator[tuple[int, RawJointState]]:
-    """The joint states one by one; the points of a trajectory end where the next one begins."""
+    """Yield the joint states one by one; the points of a trajectory end where the next one begins."""
     planned: list[tuple[int, RawJointState]] = []
     for number, states in messages:
         if states:
@@ -70,9 +66,9 @@ def _single(
 
 
 def _merged(messages: Iterator[tuple[int, RawJointState]], reading: Reading) -> Iterator[tuple[int, RawJointState]]:
-    """Whole joint states from messages that hold some of the joints each: one whenever all joints have come again.
+    """Yield whole joint states from messages with some of the joints each: one whenever all joints have come again.
 
-    Its timestamp is that of the newest message. Joints that are too far apart are left out.
+    It has the timestamp of the newest message. Joints that are too far apart are left out.
     """
     head = list(islice(messages, _MESSAGES_TO_KNOW_ALL))
     stamps: dict[tuple[str, ...], list[int]] = {}
@@ -114,14 +110,8 @@ class _Builder:
         self._kinds: tuple[str, ...] = ()
         self._orders: dict[tuple[str, ...], list[int] | None] = {}
         """Names in a message -> indices of the joints in its arrays; None if they are in order"""
-        self._clear()
-
-    def _clear(self) -> None:
         self._numbers, self._stamps = array("q"), array("q")
-        self._values = {kind: array("d") for kind in self._kinds}
-
-    def __len__(self) -> int:
-        return len(self._stamps)
+        self._values: dict[str, array[float]] = {}
 
     def add(self, number: int, state: RawJointState) -> str | None:
         """Add a message. Returns None, or the problem for which it was not added."""
@@ -145,7 +135,7 @@ class _Builder:
         kinds = tuple(kind for kind, found in values.items() if len(found))
         if not self._kinds:
             self._kinds = kinds
-            self._clear()
+            self._values = {kind: array("d") for kind in kinds}
         elif kinds != self._kinds:
             odd = min(set(kinds) ^ set(self._kinds))
             there, before = ("has", "lack") if odd in kinds else ("lacks", "have")
@@ -177,15 +167,15 @@ class _Builder:
         self._orders[names] = None if actual == self._names else [actual.index(name) for name in self._names]
         return None
 
-    def take(self) -> Rows:
-        """The rows added since the last call."""
-        shape = (len(self), len(self._names))
+    def rows(self) -> Rows | None:
+        """Return the messages that were added, without a copy; None if there are none."""
+        if not self._numbers:
+            return None
+        shape = len(self._numbers), len(self._names)
         values = {kind: np.frombuffer(numbers).reshape(shape) for kind, numbers in self._values.items()}
-        rows = Rows(np.frombuffer(self._numbers, np.int64), np.frombuffer(self._stamps, np.int64), self._names, values)
-        self._clear()
-        return rows
+        return Rows(np.frombuffer(self._numbers, np.int64), np.frombuffer(self._stamps, np.int64), self._names, values)
 
 
-def _known(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The numbers, or an empty array if all are NaN, which some publishers send for velocities they do not measure."""
+def _known(values: Floats) -> Floats:
+    """Return the numbers, or an empty array if all are NaN, which some publishers send for unmeasured velocities."""
     return np.empty(0) if len(values) and np.isnan(values).all() else values

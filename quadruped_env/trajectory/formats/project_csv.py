@@ -17,9 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.trajectory.maps import ColumnMap
+from quadruped_env.trajectory.column_map import ColumnMap
 from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import KINDS, TORQUE_ONLY, Rows
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.files import check_free, whole
 from quadruped_env.utils.progress import Progress
 
@@ -30,7 +31,7 @@ _ROWS_PER_WRITE: Final = 1000
 
 
 def column_map(line: str, reading: Reading) -> ColumnMap:
-    """The columns that a header line names.
+    """Return the columns that a header line names.
 
     Raises:
         QuadrupedError: if it names unknown columns, a joint in some of its kinds only, or no position.
@@ -70,7 +71,7 @@ def write_table(
     path: Path,
     stamps: NDArray[np.int64],
     titles: Sequence[str],
-    tables: Sequence[NDArray[np.float64]],
+    tables: Sequence[Floats],
     overwrite: bool = False,
     progress: Progress | None = None,
 ) -> None:

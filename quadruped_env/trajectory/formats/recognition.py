@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
 from typing import Final
@@ -15,14 +15,14 @@ from quadruped_env.trajectory.reading import Reading
 from quadruped_env.trajectory.rows import Rows
 from quadruped_env.utils.documents import check_regular
 
-Reader = Callable[[Reading], Iterator[Rows]]
+Reader = Callable[[Reading], Rows | None]
 
 _FIX: Final = "name a file of joint states, or the directory of a bag"
 _HEAD: Final = 65536
 """Bytes by which a format is recognised."""
 _KNOWN: Final = (
     "known are the project's CSV, CSVs whose columns bear the joints' names, any CSV with a column map, ros2 topic "
-    "echo (YAML and --csv), JSON lines of rosbridge, rosbag2 (MCAP and sqlite3) and ROS 1 bags"
+    "echo (YAML and --csv), rosbag2 (MCAP and sqlite3) and ROS 1 bags"
 )
 _MAGICS: Final[dict[bytes, Reader]] = {
     b"\x89MCAP0": bag_reader.read,
@@ -32,8 +32,8 @@ _MAGICS: Final[dict[bytes, Reader]] = {
 """First bytes of a file -> its reader."""
 
 
-def read(reading: Reading, stack: ExitStack) -> Iterator[Rows]:
-    """The rows of a file or bag, not validated.
+def read(reading: Reading, stack: ExitStack) -> Rows | None:
+    """Return the rows of a file or bag, not validated; None without a usable one.
 
     Args:
         reading: of the file.
@@ -52,7 +52,7 @@ def read(reading: Reading, stack: ExitStack) -> Iterator[Rows]:
 
 
 def _head(reading: Reading) -> bytes:
-    """The first bytes of a file, or b"" for a directory."""
+    """Return the first bytes of a file, or b"" for a directory."""
     try:
         if os.path.isdir(reading.path):
             for path in reading.path.iterdir():
@@ -70,7 +70,7 @@ def _head(reading: Reading) -> bytes:
 
 
 def _reader(head: bytes, reading: Reading) -> Reader:
-    """The reader for a file with these first bytes."""
+    """Return the reader for a file with these first bytes."""
     if reading.path.is_dir():
         if not storage.storage_files(reading.path):
             raise reading.error(None, "the directory is not a bag; expected metadata.yaml and .mcap or .db3 files")
@@ -85,7 +85,7 @@ def _reader(head: bytes, reading: Reading) -> Reader:
 
 
 def _text_reader(head: bytes, reading: Reading) -> Reader:
-    """The reader for text with these first bytes."""
+    """Return the reader for text with these first bytes."""
     if problem := description_problem(head):
         raise reading.error(None, problem)
     try:
@@ -99,7 +99,7 @@ def _text_reader(head: bytes, reading: Reading) -> Reader:
     if line.rstrip() in {"header:", "layout:"} or line.startswith(("header: {", "layout: {", "{header:")):
         return echo_text.read_yaml
     if re.match(r'\s*\{\s*"', line):
-        return echo_text.read_json_lines
+        raise reading.error(None, f"JSON is not read; record a bag (ros2 bag record /joint_states); {_KNOWN}")
     if len(cells) >= 7 and all(cell.lstrip("-").isdecimal() for cell in cells[:2]):
         return echo_text.read_csv
     columns = None

@@ -8,14 +8,15 @@ from settings import settings
 
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import terrains
-from quadruped_env.evaluation.suite.measured_controller import MeasuredController
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite import PARTS
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 
 PART = replace(full_suite().terrain, num_seeds=4, terrain_seeds=full_suite().terrain.terrain_seeds[:1])
-TUNED = MeasuredController("tuned", GaitController(), TaskConfig())
+TUNED = Candidate("tuned", GaitController(), TaskConfig())
 
 
 def levels(*shares):
@@ -31,7 +32,7 @@ def test_highest_level_is_that_up_to_which_every_level_is_passed(shares, expecte
 
 def test_score_is_the_mean_level_over_the_number_of_levels():
     result = {"a": {"highest_level": 10}, "b": {"highest_level": 4}, "c": {"highest_level": 1}}
-    assert terrains.score(result, PART) == pytest.approx(0.5)
+    assert PARTS["terrain"][1](result, PART) == pytest.approx(0.5)
 
 
 def test_levels_are_tried_until_the_first_that_is_not_passed(monkeypatch):
@@ -44,7 +45,7 @@ def test_levels_are_tried_until_the_first_that_is_not_passed(monkeypatch):
 
     monkeypatch.setattr(terrains, "crossings", crossings)
     done = []
-    result = terrains.run(replace(PART, kinds=("rough", "steps")), TUNED, done.append)
+    result = terrains.run_terrain(replace(PART, kinds=("rough", "steps")), TUNED, done.append)
     assert tried == [(1, ("rough", "steps")), (2, ("rough",)), (3, ("rough",)), (4, ("rough",))]
     assert result["rough"]["highest_level"] == 3
     assert [entry["mean"] for entry in result["rough"]["crossed"]] == [0.9, 0.9, 0.9, 0.8]
@@ -58,7 +59,7 @@ def test_robots_start_on_their_tiles_and_cross_when_they_leave_them():
     crossed = terrains.crossings(part, TUNED, ["slope"], 1)
     assert list(crossed) == ["slope"]
     assert crossed["slope"].mean() >= 0.75
-    standing = MeasuredController("standing", ZeroController(), TaskConfig())
+    standing = Candidate("standing", ZeroController(), TaskConfig())
     short = replace(part, seconds=1.0)
     assert not terrains.crossings(short, standing, ["rough", "slope"], 2)["rough"].any()
     # 0.4 m/s for 4.5 s are 1.8 m: no robot can have left its tile.

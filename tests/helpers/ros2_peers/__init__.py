@@ -33,7 +33,7 @@ class Ros2:
         self.python = self.prefix / "bin" / "python"
 
     def environment(self, **more):
-        """Environment variables of its programs; the domain is that of this process (fixture `domain_id`).
+        """Environment variables of its programs; the domain is this process's (fixture `domain_id`).
 
         The wheels' Python finds its libraries itself.
         """

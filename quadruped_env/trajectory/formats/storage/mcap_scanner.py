@@ -19,7 +19,7 @@ _COMPRESSIONS: Final = (b"", b"lz4", b"zstd")
 
 
 def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
-    """Topics and messages in the order of the file."""
+    """Yield topics and messages in the order of the file."""
     schemas: dict[int, str] = {}
     for op, data, checked in _records(path, reading):
         try:
@@ -38,7 +38,7 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 
 
 def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
-    """Type, data and "covered by a correct checksum" of all records with content, also of those in chunks."""
+    """Yield the type, data and "covered by a correct checksum" of all records with content, also of those in chunks."""
     with path.open("rb") as file:
         if file.read(len(_MAGIC)) != _MAGIC:
             reading.damage(f"{path.name}: the beginning is damaged")
@@ -66,7 +66,7 @@ def _records(path: Path, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
 
 
 def _next_chunk(file: BinaryIO, start: int, size: int) -> int | None:
-    """Offset of the next plausible chunk from `start` on; None if there is none."""
+    """Return the offset of the next plausible chunk from `start` on; None if there is none."""
     with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
         at = data.find(bytes([_CHUNK]), start)
         while 0 <= at <= size - _CHUNK_HEAD.size:
@@ -81,7 +81,7 @@ def _next_chunk(file: BinaryIO, start: int, size: int) -> int | None:
 
 
 def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> Iterator[tuple[int, bytes, bool]]:
-    """Records of a chunk, up to a cut; none if its checksum is wrong."""
+    """Yield records of a chunk, up to a cut; none if its checksum is wrong."""
     try:
         _, _, size, checksum = struct.unpack_from("<QQQI", data)
         compression, at = _text(data, 28)
@@ -104,7 +104,7 @@ def _chunk_records(data: bytes, whole: bool, where: str, reading: Reading) -> It
 
 
 def _text(data: bytes, at: int) -> tuple[str, int]:
-    """A text, and the offset of its end."""
+    """Return a text, and the offset of its end."""
     (length,) = struct.unpack_from("<I", data, at)
     end = at + 4 + length
     if end > len(data):

@@ -40,7 +40,7 @@ class Message:
 
 
 def zstd() -> Any:
-    """The module for zstd, which rosbags installs.
+    """Return the module for zstd, which rosbags installs.
 
     Raises:
         MissingExtraError: if it is not installed.
@@ -53,12 +53,12 @@ def zstd() -> Any:
 
 
 def zstd_has_checksum(data: bytes) -> bool:
-    """True if a zstd frame has a content checksum, according to its header (RFC 8878, section 3.1.1.1.1)."""
+    """Return True if a zstd frame has a content checksum, according to its header (RFC 8878, section 3.1.1.1.1)."""
     return data.startswith(ZSTD_MAGIC) and len(data) > 4 and bool(data[4] & 0x04)
 
 
 def decompress(data: bytes, compression: str, size: int) -> tuple[bytes, bool]:
-    """The readable part of compressed data.
+    """Return the readable part of compressed data.
 
     Returns:
         The data, up to damage, and whether the compression's own checksum is correct.

@@ -2,7 +2,7 @@
 
 A bag in WAL mode (rosbag2's storage preset `resilient`) that was never closed has its last messages in a file next to
 it, `<name>-wal`; a transaction that was cut short has its journal there. SQLite applies both, on a copy. The tables are
-those of https://github.com/ros2/rosbag2: topics (id, name, type, ...) and messages (id, topic_id, timestamp, data).
+defined by https://github.com/ros2/rosbag2: topics (id, name, type, ...) and messages (id, topic_id, timestamp, data).
 """
 
 import os
@@ -24,7 +24,7 @@ _Row = tuple[Any, ...]
 
 
 def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
-    """Topics and messages in the order of the file."""
+    """Yield topics and messages in the order of the file."""
     with path.open("rb") as file:
         header = file.read(32)
     size = path.stat().st_size
@@ -50,13 +50,13 @@ def scan(path: Path, reading: Reading) -> Iterator[Topic | Message]:
 
 
 def unapplied(path: Path) -> Path | None:
-    """File next to a database with changes that are not in it yet, since it was never closed; None without one."""
+    """Return the file with changes that are not in a database yet, since it was never closed; None without one."""
     files = (path.with_name(path.name + suffix) for suffix in _SIDECARS)
     return next((file for file in files if file.is_file() and file.stat().st_size), None)
 
 
 def _rows(path: Path, table: str, types: Mapping[str, type], page_size: int, reading: Reading) -> Iterator[_Row]:
-    """Id and columns of each row of a table that can be read, where the columns have these types."""
+    """Yield the id and columns of each row of a table that can be read, where the columns have these types."""
     query = f"SELECT rowid, {', '.join(types)} FROM {table} NOT INDEXED"  # noqa: S608
     last, problem = 0, ""
     with ExitStack() as stack:
@@ -96,7 +96,7 @@ def _rows(path: Path, table: str, types: Mapping[str, type], page_size: int, rea
 
 
 def _copy(path: Path, page_size: int, stack: ExitStack) -> Path:
-    """A copy of a database and of the changes next to it, which is removed when the stack closes."""
+    """Return a copy of a database and of the changes next to it, which is removed when the stack closes."""
     copy = Path(stack.enter_context(tempfile.TemporaryDirectory())) / "copy"
     for suffix in ("", *_SIDECARS):
         source = path.with_name(path.name + suffix)
@@ -108,7 +108,7 @@ def _copy(path: Path, page_size: int, stack: ExitStack) -> Path:
 
 
 def _opened(path: Path, stack: ExitStack, options: str = "?immutable=1") -> sqlite3.Connection:
-    """A connection, closed with the stack; by default one that changes nothing."""
+    """Return a connection, closed with the stack; by default one that changes nothing."""
     database = sqlite3.connect(f"{path.absolute().as_uri()}{options}", uri=True, isolation_level=None)
     stack.enter_context(closing(database))
     database.text_factory = lambda text: text.decode(errors="replace")

@@ -8,7 +8,8 @@ import pytest
 from sweeps import TASK, finish, make_sweep
 
 from quadruped_env import QuadrupedError
-from quadruped_env.sweep.search import ends, in_words, parse_dimension, setting_values, size
+from quadruped_env.sweep.search import setting_values
+from quadruped_env.sweep.space import ends, in_words, parse_dimension, size
 
 pytest.importorskip("optuna")
 

@@ -98,7 +98,7 @@ def test_values_that_do_not_fit_together_fail_alone_and_count_as_the_zero_action
     assert [states[size]["state"] for size in (16, 4096)] == ["finished", "failed"]
     assert states[4096]["score"]["total"] == 0.1
     assert "batch_size: 4096 is more than the 32 samples" in states[4096]["error"]
-    assert any("batch_size=4096: failed: batch_size: 4096" in line for line in said)
+    assert any("batch_size=4096: failed: training.batch_size: 4096" in line for line in said)
 
 
 def test_score_of_the_zero_action_is_that_of_the_failed_task_or_of_the_sweeps(tmp_path, monkeypatch):

@@ -1,37 +1,35 @@
-"""Controllers that the suite measures, and the task in which it measures them."""
+"""Controller that the suite measures, and the task in which it measures it."""
 
 import dataclasses
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.evaluation.comparison import evaluation_task
+from quadruped_env.evaluation.conditions import Command, evaluation_task
 from quadruped_env.evaluation.rollout import BeforeStep, Rollout, roll_out
-from quadruped_env.evaluation.suite.suite_definition import Command
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
 from quadruped_env.robot import Robot
 from quadruped_env.simulation import Terrain, flat
-from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.task import BUILT_IN, TaskConfig
 from quadruped_env.task.sections import values_for
 from quadruped_env.utils.progress import Progress
 
-_STANDING_WEIGHT: Final = 0.2
-"""Share of a score that is lost by a robot that does not stand still."""
-
 
 @dataclass(frozen=True)
-class MeasuredController:
-    """A controller and the task that it was made for."""
+class Candidate:
+    """A controller to measure, and the task that it was made for."""
 
     name: str
     controller: Controller
     config: TaskConfig
 
     @classmethod
-    def of_policy(cls, policy: Policy | Agent, name: str) -> "MeasuredController":
+    def of_policy(cls, policy: Policy | Agent, name: str) -> Self:
         """A trained policy, or one that is code, in its own task."""
         policy = as_policy(policy, name)
         return cls(name, PolicyController(policy, name), policy.config)
@@ -45,7 +43,7 @@ class MeasuredController:
         terminations are the robot's and the built-in ones, whatever the controller's task has.
 
         Its ranges include the commands. `randomization` holds values of the config's section on top of the preset
-        `none`; masses, forces and lengths are those of the built-in robot, and scaled to another one.
+        `none`; masses, forces and lengths are for the built-in robot, and are scaled to another one.
 
         Raises:
             QuadrupedError: if the controller's task replaces a built-in termination.
@@ -75,43 +73,24 @@ class MeasuredController:
         before_step: BeforeStep | None = None,
         reached: Iterable[Command] = (),
         terrain: Terrain = flat,
+        tiles: NDArray[np.intp] | None = None,
         physics: bool = False,
     ) -> Rollout:
-        """Roll out; `reached` are further commands that `before_step` sets."""
+        """Run every command with every seed; `reached` are further commands that `before_step` sets.
+
+        For the other arguments see `task` and `roll_out`.
+        """
         commands = list(commands)
         config = self.task([*commands, *reached], randomization, terrain)
-        return roll_out(self.controller, commands, seeds, seconds, config, progress, before_step, physics=physics)
+        return roll_out(
+            self.controller, commands, seeds, seconds, config, progress, before_step, tiles=tiles, physics=physics
+        )
 
-    def zero_action(self) -> "MeasuredController":
+    def zero_action(self) -> Self:
         """The zero action in the same task: a policy's gait alone, or its stance."""
-        return MeasuredController(f"{self.name}, zero action", ZeroController(self.controller.action_mode), self.config)
+        return type(self)(f"{self.name}, zero action", ZeroController(self.controller.action_mode), self.config)
 
     @property
     def robot(self) -> Robot:
         """Robot that is controlled."""
         return self.config.robot
-
-
-def share_with_standing(moving: float, standing: float) -> float:
-    """Score in [0, 1] from the shares of commands to move and to stand that are met.
-
-    Standing alone earns nothing; a robot that moves as it should, and never stands still, loses a fifth.
-    """
-    return moving * (1.0 - _STANDING_WEIGHT * (1.0 - standing))
-
-
-def conditions(measured: MeasuredController) -> dict[str, Any]:
-    """Robot and physics of a controller's task, which must be the same in results that are compared."""
-    config = measured.task([(0.0, 0.0)])
-    model = config.compiled_model()
-    option = model.opt
-    return {
-        "robot": config.robot.identity,
-        "physics_timestep": config.physics_timestep,
-        "cone": int(option.cone),
-        "impratio": float(option.impratio),
-        "integrator": int(option.integrator),
-        "solver": int(option.solver),
-        "noslip_iterations": int(option.noslip_iterations),
-        "friction": model.geom(GROUND).friction.tolist(),
-    }

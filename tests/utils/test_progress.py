@@ -2,7 +2,7 @@
 
 import pytest
 
-from quadruped_env.cli.progress_line import ProgressLine
+from quadruped_env.utils.progress import ProgressLine
 
 
 @pytest.fixture
@@ -29,14 +29,22 @@ def test_short_work_prints_nothing(report):
     assert report(ProgressLine("playing"), (0.0, 0.1), (1.9, 1.0)) == ""
 
 
-def test_estimate_leaves_out_a_slow_beginning(report):
-    """A second and a half for the first thousandth of a film, and then a twentieth per second."""
-    rest = [(1.5 + 0.1 * i, 0.001 + 0.005 * i) for i in range(1, 31)]
-    assert report(ProgressLine("filming"), (0.0, 0.0), (1.5, 0.001), *rest) == "filming:   3%, 19 s left\n"
+def test_note_follows_the_estimate(report):
+    line = ProgressLine("training")
+    assert (
+        report(lambda share: line(share, ", 3 steps"), (0.0, 0.0), (4.0, 0.5)) == "training:  50%, 4 s left, 3 steps\n"
+    )
 
 
-def test_nothing_is_estimated_from_a_few_calls(report):
-    assert report(ProgressLine("filming"), (0.0, 0.001), (4.0, 0.002)) == "filming:   0%\n"
+def test_line_in_a_terminal_is_overwritten_and_fits(capsys, monkeypatch, report):
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    monkeypatch.setenv("COLUMNS", "20")
+    line = ProgressLine("playing")
+    assert report(line, (0.0, 0.0), (4.0, 0.5), (4.1, 0.55), (8.0, 0.8)) == (
+        "\r\x1b[Kplaying:  50%, 4 s \r\x1b[Kplaying:  80%, 2 s "
+    )
+    line.close()
+    assert capsys.readouterr().err == "\n"
 
 
 def test_progress_starts_again_with_the_next_piece_of_work(report):

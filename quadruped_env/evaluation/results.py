@@ -1,0 +1,232 @@
+"""Stored results: their forms on cards and in files of evaluations, and results of the suite.
+
+Fields that a form lacks are left out when a file is read (`utils.documents.fitted`), so that files of other versions
+can be read as long as they have these.
+"""
+
+import math
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final, NotRequired, TypedDict
+
+from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
+from quadruped_env.evaluation.confidence import bootstrap_mean
+from quadruped_env.utils.documents import fitted, read_json
+from quadruped_env.utils.text_table import text_table
+
+RESULTS_FILE: Final = "suite.json"
+REFERENCE_FILE: Final = Path(__file__).parent / "suite" / "references.json"
+"""Written by `tools/suite_references.py`; a package without it has no reference rows."""
+COMPONENTS: Final = {
+    "commands": "share of the commands drawn over the rectangle that are met; less a fifth if it never stands still",
+    "joystick": "share of 5 s of changing commands without a fall and with small errors",
+    "gait": "clearance, soft landings, no bounces and little slip, where the command is followed",
+    "transients": "1 - settling time / 5 s after steps of the command",
+    "pushes": "share of the pushes after which it follows its command; less a fifth if it never stands still",
+    "regulation": "share of the episodes that keep their speed: one disturbance at a time, and all together",
+    "terrain": "highest level over 10, mean over the kinds",
+}
+"""Component of the suite's score, which is a part of the suite -> meaning."""
+ZERO_ACTION: Final = "zero_action"
+"""Field of a policy's suite results that holds the results of the zero action in the same task."""
+_AGAIN: Final = "evaluate the policy with --suite"
+
+
+class StoredEstimate(TypedDict):
+    """A mean with its interval; None where there was no data."""
+
+    mean: float | None
+    low: float | None
+    high: float | None
+    count: NotRequired[int]
+
+
+class StoredMotion(TypedDict):
+    """Results under the commands of one motion: metric -> mean."""
+
+    motion: str
+    result: str
+    policy: dict[str, float | None]
+    zero: dict[str, float | None]
+
+
+class StoredGain(TypedDict):
+    """`LearningGain.to_dict`."""
+
+    verdict: str
+    episodes: int
+    seconds: float
+    difference: StoredEstimate
+    condition: NotRequired[str | None]
+    policy: dict[str, StoredEstimate]
+    zero: dict[str, StoredEstimate]
+    motions: NotRequired[list[StoredMotion]]
+
+
+class StoredSuiteName(TypedDict):
+    """Name, version and definition of the suite."""
+
+    name: str
+    version: int
+    quick: bool
+    sha256: str
+
+
+class StoredSuite(TypedDict):
+    """Results of the suite on a card."""
+
+    suite: StoredSuiteName
+    score: NotRequired[Any]
+    met: NotRequired[Any]
+    envelope: NotRequired[Any]
+    falls_per_hour: NotRequired[Any]
+    terrain: NotRequired[Any]
+    zero_action: NotRequired[Any]
+
+
+class CardResults(TypedDict, total=False):
+    """Results on the card of a policy."""
+
+    metrics: dict[str, dict[str, float | None]]
+    acceptance: dict[str, Any]
+    disturbed: dict[str, Any]
+    suite: StoredSuite
+    verdict: str
+    learning: StoredGain
+
+
+class StoredController(TypedDict):
+    """Results of one controller: all, and motion -> metric -> value."""
+
+    all: dict[str, StoredEstimate]
+    by_motion: dict[str, dict[str, StoredEstimate]]
+
+
+class StoredEvaluation(TypedDict):
+    """`metrics.json` of an evaluation."""
+
+    format_version: int
+    command_line: str
+    policy: dict[str, Any]
+    verdict: dict[str, str]
+    suite: dict[str, Any] | None
+    commands: list[dict[str, Any]]
+    seeds: list[int]
+    seconds: float
+    metrics: dict[str, dict[str, Any]]
+    controllers: dict[str, StoredController]
+
+
+def card_results(card: Mapping[str, Any], source: str) -> CardResults:
+    """Results on a card; `source` names its file.
+
+    Warns:
+        QuadrupedWarning: for each of them that has another form, which is left out.
+    """
+    found = CardResults()
+    for name in sorted(CardResults.__optional_keys__ & card.keys()):
+        try:
+            found.update(fitted({name: card[name]}, CardResults, f"{source}: card", "it is left out"))
+        except QuadrupedError as error:
+            warnings.warn(str(error), QuadrupedWarning, stacklevel=3)
+    return found
+
+
+def with_zero_action(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """Return the results, and the results of the zero action that they hold, as rows of a table."""
+    return [result, result[ZERO_ACTION]] if ZERO_ACTION in result else [result]
+
+
+def read_results(path: Path) -> dict[str, Any]:
+    """Results of the suite from a file, with all parts; a QuadrupedError if it cannot be read or lacks one."""
+    document: dict[str, Any] = read_json(path, _AGAIN)
+    if not isinstance(document, dict):
+        raise QuadrupedError(f"{path}: expected a table; found {short(document)}; {_AGAIN}")
+    for name in ("suite", "conditions", "name", "score", *COMPONENTS):
+        if name not in document:
+            raise QuadrupedError(f"{path}: {name} is missing; {_AGAIN}")
+    components = document["score"].get("components") if isinstance(document["score"], dict) else None
+    if not isinstance(components, dict) or not components.keys() >= COMPONENTS.keys():
+        raise QuadrupedError(f"{path}: score lacks a component of {', '.join(COMPONENTS)}; {_AGAIN}")
+    return document
+
+
+def check_comparable(documents: Mapping[str, Mapping[str, Any]]) -> None:
+    """Raise a QuadrupedError if results (by name) differ in suite, version, definition, robot or physics."""
+    (one, a), *others = documents.items()
+    same_version = "evaluate both with the same version of the package"
+    fixes = {
+        **dict.fromkeys(("suite.name", "suite.version"), same_version),
+        "suite.quick": "a quick result is never comparable with a full one; evaluate without --quick",
+        "suite.sha256": f"the definitions of the suite differ; {same_version}",
+    }
+    for other, b in others:
+        for field in sorted({*a["conditions"], *b["conditions"]}):
+            fixes[f"conditions.{field}"] = f"{same_version}, and on the same robot"
+        for name, fix in fixes.items():
+            section, field = name.split(".")
+            x, y = a[section].get(field), b[section].get(field)
+            if x != y:
+                raise QuadrupedError(
+                    f"{one} and {other} cannot be compared: {name} is {short(x)} in one and {short(y)} in the other; "
+                    f"{fix}"
+                )
+        if a.get("terrain", {}).keys() != b.get("terrain", {}).keys():
+            raise QuadrupedError(f"{one} and {other} cannot be compared: their terrains differ; evaluate both again")
+
+
+def ranked(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> list[tuple[str, Mapping[str, Any]]]:
+    """Results by their score, the best first; equal scores keep their order."""
+    return sorted(documents, key=lambda entry: -entry[1]["score"]["total"])
+
+
+def read_references(path: Path = REFERENCE_FILE) -> list[dict[str, Any]]:
+    """All reference rows; none if the file does not exist, a QuadrupedError if it is damaged."""
+    if not path.exists():
+        return []
+    rows: list[dict[str, Any]] = read_json(path, "write it again with tools/suite_references.py")["rows"]
+    return rows
+
+
+def references_for(result: Mapping[str, Any], rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Reference rows that may be compared with a result: the same suite, robot and physics."""
+    return [row for row in rows if row["suite"] == result["suite"] and row["conditions"] == result["conditions"]]
+
+
+def score_table(results: list[Mapping[str, Any]]) -> str:
+    """Scores and their components of several results as plain text, in the given order."""
+    scores = (result["score"] for result in results)
+    numbers = [[f"{score['total']:.3f}", *(f"{score['components'][c]:.2f}" for c in COMPONENTS)] for score in scores]
+    rows = [[result["name"], *cells] for result, cells in zip(results, numbers, strict=True)]
+    return text_table([["", "score", *COMPONENTS], *rows])
+
+
+def aggregate(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Aggregate of the results of one recipe over its training seeds, as plain values.
+
+    Returns:
+        `runs`, the name, total score and components of each run; `score` and `components`, means over the runs with
+        bootstrap intervals, which one run does not have; and `terrain`, the highest level of each kind that all runs
+        pass.
+
+    Raises:
+        QuadrupedError: if the results cannot be compared.
+    """
+    check_comparable({f"{document['name']} ({i + 1})": document for i, document in enumerate(documents)})
+    scores = [document["score"] for document in documents]
+
+    def mean(values: list[float]) -> dict[str, float | int | None]:
+        found = bootstrap_mean(values)
+        return (replace(found, low=math.nan, high=math.nan) if len(values) == 1 else found).to_dict()
+
+    return {
+        "runs": [{"name": document["name"], **document["score"]} for document in documents],
+        "score": mean([score["total"] for score in scores]),
+        "components": {name: mean([score["components"][name] for score in scores]) for name in COMPONENTS},
+        "terrain": {
+            kind: min(document["terrain"][kind]["highest_level"] for document in documents)
+            for kind in documents[0]["terrain"]
+        },
+    }

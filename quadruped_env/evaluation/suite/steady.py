@@ -1,0 +1,236 @@
+"""Parts of the suite with a fixed command: the map of commands, the gait, and regulation under disturbances."""
+
+import math
+from collections.abc import Mapping
+from typing import Annotated, Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quadruped_env.evaluation.confidence import mean_of, number, proportion
+from quadruped_env.evaluation.measures import (
+    counted_samples,
+    gait_measures,
+    mean_velocities,
+    measure,
+    meets,
+    stands_still,
+)
+from quadruped_env.evaluation.rollout import Rollout
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite_definition import CommandMap, Disturbance, GaitPart, Regulation
+from quadruped_env.simulation import flat
+from quadruped_env.simulation.terrain import Grid, terrain
+from quadruped_env.task import Task
+from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.parameters import Parameter
+from quadruped_env.utils.progress import Progress, part_of
+
+Mask = NDArray[np.bool_]
+
+_GAIT_MEASURES: Final = ("joint_limit_share", "speed_limit_share", "electrical_power", "electrical_cost_of_transport")
+"""Measures of the gait that need no physics steps."""
+_DROP: Final = 0.01
+"""Distance of the stance's soles from an incline at the start, m: randomized legs do not penetrate it."""
+
+
+def run_command_map(part: CommandMap, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
+    """Measure the map of achieved over commanded velocities, its summary and the envelope."""
+    drawn, on_axes = list(part.drawn), [command for axis in part.axes.values() for command in axis]
+    rollout = candidate.run([*drawn, *on_axes], part.seeds, part.seconds, progress)
+    shape = len(drawn) + len(on_axes), part.num_seeds
+    achieved = mean_velocities(rollout).reshape(*shape, 2)
+    fallen = rollout.fallen.reshape(shape)
+    still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
+    commands = np.array([*drawn, *on_axes])
+    met = meets(achieved, commands[:, None], still, fallen, part.tolerance)
+    count = len(drawn)
+    stand = np.array([not any(command) for command in drawn])
+    return {
+        "commands": [list(command) for command in drawn],
+        "fall_share": fallen[:count].mean(axis=-1).tolist(),
+        **summary(drawn, achieved[:count], fallen[:count], met[:count]),
+        "moving": proportion(met[:count][~stand]).to_dict(),
+        "standing": proportion(met[:count][stand]).to_dict(),
+        "envelope": envelope(part, met[count:]),
+    }
+
+
+def summary(commands: ArrayLike, achieved: Floats, fallen: Mask, met: Mask) -> dict[str, Any]:
+    """Errors and shares of K commands, from mean velocities (K, S, 2), falls and the result of `meets` (K, S)."""
+    error = achieved - np.asarray(commands, dtype=np.float64)[:, None]
+    result: dict[str, Any] = {"met": proportion(met).to_dict(), "falls": proportion(fallen).to_dict()}
+    for column, name in enumerate(("forward_velocity", "yaw_rate")):
+        signed = np.array([mean_of(episodes) for episodes in error[..., column]], dtype=np.float64)
+        known = np.abs(signed[np.isfinite(signed)])
+        result[f"{name}_error"] = {
+            "signed": [number(value) for value in signed.tolist()],
+            "mean": number(float(known.mean())) if known.size else None,
+            "largest": number(float(known.max())) if known.size else None,
+        }
+    return result
+
+
+def envelope(part: CommandMap, met: Mask) -> dict[str, float]:
+    """Largest command in each direction up to which every episode meets its command; 0 if none does.
+
+    Forwards and backwards in m/s, left and right in rad/s. `met` (commands of all axes, S) is the result of `meets`.
+    """
+    found, place = {}, 0
+    for name, axis in part.axes.items():
+        all_met = met[place : place + len(axis)].all(axis=-1)
+        reached = int(np.argmin(np.append(all_met, False)))
+        found[name] = float(np.abs(axis[reached - 1]).max()) if reached else 0.0
+        place += len(axis)
+    return found
+
+
+def run_gait(part: GaitPart, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
+    """Measure the gait at each command: means over the episodes."""
+    rollout = candidate.run(part.commands, part.seeds, part.seconds, progress, physics=True)
+    every = measure(rollout)
+    values = {**gait_measures(rollout), **{name: every[name] for name in _GAIT_MEASURES}}
+    shape = len(part.commands), part.num_seeds
+    commands = np.repeat(part.commands, part.num_seeds, axis=0)
+    followed = meets(mean_velocities(rollout), commands, True, rollout.fallen, part.tolerance)
+    grouped = {name: value.reshape(*shape, *value.shape[1:]) for name, value in values.items()}
+    return {
+        "feet": list(candidate.robot.leg_names),
+        "commands": [
+            {
+                "command": list(command),
+                "fall_share": float(rollout.fallen.reshape(shape)[i].mean()),
+                "followed": float(followed.reshape(shape)[i].mean()),
+                **{name: mean_of(value[i]) for name, value in grouped.items()},
+            }
+            for i, command in enumerate(part.commands)
+        ],
+    }
+
+
+def gait_score(result: Mapping[str, Any], part: GaitPart) -> float:
+    """Score of the gait in [0, 1]: mean over the commands of the share of episodes that follow it times five numbers.
+
+    Their mean, 0 for a robot with a foot that does not step: the clearance of the foot that is lifted least, over
+    `full_clearance`; x or 1 / x, the one below 1, of the foot with the worst number x of swings per stride; 1 - bounces
+    per stride; `soft_landing` over the speed of the hardest landing; `little_slip` over the largest slip. Each is at
+    least 0 and at most 1.
+    """
+    total = 0.0
+    for entry in result["commands"]:
+        landings = entry["landing_speed"]
+        if None in landings or None in entry["clearance"]:
+            continue
+        numbers = (
+            min(entry["clearance"]) / part.full_clearance,
+            min(min(x, 1.0 / x) for x in entry["swings_per_stride"]),
+            1.0 - max(entry["bounces_per_stride"]),
+            part.soft_landing / max(*landings, 1e-9),
+            part.little_slip / max(*entry["slip"], 1e-9),
+        )
+        total += entry["followed"] * sum(min(1.0, max(0.0, number)) for number in numbers) / len(numbers)
+    return total / len(result["commands"])
+
+
+@terrain(size=24.0, cell=0.5)
+def incline(grid: Grid, angle: Annotated[float, Parameter("rad", -0.5, 0.5)] = 0.0) -> Floats:
+    """A plane that rises along x."""
+    return math.tan(angle) * grid.x
+
+
+def run_regulation(part: Regulation, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
+    """Measure how commands are kept under each disturbance, and under all together: name -> plain values."""
+    together = range(part.first_seed, part.first_seed + part.together_seeds)
+    runs = [(factor, part.seeds, part.seconds) for factor in part.factors]
+    runs.append((part.together, together, part.together_seconds))
+    costs = np.cumsum([0.0, *(len(seeds) * seconds for _, seeds, seconds in runs)])
+    shares = costs / costs[-1]
+    result = {}
+    for i, (factor, seeds, seconds) in enumerate(runs):
+        rollout = regulated(part, candidate, factor, seeds, seconds, part_of(progress, shares[i], shares[i + 1]))
+        result[factor.name] = regulation_measures(rollout, part)
+    commands = np.repeat(part.commands, part.together_seeds, axis=0)
+    held = meets(mean_velocities(rollout), commands, True, rollout.fallen, part.together_tolerance)
+    result[part.together.name]["held"] = proportion(held).to_dict()
+    return result
+
+
+def regulated(
+    part: Regulation,
+    candidate: Candidate,
+    factor: Disturbance,
+    seeds: range,
+    seconds: float,
+    progress: Progress | None = None,
+) -> Rollout:
+    """Roll out every command with every seed under a disturbance; the robots stand before they get their commands."""
+    angle = math.radians(factor.slope)
+    commands = np.repeat(part.commands, len(seeds), axis=0)
+
+    def begin(task: Task, step: int) -> None:
+        if step == 0 and angle:
+            _place(task, angle)
+        if step == round(part.standing / task.control.config.timestep):
+            task.control.set_command(np.arange(len(commands)), commands)
+
+    return candidate.run(
+        [(0.0, 0.0)] * len(part.commands),
+        seeds,
+        seconds,
+        progress,
+        factor.randomization,
+        before_step=begin,
+        reached=part.commands,
+        terrain=incline.variant(angle=angle) if angle else flat,
+    )
+
+
+def _place(task: Task, angle: float) -> None:
+    """Put the robots parallel to an incline (rad): level, their front or hind feet would be in the ground."""
+    start, robot = task.simulation.readings, task.simulation.robot
+    height = robot.stance_height + _DROP
+    qpos = np.zeros((task.num_envs, robot.num_positions))
+    qpos[:, :3] = height * np.array([-math.sin(angle), 0.0, math.cos(angle)])
+    qpos[:, 3:7] = rotations.multiply(rotations.from_axis_angle([0.0, 1.0, 0.0], -angle), start.orientation)
+    qpos[:, 7:] = start.joint_position
+    task.place(np.arange(task.num_envs), qpos, np.zeros((task.num_envs, robot.num_velocities)))
+
+
+def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
+    """Falls, and the signed share of each command that is kept, in episodes grouped by command, as plain values."""
+    achieved = mean_velocities(rollout).reshape(len(part.commands), -1, 2)
+    kept = keeps(part, achieved, rollout.fallen.reshape(len(part.commands), -1))
+    return {
+        "falls": proportion(rollout.fallen).to_dict(),
+        "kept": proportion(kept).to_dict(),
+        "commands": [
+            {
+                "command": list(command),
+                "velocity": mean_of(velocity),
+                "share": [mean_of(velocity[:, i] / wanted) if wanted else None for i, wanted in enumerate(command)],
+            }
+            for command, velocity in zip(part.commands, achieved, strict=True)
+        ],
+    }
+
+
+def keeps(part: Regulation, achieved: ArrayLike, fallen: Mask) -> Mask:
+    """True for each of S episodes that keeps both velocities of its command without a fall (K, S).
+
+    `achieved` are mean velocities (K, S, 2), NaN if unknown.
+    """
+    command = np.array(part.commands)[:, None]
+    allowed = np.where(command != 0.0, part.share * np.abs(command), part.tolerance)
+    # Decimal commands are not exact in binary.
+    return np.asarray((np.abs(np.asarray(achieved) - command) <= allowed + 1e-9).all(axis=-1) & ~fallen)
+
+
+def regulation_score(result: Mapping[str, Any], part: Regulation) -> float:
+    """Score of the regulation in [0, 1]: mean of two shares of episodes.
+
+    The first are those that keep their velocities under one disturbance, mean over the disturbances; the second those
+    that hold their command under all together.
+    """
+    alone = np.mean([result[factor.name]["kept"]["mean"] for factor in part.factors])
+    return 0.5 * float(alone + result[part.together.name]["held"]["mean"])
