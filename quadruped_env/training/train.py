@@ -26,6 +26,7 @@ def train(
     parent: Parent | None = None,
     task_file: Path | None = None,
     threads: int = 0,
+    service: str | None = None,
 ) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
@@ -36,6 +37,7 @@ def train(
         parent: a run or checkpoint to go on from, of which `config` is the result of `Parent.resumed`.
         task_file: a user's file of terms, which is executed.
         threads: threads of the physics; 0: one per core.
+        service: one of `tracking.SERVICES`, to which the metrics go as well.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -70,7 +72,7 @@ def train(
             model.learn(timesteps, callback=recorder, reset_num_timesteps=parent is None)
 
     try:
-        record(run, model, recorder, learn)
+        record(run, model, recorder, learn, service)
     finally:
         env.close()
     return run.directory, not recorder.stopped
