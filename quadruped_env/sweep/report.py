@@ -1,4 +1,4 @@
-"""Results of a sweep, their statistics, and the report: settings by score, learning curves, scores over the fields."""
+"""Results of a sweep, their statistics, and the report: settings by score, trials, learning curves."""
 
 import math
 import os
@@ -12,12 +12,10 @@ import numpy as np
 from quadruped_env.evaluation.confidence import Estimate, student_mean
 from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.report.pages.page import figure, provenance, write_html
-from quadruped_env.report.palette import BLUE
-from quadruped_env.report.plots.canvas import draw_figure
 from quadruped_env.report.plots.learning_plots import learning_curve, read_progress
 from quadruped_env.report.report_directory import REPORT_FILE
 from quadruped_env.sweep.folder import Sweep
-from quadruped_env.sweep.space import ends, in_words, shown
+from quadruped_env.sweep.space import in_words
 from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.text_table import Table
@@ -123,31 +121,10 @@ def _trials(found: Mapping[str, Any]) -> Table:
 
 
 def _figures(sweep: Sweep, found: Mapping[str, Any]) -> list[dict[str, str]]:
-    if not found["settings"]:
+    best = found["settings"][0]["results"] if found["settings"] else []
+    runs = {f"seed {trial['seed']}": sweep.path / trial["run"] for trial in best if trial["state"] == "finished"}
+    if not runs:
         return []
-    best = [trial for trial in found["settings"][0]["results"] if trial["state"] == "finished"]
-    progress = {f"seed {trial['seed']}": read_progress(sweep.path / trial["run"] / PROGRESS_FILE) for trial in best}
-    curves = "Return, velocity error and falls over the time steps, with the noise of the exploration."
-    figures = [figure("Learning curves of the best setting", learning_curve(progress), curves)] if progress else []
-    if sweep.space:
-        points = "Each point is a setting: its score over its value of the field."
-        figures.append(figure("Scores over each field", _scores(found["settings"], sweep.space), points))
-    return figures
-
-
-def _scores(settings: list[Mapping[str, Any]], space: Mapping[str, Any]) -> str:
-    """Score of each setting over its value of each field, a panel for each field."""
-    scores = [score_of(entry["results"]).mean for entry in settings]
-
-    def draw(axes: Any) -> None:
-        for ax, (name, distribution) in zip(axes[:, 0], space.items(), strict=True):
-            values, choices = [entry["values"][name] for entry in settings], ends(distribution)
-            if hasattr(distribution, "choices"):
-                values = [choices.index(value) for value in values]
-                ax.set_xticks(range(len(choices)), [shown(choice) for choice in choices])
-            elif distribution.log:
-                ax.set_xscale("log")
-            ax.plot(values, scores, "o", color=BLUE, markersize=3.5)
-            ax.set(xlabel=name, ylabel="score (1)")
-
-    return draw_figure(len(space), 1, 0.3 + 1.5 * len(space), draw)
+    curves = learning_curve({name: read_progress(run / PROGRESS_FILE) for name, run in runs.items()})
+    caption = "Return, velocity error and falls over the time steps, with the noise of the exploration."
+    return [figure("Learning curves of the best setting", curves, caption)]

@@ -92,11 +92,10 @@ def _attempt(
         result |= score_of_run(run, task_file)
     except Exception as error:  # every library fails in its own way, and a sweep goes on without the trial
         _raise_if_of_the_machine(error)
-        sweep.check_exists()
-        (directory / "error.txt").write_text(traceback.format_exc(), encoding="utf-8")
         message = str(error) if isinstance(error, QuadrupedError) else f"{type(error).__name__}: {error}"
         base = sweep.config({}, seed, definition)
-        result = {"state": "failed", "error": message[:500], "score": score_of_zero_action(config, base, task_file)}
+        score = score_of_zero_action(config, base, task_file)
+        result = {"state": "failed", "error": message[:500], "traceback": traceback.format_exc(), "score": score}
     seconds = round(before + time.monotonic() - began, 1)
     facts = {"starts": len(runs_of(directory)), "seconds": seconds, "node": socket.gethostname()}
     return {"values": dict(values), **result, **facts}

@@ -30,9 +30,7 @@ class ServiceWriter(KVWriter):
         try:
             module = importlib.import_module(service)
         except ImportError as error:
-            raise QuadrupedError(
-                f"--track: {service} is not installed: pip install {service}"
-            ) from error
+            raise QuadrupedError(f"--track: {service} is not installed: pip install {service}") from error
         if service == "mlflow":
             module.start_run(run_name=name)
             module.log_params(settings)

@@ -82,7 +82,7 @@ def test_error_of_the_training_is_a_failed_result_with_status_1_until_it_is_retr
     assert main(["sweep", "--work", str(sweep.path)]) == 1
     assert [sweep.result(number)["state"] for number in range(2)] == ["finished", "failed"]
     assert str(error) in sweep.result(1)["error"]
-    assert "Traceback" in (sweep.trial(1) / "error.txt").read_text()
+    assert "Traceback" in sweep.result(1)["traceback"]
     assert "1 of 2 seeds, 1 failed" in capsys.readouterr().out
     stub_training(monkeypatch, lambda config, directory: None)
     assert main(["sweep", "--work", str(sweep.path)]) == 1, "it is still there"
