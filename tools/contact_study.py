@@ -101,7 +101,7 @@ def _has_drake() -> bool:
 
 
 def with_timestep(config: TaskConfig, timestep: float) -> TaskConfig:
-    """The same task at another physics step; the control step stays."""
+    """Return the same task at another physics step; the control step stays."""
     return replace(config, physics_timestep=timestep, decimation=round(config.control_timestep / timestep))
 
 

@@ -43,9 +43,8 @@ from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.changing import run_joystick
-from quadruped_env.evaluation.suite.steady import run_command_map, run_gait, run_regulation
+from quadruped_env.evaluation.suite.steady import run_command_map, run_gait, run_regulation, run_terrain
 from quadruped_env.evaluation.suite.suite_definition import Joystick, full_suite
-from quadruped_env.evaluation.suite.terrains import run_terrain
 from quadruped_env.policies import ZeroController
 from quadruped_env.report.plots.learning_plots import read_progress
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST
@@ -182,7 +181,7 @@ def gait(measured: Candidate, progress: Progress) -> Row:
 
 
 def _of_feet(measure: str, entries: Sequence[dict[str, Any]]) -> list[float]:
-    """Values of every foot at every command; NaN where a robot does not stride."""
+    """Return values of every foot at every command; NaN where a robot does not stride."""
     return [math.nan if value is None else value for entry in entries for value in entry[measure]]
 
 

@@ -60,7 +60,7 @@ def prepare(folder: Path, address: str, tag: str) -> None:
 
 
 def absolute(page: str, address: str, tag: str) -> str:
-    """A page in Markdown whose relative links and pictures lead to a tag of the repository."""
+    """Return a page in Markdown whose relative links and pictures lead to a tag of the repository."""
 
     def full(found: re.Match[str]) -> str:
         picture, text, target = found.groups()

@@ -77,7 +77,7 @@ def main() -> int:
 
 
 def named_policies(entries: list[str]) -> dict[str, Policy]:
-    """The shipped policies and those that the options name."""
+    """Return the shipped policies and those that the options name."""
     policies = {name: load_policy(name) for name in SHIPPED}
     for entry in entries:
         name, separator, source = entry.partition("=")
@@ -88,7 +88,7 @@ def named_policies(entries: list[str]) -> dict[str, Policy]:
 
 
 def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[str, Mapping[str, Any]]:
-    """Results of shipped policies from `suite.json` of their evaluations, by name.
+    """Return results of shipped policies from `suite.json` of their evaluations, by name.
 
     Args:
         files: the files.
@@ -106,7 +106,7 @@ def finished_results(files: list[Path], suite: Suite, wanted: set[str]) -> dict[
             raise QuadrupedError(f"{path}: expected the suite {suite.identity}; found {result['suite']}")
         name = result["name"]
         if name not in SHIPPED or result.get("policy", {}).get("card") != without_suite(load_policy(name).card):
-            raise QuadrupedError(f"{path}: expected a shipped policy's results, as it is now; found {name!r}'s")
+            raise QuadrupedError(f"{path}: expected results of a shipped policy, as it is now; found {name!r}")
         if name not in wanted:
             raise QuadrupedError(
                 f"{path}: the row {name!r} is not measured from the shipped policy; add it to --only, or leave out "

@@ -113,7 +113,7 @@ def add_terrain(parser: argparse.ArgumentParser, default: str, level: bool = Tru
 
 
 def named_terrain(arguments: argparse.Namespace) -> str | Terrain | None:
-    """The terrain of `--terrain` and `--level`, with the file of `--task`; its name without level and file.
+    """Return the terrain of `--terrain` and `--level`, with the file of `--task`; its name without level and file.
 
     Raises:
         QuadrupedError: if the file has no such terrain or cannot be loaded, or there is no such level.
@@ -145,14 +145,14 @@ def add_randomization(parser: argparse.ArgumentParser, default: str) -> None:
 
 
 def task_option(arguments: argparse.Namespace) -> str:
-    """The option `--task` or `--trust-task` as a user types it again, and a space; nothing without a file."""
+    """Return the option `--task` or `--trust-task` as a user types it again, and a space; nothing without a file."""
     if arguments.trust_task:
         return "--trust-task "
     return "" if arguments.task is None else f"--task {shlex.quote(shown_argument(str(arguments.task)))} "
 
 
 def evaluation_options(arguments: argparse.Namespace) -> str:
-    """The options of an evaluation that change its numbers, as a user types them again."""
+    """Return the options of an evaluation that change its numbers, as a user types them again."""
     terrain = "" if arguments.terrain is None else f"--terrain {shlex.quote(arguments.terrain)} "
     level = "" if arguments.level is None else f"--level {arguments.level} "
     preset = "" if arguments.randomization is None else f"--randomization {arguments.randomization} "

@@ -55,7 +55,7 @@ def _add_values(parser: argparse.ArgumentParser) -> None:
 
 
 def _names_or_files(*names: str) -> dict[str, Any]:
-    """Names and files as shtab takes values: a function or an expression of each shell."""
+    """Return names and files as shtab takes values: a function or an expression of each shell."""
     words = " ".join(dict.fromkeys(names))
     function = f'_mini_quadruped_policies() {{ compgen -W "{words}" -- "$1"; compgen -f -- "$1"; }}'
     return {

@@ -91,7 +91,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 
 def _content(trajectory: JointTrajectory) -> list[str]:
-    """The content of a recording as text, one fact per line."""
+    """Return the content of a recording as text, one fact per line."""
     rate = 1.0 / float(np.median(np.diff(trajectory.times))) if len(trajectory) > 1 else float("nan")
     found = [
         f"{len(trajectory)} rows over {trajectory.duration:.3f} s, usually at {rate:.4g} Hz: "

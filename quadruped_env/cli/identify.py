@@ -125,7 +125,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 
 
 def _commands_beside(measured: Path) -> Path:
-    """Path of the file of joint targets next to the measurements, named as by `mini-quadruped baseline`."""
+    """Return the path of the file of joint targets next to the measurements, named as by `mini-quadruped baseline`."""
     path = measured.with_name(f"{measured.stem}-commands.csv")
     if not path.is_file():
         raise QuadrupedError(

@@ -50,7 +50,7 @@ class Invocation:
 
 
 def command_module(name: str) -> ModuleType:
-    """The module of a command of `SUMMARIES`."""
+    """Return the module of a command of `SUMMARIES`."""
     return importlib.import_module(f"quadruped_env.cli.{name.replace('-', '_')}")
 
 

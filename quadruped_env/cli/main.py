@@ -25,7 +25,7 @@ first steps:
 
 
 def make_parser(only: str | None = None) -> argparse.ArgumentParser:
-    """The parser of `mini-quadruped`; with `only`, no module of the other commands is imported."""
+    """Return the parser of `mini-quadruped`; with `only`, no module of the other commands is imported."""
     parser = ArgumentParser(prog=COMMAND, description=_DESCRIPTION, epilog=_EPILOG, formatter_class=HelpFormatter)
     parser.add_argument("--version", action="version", version=f"{COMMAND} {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True, title="commands")

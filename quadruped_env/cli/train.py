@@ -126,7 +126,7 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
 
 
 def _default(name: str) -> str:
-    """The default of a field of `TrainConfig`, in words."""
+    """Return the default of a field of `TrainConfig`, in words."""
     value = getattr(TrainConfig, name)
     if isinstance(value, bool):
         return "yes" if value else "no"
@@ -198,7 +198,7 @@ def measure_learning(directory: Path, task_file: Path | None, timesteps: int) ->
 
 
 def typed_settings(arguments: argparse.Namespace) -> tuple[dict[str, Any], Path | None, TaskDefinition, set[str]]:
-    """The settings of a training that were typed.
+    """Return the settings of a training that were typed.
 
     Returns:
         Fields of `TrainConfig`, of which `task` holds changes; the Python file of `--task`; what it defines; and the

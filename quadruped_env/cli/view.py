@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_allow_host(parser)
     options.add_task_file(parser)
-    options.add_terrain(parser, "that of the first robot's task")
+    options.add_terrain(parser, "the ground of the first robot's task")
     options.add_output(parser, "DIR", "directory of the recordings (default: %(default)s)", RESULTS)
 
 

@@ -55,12 +55,12 @@ class Baseline:
     """Metric (a name in `METRICS`) -> one number per episode from a random start"""
 
     def estimate(self, name: str) -> Estimate:
-        """Mean over the episodes and its 95 % confidence interval, in the metric's unit."""
+        """Return the mean over the episodes and its 95 % confidence interval, in the metric's unit."""
         values = self.metrics[name]
         return proportion(values) if name == "fall_rate" else bootstrap_mean(values)
 
     def table(self) -> str:
-        """The metrics as a plain-text table."""
+        """Return the metrics as a plain-text table."""
         robot = self.recording.robot
         rows = [("", "mean", "95 % interval", "limit")]
         for name in SHOWN:

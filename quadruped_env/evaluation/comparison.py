@@ -59,12 +59,12 @@ CONTROLLERS: Final = {
 
 
 def error_of(motion: str) -> str:
-    """Name of the error metric of a motion."""
+    """Return the name of the error metric of a motion."""
     return "yaw_rate_error" if motion == "turning" else "forward_velocity_error"
 
 
 def equal_up_to(metric: str, robot: Robot) -> float:
-    """Difference below which two errors count as equal."""
+    """Return the difference below which two errors count as equal."""
     return _EQUAL * scale_of(METRICS[metric].unit, robot)
 
 
@@ -90,25 +90,25 @@ class Comparison:
         return self.config.robot
 
     def conditions(self, motion: Motion) -> list[int]:
-        """Indices of the commands that ask for one of `MOTIONS`; None: of all commands; indices: these."""
+        """Return the indices of the commands that ask for one of `MOTIONS`; None: of all commands; indices: these."""
         if motion is not None and not isinstance(motion, str):
             return list(motion)
         return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command, self.robot))]
 
     def estimate(self, controller: str, metric: str, motion: Motion = None) -> Estimate:
-        """Mean of a metric over a motion's commands and the seeds, with its confidence interval.
+        """Return the mean of a metric over a motion's commands and the seeds, with its confidence interval.
 
         A single seed gives no interval, but for falls: the commands are not random.
         """
         return self._estimate(metric, self.values[controller][metric][self.conditions(motion)])
 
     def difference(self, metric: str, controller: str, other: str, motion: Motion = None) -> Estimate:
-        """Mean of `controller` minus `other` over pairs of episodes with the same command and start."""
+        """Return the mean of `controller` minus `other` over pairs of episodes with the same command and start."""
         rows = self.conditions(motion)
         return self._estimate("", self.values[controller][metric][rows] - self.values[other][metric][rows])
 
     def falls_more(self, controller: str, other: str, motion: Motion = None) -> bool:
-        """True if a controller falls more often than another one: their confidence intervals do not overlap."""
+        """Return True if a controller falls more often than another one: their confidence intervals do not overlap."""
         own, others = (self.estimate(name, "fall_rate", motion) for name in (controller, other))
         return own.low > others.high
 
@@ -119,16 +119,16 @@ class Comparison:
         return found if len(self.seeds) > 1 else dataclasses.replace(found, low=math.nan, high=math.nan)
 
     def rows(self, command: int) -> NDArray[np.intp]:
-        """Indices, in the rollouts, of the episodes of one command (its index)."""
+        """Return the indices, in the rollouts, of the episodes of one command (its index)."""
         return np.arange(len(self.seeds)) + command * len(self.seeds)
 
     def episode(self, command: int, controller: str = "policy") -> int:
-        """Index of the episode that represents a command (its index): the first without a fall, or the longest."""
+        """Return the index of the episode that represents a command (index): the first without a fall, or longest."""
         block = self.rows(command)
         return int(block[self.rollouts[controller].valid[:, block].sum(axis=0).argmax()])
 
     def seen_as(self, controller: str) -> Self:
-        """The same comparison with this controller as `policy`, next to the scripted controllers only."""
+        """Return the same comparison with this controller as `policy`, next to the scripted controllers only."""
         names = {"policy": controller, **{name: name for name in CONTROLLERS if name != "policy"}}
         return dataclasses.replace(
             self,
@@ -137,7 +137,7 @@ class Comparison:
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """All numbers as JSON-serializable values; NaN becomes None."""
+        """Return all numbers as JSON-serializable values; NaN becomes None."""
         return {
             "metrics": {
                 name: {"unit": metric.unit or "1", "meaning": metric.meaning, "limit": metric.limit_of(self.robot)}
@@ -169,7 +169,7 @@ class Comparison:
 
 
 def rank(comparison: Comparison, metric: str, controller: str, other: str, motion: Motion = None) -> str:
-    """Rank of a controller against another one: `more accurate`, `less accurate` or `equally accurate`.
+    """Return the rank of a controller against another one: `more accurate`, `less accurate` or `equally accurate`.
 
     Judged by the paired differences of an error: their interval must not include zero, and their mean must exceed
     `equal_up_to`. `not comparable` without an interval: no pair of episodes has two values, or there is one seed.

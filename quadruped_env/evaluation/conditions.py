@@ -35,13 +35,13 @@ MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
 
 
 def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> list[Command]:
-    """Commands for the built-in robot as those for another one, rounded to two digits."""
+    """Convert commands for the built-in robot to the size of another one, rounded to two digits."""
     units = scale_of("m/s", robot), scale_of("rad/s", robot)
     return [(scaled(v, units[0], 2), scaled(w, units[1], 2)) for v, w in commands]
 
 
 def motion_of(command: Command, robot: Robot) -> str:
-    """Motion that a command (m/s, rad/s) asks a robot for, one of `MOTIONS`; a curve counts as turning."""
+    """Return the motion that a command (m/s, rad/s) requests, one of `MOTIONS`; a curve counts as turning."""
     forward, yaw_rate = np.abs(command) > moving_threshold(robot)
     if yaw_rate:
         return "turning"
@@ -51,7 +51,7 @@ def motion_of(command: Command, robot: Robot) -> str:
 
 
 def words(command: Command) -> str:
-    """A velocity command in words, such as `0.4 m/s and 0.2 rad/s`."""
+    """Return a velocity command in words, such as `0.4 m/s and 0.2 rad/s`."""
     forward, yaw_rate = command
     if not forward and not yaw_rate:
         return "stand"
@@ -60,7 +60,7 @@ def words(command: Command) -> str:
 
 
 def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
-    """A policy's task for an evaluation: with a preset of the randomization, and ranges that include the commands.
+    """Return a policy's task for an evaluation, with a randomization preset and ranges that include the commands.
 
     There is no curriculum: on tiles, every episode starts on the tile that its seed gives.
     """
@@ -72,12 +72,12 @@ def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomizati
 
 
 def without_curriculum(config: TaskConfig) -> TaskConfig:
-    """A task in which every episode starts on the tile that its seed gives."""
+    """Return a task in which every episode starts on the tile that its seed gives."""
     if "curriculum" not in config.terrain:
         return config
     return dataclasses.replace(config, terrain=config.terrain.replace(curriculum=False))
 
 
 def _covering(bounds: Range, values: Sequence[float]) -> Range:
-    """The smallest range that includes `bounds` and the values."""
+    """Return the smallest range that includes `bounds` and the values."""
     return min(bounds[0], *values), max(bounds[1], *values)

@@ -40,17 +40,17 @@ class Estimate:
     """Number of values that are not NaN"""
 
     def to_dict(self) -> dict[str, float | int | None]:
-        """The estimate as plain values; NaN becomes None."""
+        """Return the estimate as plain values; NaN becomes None."""
         return {"mean": number(self.mean), "low": number(self.low), "high": number(self.high), "count": self.count}
 
 
 def number(value: float) -> float | None:
-    """A number, or None for NaN and infinities, which JSON cannot represent."""
+    """Return a number, or None for NaN and infinities, which JSON cannot represent."""
     return float(value) if math.isfinite(value) else None
 
 
 def mean_of(values: ArrayLike) -> Any:
-    """Mean over the first axis without NaN: a number, or a list of numbers; None without values."""
+    """Return the mean over the first axis without NaN: a number, or a list of numbers; None without values."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RuntimeWarning)  # the mean of nothing
         means = np.nanmean(np.asarray(values, dtype=np.float64), axis=0)
@@ -58,7 +58,7 @@ def mean_of(values: ArrayLike) -> Any:
 
 
 def bootstrap_mean(values: ArrayLike) -> Estimate:
-    """The mean of the values that are not NaN, with its percentile bootstrap interval.
+    """Return the mean of the values that are not NaN, with its percentile bootstrap interval.
 
     Efron & Tibshirani 1993, An Introduction to the Bootstrap, section 13.3. Seeded, so that a report is reproducible.
 
@@ -81,7 +81,7 @@ def bootstrap_mean(values: ArrayLike) -> Estimate:
 
 @cache
 def _resample_counts(conditions: int, size: int) -> Floats:
-    """Number of times that each value is drawn in each resample, (RESAMPLES, conditions * size)."""
+    """Return the number of times that each value is drawn in each resample, (RESAMPLES, conditions * size)."""
     generator = np.random.default_rng(0)
     counts = generator.multinomial(size, np.full(size, 1.0 / size), (RESAMPLES, conditions))
     return counts.reshape(RESAMPLES, conditions * size).astype(np.float64)
@@ -101,7 +101,7 @@ def student_mean(values: Sequence[float]) -> Estimate:
 
 
 def proportion(events: ArrayLike) -> Estimate:
-    """The share of True among events of any shape, with its Wilson score interval.
+    """Return the share of True among events of any shape, with its Wilson score interval.
 
     Unlike the bootstrap's, it has a width above 0 if no event was seen: 0 falls in 50 episodes do not prove that there
     are 0 in 1000 (Wilson 1927, https://doi.org/10.1080/01621459.1927.10502953).
@@ -117,7 +117,7 @@ def proportion(events: ArrayLike) -> Estimate:
 
 
 def poisson_rate(events: int, exposure: float) -> Estimate:
-    """Events per unit of exposure, with the exact interval of a Poisson count (Garwood 1936).
+    """Return events per unit of exposure, with the exact interval of a Poisson count (Garwood 1936).
 
     The upper end is the rate at which so few events have a probability of 2.5 %, the lower end that at which so many
     do; 0 for no event. `count` is the number of events.
@@ -130,7 +130,7 @@ def poisson_rate(events: int, exposure: float) -> Estimate:
 
 
 def _poisson_mean(events: int, probability: float) -> float:
-    """Mean of the Poisson distribution that gives `events` or fewer with a probability, by bisection."""
+    """Return the mean of the Poisson distribution that gives `events` or fewer with a probability, by bisection."""
     numbers = np.arange(events + 1)
     log_factorial = np.array([math.lgamma(k + 1.0) for k in numbers])
     low, high = 0.0, events + 10.0 * math.sqrt(events + 1.0) + 10.0

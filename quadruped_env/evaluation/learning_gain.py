@@ -83,20 +83,20 @@ class LearningGain:
         return "is worse than the zero action" if self.difference.high < 0.0 else f"has {NO_GAIN}"
 
     def verdict(self) -> str:
-        """The result as a predicate of the policy, with the difference and its interval."""
+        """Return the result as a predicate of the policy, with the difference and its interval."""
         found, words = self.difference, self.lack
         if self.is_better:
             words = f"is better than the zero action{', but falls more often' if self.falls_more else ''}"
         return f"{words}: {found.mean:+z.2f} return/s (95 % interval {found.low:+z.2f} to {found.high:+z.2f})"
 
     def table(self) -> str:
-        """The results of both as a plain-text table."""
+        """Return the results of both as a plain-text table."""
         document = self.to_dict()
         condition = "" if self.comparison is None else f"motions: {self.comparison.condition}\n"
         return text_table([GAIN_HEADER, *gain_rows(document)]) + f"\n{condition}{reward_in_words(document)}"
 
     def to_dict(self) -> dict[str, Any]:
-        """The result as JSON-serializable values; NaN becomes None."""
+        """Return the result as JSON-serializable values; NaN becomes None."""
         return {
             "verdict": self.verdict(),
             "episodes": self.episodes,
@@ -110,7 +110,7 @@ class LearningGain:
 
 
 def _motions(comparison: Comparison) -> list[dict[str, Any]]:
-    """Results of policy and zero action for each motion: metric -> mean, and the policy against the zero action."""
+    """Return the results of policy and zero action for each motion, metric -> mean, and their comparison."""
     found = []
     for motion in MOTIONS:
         if not comparison.conditions(motion):
@@ -130,7 +130,7 @@ def _motions(comparison: Comparison) -> list[dict[str, Any]]:
 
 
 def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
-    """Rows of a table of `LearningGain.to_dict` with the header `GAIN_HEADER`: each motion, and the own task."""
+    """Return the rows of `LearningGain.to_dict` below the header `GAIN_HEADER`: each motion, and the own task."""
     rows = [
         (gain["motion"], *_motion_cells(gain["policy"]), *_motion_cells(gain["zero"]), gain["result"])
         for gain in document.get("motions", ())
@@ -147,7 +147,7 @@ def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
 
 
 def _motion_cells(values: Mapping[str, float | None]) -> tuple[str, str, str]:
-    """Error, falls and power of one controller for one motion."""
+    """Return the error, falls and power of one controller for one motion."""
 
     def cell(name: str) -> str:
         value, unit = values[name], METRICS[name].unit
@@ -158,7 +158,7 @@ def _motion_cells(values: Mapping[str, float | None]) -> tuple[str, str, str]:
 
 
 def reward_in_words(document: Mapping[str, Any]) -> str:
-    """Rewards of `LearningGain.to_dict` in the policy's own task, with their 95 % intervals."""
+    """Return the rewards of `LearningGain.to_dict` in the policy's own task, with their 95 % intervals."""
 
     def shown(estimate: Mapping[str, Any], form: str = "{:z.2f}") -> str:
         mean, low, high = (form.format(estimate[part] or 0.0) for part in ("mean", "low", "high"))
@@ -177,7 +177,7 @@ def gain_beside(
     progress: Progress | None = None,
     comparison: Comparison | None = None,
 ) -> LearningGain:
-    """The gain in the policy's own task, with as many episodes as an evaluation of `num_seeds` per command has.
+    """Return the gain in the policy's own task, with as many episodes as an evaluation of `num_seeds` per command has.
 
     Episodes are at most `DEFAULT_SECONDS` long. `comparison` is the evaluation; None: motions are left out.
     """
@@ -244,7 +244,7 @@ def _tolerance(robot: Robot) -> tuple[float, float]:
 
 
 def _return_per_second(rollout: Rollout) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Reward per second of each robot (N,)."""
+    """Return the reward per second of each robot (N,)."""
     return np.asarray(rollout.reward_terms.sum(axis=(0, 2), dtype=np.float64) / rollout.seconds)
 
 

@@ -69,11 +69,11 @@ class Metric:
     """True to show the value, a fraction, as a percentage"""
 
     def limit_of(self, robot: Robot) -> float | None:
-        """Hardware limit of a robot, in `unit`; None for a metric without one."""
+        """Return the hardware limit of a robot, in `unit`; None for a metric without one."""
         return None if self.limit is None else self.limit(robot)
 
     def show(self, value: float) -> str:
-        """The value as text without its unit, a dash for NaN."""
+        """Return the value as text without its unit, a dash for NaN."""
         if math.isnan(value):
             return "-"
         # z: no minus before a zero
@@ -146,7 +146,7 @@ OF_FEET: Final[dict[str, Callable[[Floats], Floats]]] = {
 
 
 def measure(rollout: Rollout) -> dict[str, Floats]:
-    """Every measure, in SI units, one number per episode: name -> (N,); NaN where undefined.
+    """Return every measure, in SI units, one number per episode: name -> (N,); NaN where undefined.
 
     Those of the gait are left out if the rollout has no physics steps.
     """
@@ -178,7 +178,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
 
 
 def gait_measures(rollout: Rollout) -> dict[str, Floats]:
-    """Measures that need every physics step: name -> (N,), or (N, L) for those in `OF_FEET`."""
+    """Return the measures that need every physics step: name -> (N,), or (N, L) for those in `OF_FEET`."""
     r, dt, counted, physics = rollout, rollout.timestep, counted_samples(rollout), rollout.physics
     assert physics is not None
     hips = [joints[0] for joints in r.robot.leg_joints]
@@ -202,7 +202,7 @@ def gait_measures(rollout: Rollout) -> dict[str, Floats]:
 def meets(
     achieved: ArrayLike, command: ArrayLike, still: ArrayLike, fallen: ArrayLike, tolerance: tuple[float, float]
 ) -> Mask:
-    """True for each episode, or stretch of one, that meets its command (...).
+    """Return True for each episode, or stretch of one, that meets its command (...).
 
     Without a fall, the mean velocities (..., 2) must be within `tolerance` of the command (..., 2), m/s and rad/s, and
     a robot whose command is to stand must stand `still`. Unknown velocities, NaN, do not meet a command.
@@ -213,7 +213,7 @@ def meets(
 
 
 def commands_met(rollout: Rollout, tolerance: tuple[float, float]) -> Mask:
-    """True for each command that was met, robot by robot, (S,).
+    """Return True for each command that was met, robot by robot, (S,).
 
     A command holds until it changes, the robot falls or the time is over, and counts from `START_UP` after its
     beginning; see `meets`. One under which the robot falls is not met. Others that hold for less than `START_UP` +
@@ -237,7 +237,7 @@ def commands_met(rollout: Rollout, tolerance: tuple[float, float]) -> Mask:
 
 
 def mean_velocities(rollout: Rollout) -> Floats:
-    """Mean forward velocity in m/s and yaw rate in rad/s of each episode (N, 2), after the start-up.
+    """Return the mean forward velocity in m/s and yaw rate in rad/s of each episode (N, 2), after the start-up.
 
     NaN for an episode that falls during the start-up.
     """
@@ -251,32 +251,32 @@ def is_still(joint_velocity: NDArray[Any], robot: Robot) -> bool:
 
 
 def stands_still(rollout: Rollout, counted: Mask) -> Mask:
-    """True for each episode (N,) whose joints are nearly at rest over the counted samples (T, N)."""
+    """Return True for each episode (N,) whose joints are nearly at rest over the counted samples (T, N)."""
     squared = masked_mean(rollout.joint_velocity.astype(np.float64) ** 2, counted).mean(axis=-1)
     return np.asarray(np.sqrt(squared) < _STILL * scale_of("rad/s", rollout.robot))
 
 
 def counted_samples(rollout: Rollout) -> Mask:
-    """Mask of the samples after the start-up and before a fall, (T, N)."""
+    """Return a mask of the samples after the start-up and before a fall, (T, N)."""
     counted = rollout.valid.copy()
     counted[: round(START_UP / rollout.timestep)] = False
     return counted
 
 
 def masked_mean(values: NDArray[Any], mask: Mask) -> Floats:
-    """Mean over time of values (T, N, ...) where mask (T, N) is True, shape (N, ...)."""
+    """Return the mean over time of values (T, N, ...) where mask (T, N) is True, shape (N, ...)."""
     mask = mask.reshape(mask.shape + (1,) * (values.ndim - mask.ndim))
     return _ratio(np.where(mask, values, 0).sum(axis=0, dtype=np.float64), mask.sum(axis=0))
 
 
 def _ratio(numerator: NDArray[Any], denominator: NDArray[Any]) -> Floats:
-    """The quotient, NaN where the denominator is 0."""
+    """Return the quotient, NaN where the denominator is 0."""
     shape = np.broadcast_shapes(np.shape(numerator), np.shape(denominator))
     return np.divide(numerator, denominator, out=np.full(shape, np.nan), where=np.asarray(denominator) != 0)
 
 
 def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Mask]:
-    """Means of values (T, N, ...) over every `WINDOW` seconds, and a mask.
+    """Return means of values (T, N, ...) over every `WINDOW` seconds, and a mask.
 
     Element i of the means (M, N, ...) is over samples i to i + window; the mask (M, N) is True if all of those samples
     count. M is 0 for a rollout shorter than a window.
@@ -289,7 +289,7 @@ def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats
 
 
 def tracking_error(velocity: NDArray[Any], command: Floats, counted: Mask, dt: float) -> Floats:
-    """RMS error between a velocity (T, N) and its command (N,), in the unit of the velocity, (N,).
+    """Return the RMS error between a velocity (T, N) and its command (N,), in the unit of the velocity, (N,).
 
     sqrt(mean over windows of (mean of the velocity over `WINDOW` - command)^2). The oscillation of a legged robot
     within each stride is not an error.
@@ -299,12 +299,12 @@ def tracking_error(velocity: NDArray[Any], command: Floats, counted: Mask, dt: f
 
 
 def distance(forward_velocity: NDArray[Any], valid: Mask, dt: float) -> Floats:
-    """Integral of the forward velocity (T, N) in m/s until the end or the fall, m, (N,); negative backwards."""
+    """Integrate the forward velocity (T, N) in m/s until the end or the fall, m, (N,); negative backwards."""
     return np.where(valid, forward_velocity, 0).sum(axis=0, dtype=np.float64) * dt
 
 
 def cost_of_transport(power: Floats, speed: Floats, mass: float) -> Floats:
-    """Mean power / (m g |mean forward speed|), no unit, (N,); NaN below `STANDING_SPEED`.
+    """Return the mean power / (m g |mean forward speed|), no unit, (N,); NaN below `STANDING_SPEED`.
 
     Collins et al. 2005 (https://doi.org/10.1126/science.1107799) distinguish the mechanical cost (positive work of the
     motors) from the energetic cost (all power that the robot draws). The electrical cost here counts the positive work
@@ -315,37 +315,37 @@ def cost_of_transport(power: Floats, speed: Floats, mass: float) -> Floats:
 
 
 def peak(values: NDArray[Any], counted: Mask) -> Floats:
-    """Largest absolute value over time and joints, in the unit of values (T, N, J), (N,)."""
+    """Return the largest absolute value over time and joints, in the unit of values (T, N, J), (N,)."""
     largest = np.where(counted, np.abs(values).max(axis=-1), 0.0).max(axis=0).astype(np.float64)
     return np.where(counted.any(axis=0), largest, np.nan)
 
 
 def rms_rate(values: NDArray[Any], counted: Mask, dt: float) -> Floats:
-    """RMS over time and joints of the change between samples per time (N,), for values (T, N, J)."""
+    """Return the RMS over time and joints of the change between samples per time (N,), for values (T, N, J)."""
     change = np.diff(values.astype(np.float64), axis=0) / dt
     return np.sqrt(masked_mean((change**2).mean(axis=-1), counted[1:] & counted[:-1]))
 
 
 def joint_limit_share(joint_position: NDArray[Any], counted: Mask, robot: Robot) -> Floats:
-    """Fraction of time with any joint (T, N, J) within `LIMIT_MARGIN` of its limits, in [0, 1], (N,)."""
+    """Return the fraction of time with any joint (T, N, J) within `LIMIT_MARGIN` of its limits, in [0, 1], (N,)."""
     low, high = robot.joint_position_low + LIMIT_MARGIN, robot.joint_position_high - LIMIT_MARGIN
     at_limit = (joint_position < low) | (joint_position > high)
     return masked_mean(np.any(at_limit, axis=-1) * 1.0, counted)
 
 
 def speed_limit_share(joint_velocity: NDArray[Any], counted: Mask, limit: Floats) -> Floats:
-    """Share of time with any joint (T, N, J) faster than its limit (J,) in rad/s, (N,)."""
+    """Return the share of time with any joint (T, N, J) faster than its limit (J,) in rad/s, (N,)."""
     return masked_mean(np.any(np.abs(joint_velocity) > limit, axis=-1) * 1.0, counted)
 
 
 def slip_of_feet(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floats:
-    """Mean sliding speed (T, N, L) of each foot while it is on the ground (T, N, L), m/s, (N, L)."""
+    """Return the mean sliding speed (T, N, L) of each foot while it is on the ground (T, N, L), m/s, (N, L)."""
     stance = contact & counted[..., None]
     return _ratio(np.where(stance, slip_speed, 0).sum(axis=0, dtype=np.float64), stance.sum(axis=0))
 
 
 def stride_frequency(hip_position: NDArray[Any], counted: Mask, dt: float) -> Floats:
-    """Strides per second, Hz, (N,): the strongest frequency of the swing of the hips (T, N, hips).
+    """Return the strides per second, Hz, (N,): the strongest frequency of the swing of the hips (T, N, hips).
 
     The peak of the power spectrum (Hann window, summed over the hips), refined by a parabola through its neighbours.
     Touch-downs are not used, because a foot that bounces touches down more than once per stride. NaN where the hips
@@ -380,7 +380,7 @@ class Flights(NamedTuple):
 
 
 def flights_of(height: NDArray[Any], rise: NDArray[Any], contact: Mask, shortest: int, bounce: float) -> Flights:
-    """Flights of one foot from height (m), upward velocity (m/s) and contact of its sole in every physics step (K,).
+    """Find the flights of one foot from height (m), upward velocity (m/s) and contact of its sole in every step (K,).
 
     A flight of `shortest` steps or more is a swing. A shorter one is within a stance, and a bounce if the sole rises
     over `bounce`, m.
@@ -403,7 +403,7 @@ def flights_of(height: NDArray[Any], rise: NDArray[Any], contact: Mask, shortest
 def feet(
     physics: PhysicsSamples, contact: Mask, counted: Mask, frequency: Floats, dt: float, bounce: float
 ) -> dict[str, Floats]:
-    """Clearance, swings and bounces per stride, and landing speed of each foot: name -> (N, L).
+    """Return the clearance, swings and bounces per stride, and landing speed of each foot: name -> (N, L).
 
     The clearance is the quantile `CLEARANCE_QUANTILE` of the apexes. A stride in which a foot does not swing counts as
     an apex of 0; at both ends of an episode one stride may be cut. For a robot that does not stride, whose frequency
@@ -435,5 +435,5 @@ def feet(
 
 
 def root_mean_square(values: Floats, counted: Mask) -> Floats:
-    """Root mean square over time (N,), for values (T, N)."""
+    """Return the root mean square over time (N,), for values (T, N)."""
     return np.sqrt(masked_mean(values**2, counted))

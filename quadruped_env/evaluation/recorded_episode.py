@@ -51,7 +51,7 @@ class Recording(Trace):
         return self.fell_at is None and not (tilt(self.orientation) > TILTED).any()
 
     def outcome(self) -> str:
-        """Outcome in one sentence: fall, tilt or neither, and displacement."""
+        """Return the outcome in one sentence: fall, tilt or neither, and displacement."""
         x, y = (self.base_pose[-1, :2] - self.base_pose[0, :2]).round(2)
         lean = tilt(self.orientation)
         fate = "stayed on its feet"
@@ -69,7 +69,7 @@ class Recording(Trace):
 
 
 def publish(gait: SinusoidalGait, seconds: float, rate: float) -> JointTrajectory:
-    """Joint targets that a gait publisher sends: positions and velocities at t = 0, 1 / rate, ... up to `seconds`.
+    """Compute the joint targets of a gait publisher: positions and velocities at t = 0, 1 / rate, ... to `seconds`.
 
     Raises:
         QuadrupedError: if `seconds` or `rate` is out of range.
@@ -159,7 +159,7 @@ def record(
     task.place(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
-    recorder = Recorder(Recording, robot, steps + 1)
+    recorder = Recorder(steps + 1)
     observation = task.observe()
     fell_at = None
     recorder.write(task.simulation.readings, contact=task.context.foot_contact)
@@ -173,7 +173,9 @@ def record(
         recorder.write(task.simulation.readings, contact=task.context.foot_contact)
         if progress is not None:
             progress(step / steps)
-    recording = recorder.trace(
+    recording = Recording(
+        robot=robot,
+        **recorder.arrays(),
         controller=controller.name,
         timestep=config.control_timestep,
         terrain=config.ground,
@@ -184,7 +186,7 @@ def record(
 
 
 def _start(robot: Robot, positions: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Generalized coordinates (7 + J,) of a robot at rest on its feet."""
+    """Return the generalized coordinates (7 + J,) of a robot at rest on its feet."""
     if positions is None:
         return np.array([0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance])
     within = positions.clip(robot.joint_position_low, robot.joint_position_high)

@@ -120,7 +120,7 @@ class StoredEvaluation(TypedDict):
 
 
 def card_results(card: Mapping[str, Any], source: str) -> CardResults:
-    """Results on a card; `source` names its file.
+    """Return the results on a card; `source` names its file.
 
     Warns:
         QuadrupedWarning: for each of them that has another form, which is left out.
@@ -140,7 +140,7 @@ def with_zero_action(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
 
 
 def read_results(path: Path) -> dict[str, Any]:
-    """Results of the suite from a file, with all parts; a QuadrupedError if it cannot be read or lacks one."""
+    """Return results of the suite from a file, with all parts; a QuadrupedError if it cannot be read or lacks one."""
     document: dict[str, Any] = read_json(path, _AGAIN)
     if not isinstance(document, dict):
         raise QuadrupedError(f"{path}: expected a table; found {short(document)}; {_AGAIN}")
@@ -156,34 +156,29 @@ def read_results(path: Path) -> dict[str, Any]:
 def check_comparable(documents: Mapping[str, Mapping[str, Any]]) -> None:
     """Raise a QuadrupedError if results (by name) differ in suite, version, definition, robot or physics."""
     (one, a), *others = documents.items()
-    same_version = "evaluate both with the same version of the package"
     fixes = {
-        **dict.fromkeys(("suite.name", "suite.version"), same_version),
-        "suite.quick": "a quick result is never comparable with a full one; evaluate without --quick",
-        "suite.sha256": f"the definitions of the suite differ; {same_version}",
+        "quick": "a quick result is never comparable with a full one; evaluate without --quick",
+        "sha256": "the definitions of the suite differ; evaluate both with the same version of the package",
     }
     for other, b in others:
-        for field in sorted({*a["conditions"], *b["conditions"]}):
-            fixes[f"conditions.{field}"] = f"{same_version}, and on the same robot"
-        for name, fix in fixes.items():
-            section, field = name.split(".")
-            x, y = a[section].get(field), b[section].get(field)
-            if x != y:
-                raise QuadrupedError(
-                    f"{one} and {other} cannot be compared: {name} is {short(x)} in one and {short(y)} in the other; "
-                    f"{fix}"
-                )
-        if a.get("terrain", {}).keys() != b.get("terrain", {}).keys():
-            raise QuadrupedError(f"{one} and {other} cannot be compared: their terrains differ; evaluate both again")
+        for section, same in (("suite", ""), ("conditions", ", and on the same robot")):
+            for field in sorted(a[section].keys() | b[section].keys()):
+                x, y = a[section].get(field), b[section].get(field)
+                if x != y:
+                    fix = fixes.get(field, f"evaluate both with the same version of the package{same}")
+                    raise QuadrupedError(
+                        f"{one} and {other} cannot be compared: {section}.{field} is {short(x)} in one and {short(y)} "
+                        f"in the other; {fix}"
+                    )
 
 
 def ranked(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> list[tuple[str, Mapping[str, Any]]]:
-    """Results by their score, the best first; equal scores keep their order."""
+    """Return the results by their score, the best first; equal scores keep their order."""
     return sorted(documents, key=lambda entry: -entry[1]["score"]["total"])
 
 
 def read_references(path: Path = REFERENCE_FILE) -> list[dict[str, Any]]:
-    """All reference rows; none if the file does not exist, a QuadrupedError if it is damaged."""
+    """Return all reference rows; none if the file does not exist, a QuadrupedError if it is damaged."""
     if not path.exists():
         return []
     rows: list[dict[str, Any]] = read_json(path, "write it again with tools/suite_references.py")["rows"]
@@ -191,12 +186,12 @@ def read_references(path: Path = REFERENCE_FILE) -> list[dict[str, Any]]:
 
 
 def references_for(result: Mapping[str, Any], rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Reference rows that may be compared with a result: the same suite, robot and physics."""
+    """Return the reference rows that may be compared with a result: the same suite, robot and physics."""
     return [row for row in rows if row["suite"] == result["suite"] and row["conditions"] == result["conditions"]]
 
 
 def score_table(results: list[Mapping[str, Any]]) -> str:
-    """Scores and their components of several results as plain text, in the given order."""
+    """Return the scores and their components of several results as plain text, in the given order."""
     scores = (result["score"] for result in results)
     numbers = [[f"{score['total']:.3f}", *(f"{score['components'][c]:.2f}" for c in COMPONENTS)] for score in scores]
     rows = [[result["name"], *cells] for result, cells in zip(results, numbers, strict=True)]
@@ -204,7 +199,7 @@ def score_table(results: list[Mapping[str, Any]]) -> str:
 
 
 def aggregate(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """Aggregate of the results of one recipe over its training seeds, as plain values.
+    """Return the aggregate of the results of one recipe over its training seeds, as plain values.
 
     Returns:
         `runs`, the name, total score and components of each run; `score` and `components`, means over the runs with

@@ -46,7 +46,7 @@ class PhysicsSamples(NamedTuple):
 
     @classmethod
     def of(cls, task: Task) -> Self:
-        """The physics steps of a task's latest control step."""
+        """Read the physics steps of a task's latest control step."""
         now, radius = task.context.substeps, task.config.robot.foot_radius
         return cls(
             now.foot_position[..., 2] - radius - task.context.ground_height(now.foot_position),
@@ -92,20 +92,20 @@ class Rollout(CommandedTrace):
         return ~self.valid[-1]
 
     def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
-        """Copy of some of the episodes, by indices or mask (N,); an index alone is `env`."""
+        """Copy some of the episodes, by indices or mask (N,); an index alone is `env`."""
         physics = None if self.physics is None else PhysicsSamples(*(values[:, envs] for values in self.physics))
         seeds = np.atleast_1d(np.array(self.seeds)[envs]).tolist()
         return replace(super().select(envs), seeds=tuple(seeds), physics=physics)
 
 
 def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Every command (K, 2) with each of S seeds: commands (K * S, 2) and seeds (K * S,), grouped by command."""
+    """Combine every command (K, 2) with each of S seeds: commands (K * S, 2) and seeds (K * S,), grouped by command."""
     commands = np.asarray(commands, dtype=np.float64)
     return np.repeat(commands, len(seeds), axis=0), np.tile(np.asarray(seeds, dtype=np.int64), len(commands))
 
 
 def in_mujoco(config: TaskConfig, num_envs: int) -> Simulation:
-    """N robots of a task in MuJoCo, with the task's own model."""
+    """Simulate N robots of a task in MuJoCo, with the task's own model."""
     return BatchSimulation(config.compiled_model(), num_envs, robot=config.robot)
 
 
@@ -165,7 +165,7 @@ def roll_out(
     task = Task(engine(config, len(seed)), config)
     _reset(task, command, seed, tiles)
     observation, term_names = task.observe(), task.term_names
-    recorder = Recorder(Rollout, robot, steps, np.float32)
+    recorder = Recorder(steps, np.float32)
     ended = np.zeros(len(seed), dtype=np.bool_)
     fixed = command is not None and before_step is None
     commanded = np.broadcast_to(task.command, (steps, len(seed), 2))
@@ -201,7 +201,9 @@ def roll_out(
         ended |= transition.terminated & (not restart)
         if ended.all():
             break
-    return recorder.trace(
+    return Rollout(
+        robot=robot,
+        **recorder.arrays(),
         controller=controller.name,
         timestep=config.control_timestep,
         command=commanded,

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Generic, Self, TypeVar
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -61,7 +61,7 @@ class Trace:
                 raise QuadrupedError(f"trace: {name} must have shape {(*axes, joints)}; found {array.shape}")
 
     def quantities(self) -> dict[str, Array]:
-        """Known arrays by name."""
+        """Return known arrays by name."""
         values = {declared.name: getattr(self, declared.name) for declared in fields(self)}
         return {name: value for name, value in values.items() if isinstance(value, np.ndarray)}
 
@@ -84,15 +84,15 @@ class Trace:
         return self.base_pose[..., 3:]
 
     def select(self, envs: int | Sequence[int] | NDArray[Any]) -> Self:
-        """Copy of some of the envs, by indices or mask (N,); an index alone is `env`."""
+        """Copy some of the envs, by indices or mask (N,); an index alone is `env`."""
         return self._view((slice(None), envs))
 
     def env(self, index: int) -> Self:
-        """Trace of one env. It shares the arrays."""
+        """Return the trace of one env. It shares the arrays."""
         return self.select(index)
 
     def window(self, start: int = 0, stop: int | None = None) -> Self:
-        """The samples from index `start` up to, but without, `stop`; None is the end. It shares the arrays."""
+        """Return the samples from index `start` up to, but without, `stop`; None is the end. They share the arrays."""
         first, *_ = slice(start, stop).indices(len(self))
         return self._view(slice(start, stop), first_stamp=self.first_stamp + int(self._stamps(np.array(first))))
 
@@ -101,7 +101,7 @@ class Trace:
 
     @classmethod
     def stack(cls, samples: Sequence[Self], every: int = 1) -> Self:
-        """Trace of single samples (one or more, in order) of one env, arrays (...), whose first axis is time (T, ...).
+        """Join single samples (one or more, in order) of one env, arrays (...), to a trace (T, ...).
 
         Every n-th sample is kept, counted backwards from the last one.
         """
@@ -136,7 +136,7 @@ class Trace:
         self.joints.save(path, overwrite, base_pose=self.base_pose, robot=self.robot)
 
     def _stamps(self, samples: NDArray[np.intp]) -> NDArray[np.int64]:
-        """Timestamps of samples (indices) from the first one, ns."""
+        """Return the timestamps of samples (indices) from the first one, ns."""
         return np.rint(samples * self.timestep * NS_PER_SECOND).astype(np.int64)
 
 
@@ -152,7 +152,7 @@ class CommandedTrace(Trace):
 
 
 def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:
-    """Quantities of a `Trace` that readings of N envs state: name -> (N, ...), in part live views."""
+    """Return the quantities of a `Trace` that readings of N envs hold: name -> (N, ...), in part live views."""
     return {
         "base_pose": np.concatenate([readings.base_position, readings.orientation], axis=1),
         "joint_position": readings.joint_position,
@@ -162,27 +162,22 @@ def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:
     }
 
 
-TraceT = TypeVar("TraceT", bound=Trace)
-
-
-class Recorder(Generic[TraceT]):
-    """Records samples of N envs, one per control step, for a kind of trace.
+class Recorder:
+    """Records samples of N envs, one per control step.
 
     Args:
-        kind: `Trace` or a subclass.
-        robot: robot of the trace.
         steps: number of samples T. Samples that are never written are zero.
         dtype: type of the floating-point quantities.
     """
 
-    def __init__(self, kind: type[TraceT], robot: Robot, steps: int, dtype: DTypeLike = np.float64) -> None:
-        self._kind, self._robot, self._steps, self._dtype = kind, robot, steps, dtype
+    def __init__(self, steps: int, dtype: DTypeLike = np.float64) -> None:
+        self._steps, self._dtype = steps, dtype
         self._arrays: dict[str, Any] = {}
         self.written = 0
         """Number of samples written."""
 
-    def write(self, readings: Readings, **values: NDArray[Any]) -> None:
-        """Write the next sample: the readings of N envs, and further quantities (N, ...) of the kind of trace."""
+    def write(self, readings: Readings, **values: Array) -> None:
+        """Write the next sample: the readings of N envs, and further quantities (N, ...)."""
         sample = {**measured(readings), **values}
         if not self._arrays:
             for name, value in sample.items():
@@ -192,8 +187,8 @@ class Recorder(Generic[TraceT]):
             self._arrays[name][self.written] = value
         self.written += 1
 
-    def trace(self, **values: Any) -> TraceT:
-        """The trace of all T samples, read-only, which ends the recording; `values` are its fields not recorded."""
+    def arrays(self) -> dict[str, Any]:
+        """Return all T samples by name, read-only, as fields of a trace; this ends the recording."""
         for array in self._arrays.values():
             array.flags.writeable = False
-        return self._kind(robot=self._robot, **self._arrays, **values)
+        return self._arrays

@@ -1,4 +1,4 @@
-"""The verdict on a policy: thresholds, and one headline."""
+"""The verdict on a policy: thresholds, one headline, and the worst episodes."""
 
 import math
 import textwrap
@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.evaluation.comparison import ERRORS, Comparison, error_of, rank
-from quadruped_env.evaluation.conditions import MOTIONS, words
+from quadruped_env.evaluation.conditions import MOTIONS, Command, words
 from quadruped_env.evaluation.learning_gain import WALKING_FALL_RATE, LearningGain
 from quadruped_env.evaluation.measures import METRICS, ROUGH
 from quadruped_env.robot import Robot
@@ -26,9 +26,12 @@ _FOLLOWED: Final = dict(zip(ERRORS, ROUGH, strict=True))
 _STILL: Final = 0.03
 """Maximum error of a robot that stands still, for the built-in robot, m/s or rad/s."""
 
+WORST_SHOWN: Final = 3
+"""Number of worst episodes."""
+
 
 def tolerance(metric: str, robot: Robot) -> float:
-    """Maximum error of a policy of a robot that follows its commands."""
+    """Return the maximum error of a policy that follows its commands."""
     return scale_of(METRICS[metric].unit, robot) * _FOLLOWED[metric]
 
 
@@ -41,7 +44,7 @@ class Verdict:
     headline: str
 
     def text(self) -> str:
-        """The headline in lines of plain text."""
+        """Return the headline in lines of plain text."""
         return textwrap.fill(self.headline, 100)
 
 
@@ -84,7 +87,7 @@ def verdict(comparison: Comparison, gain: LearningGain | None = None) -> Verdict
 
 
 def _flaws(comparison: Comparison) -> list[str]:
-    """Predicates about the commands that the policy does not follow, motion by motion."""
+    """Return predicates about the commands that the policy does not follow, motion by motion."""
     robot, flaws = comparison.robot, []
     unknown: list[str] = []
     missed: list[str] = []
@@ -112,7 +115,7 @@ def _flaws(comparison: Comparison) -> list[str]:
 
 
 def reached_share(comparison: Comparison, controller: str, motion: str) -> float:
-    """Mean achieved over mean commanded velocity (the yaw rate for turning); NaN if the commands are 0."""
+    """Divide the mean achieved by the mean commanded velocity (the yaw rate for turning); NaN if the commands are 0."""
     rows = comparison.conditions(motion)
     column, metric = (1, "yaw_rate") if motion == "turning" else (0, "forward_velocity")
     command = np.array(comparison.commands)[rows, column]
@@ -131,5 +134,44 @@ def _percent(share: float) -> str:
 
 
 def listed(items: Sequence[str]) -> str:
-    """Items joined with commas and "and"."""
+    """Join items with commas and "and"."""
     return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A bad episode."""
+
+    row: int
+    """Index of the episode in the comparison's rollouts"""
+    command: Command
+    seed: int
+    fell_at: float | None
+    """Time of the fall, s; None without a fall"""
+    badness: float
+    """Larger of the two velocity errors, relative to its tolerance; infinite for a fall"""
+    story: str
+    """Time of the fall, or velocity errors, in words"""
+
+
+def worst_episodes(comparison: Comparison) -> list[Failure]:
+    """Return the worst episodes of the policy: falls first, the earliest first, then the largest velocity errors.
+
+    One per command, because episodes of one command mostly fail in the same way.
+    """
+    rollout = comparison.rollouts["policy"]
+    alive = rollout.valid.sum(axis=0)
+    worst = []
+    for i, command in enumerate(comparison.commands):
+        rows = comparison.rows(i)
+        errors = {metric: comparison.values["policy"][metric][i] for metric in ERRORS}
+        relative = [error / tolerance(metric, comparison.robot) for metric, error in errors.items()]
+        badness = np.where(rollout.fallen[rows], np.inf, np.nan_to_num(np.max(relative, axis=0)))
+        j = int(np.lexsort((alive[rows], -badness))[0])
+        row, fell_at, story = int(rows[j]), None, "It did not fall. Errors: "
+        if rollout.fallen[row]:
+            fell_at = float(alive[row] + 1) * rollout.timestep
+            story = f"It fell at {fell_at:.1f} s. Errors before: "
+        story += " and ".join(f"{METRICS[m].show(error[j])} {METRICS[m].unit}" for m, error in errors.items()) + "."
+        worst.append(Failure(row, command, comparison.seeds[j], fell_at, float(badness[j]), story))
+    return sorted(worst, key=lambda failure: (-failure.badness, alive[failure.row]))[:WORST_SHOWN]

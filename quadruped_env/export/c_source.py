@@ -41,7 +41,7 @@ _ACTIVATIONS: Final = {
     "sigmoid": "1.0f / (1.0f + expf(-x))",
     "mish": "x * tanhf((x < 0.0f ? 0.0f : x) + log1pf(expf(-fabsf(x))))",
 }
-"""Activation functions of policies, equal to those of `policies.activations`."""
+"""Activation functions of policies, equal to `policies.activations`."""
 _KEYWORDS: Final = frozenset(
     """auto bool break case char class const continue default delete do double else enum extern float for goto if inline
     int long new operator private public register restrict return short signed sizeof static struct switch template this
@@ -51,7 +51,7 @@ _KEYWORDS: Final = frozenset(
 
 
 def c_files(interface: PolicyInterface, name: str) -> dict[str, bytes]:
-    """Header, source and sketch of a policy of some name, by their paths in the exported folder."""
+    """Return the header, source and sketch of a policy of some name, by their paths in the exported folder."""
     readings = [
         f"float {member}[POLICY_READS_{member.upper()}]; /* {_comment(f'{entry.unit}: {entry.description}')} */"
         for entry, member in _members(interface)
@@ -77,13 +77,13 @@ def c_files(interface: PolicyInterface, name: str) -> dict[str, bytes]:
 
 
 def readings_of(interface: PolicyInterface) -> list[Input]:
-    """Inputs that a caller gives in every step; the others are part of the memory."""
+    """Return the inputs that a caller gives in every step; the others are part of the memory."""
     own = (graph_io.COMMAND, graph_io.LAST_ACTION, graph_io.GAIT_PHASE, graph_io.HISTORY)
     return [entry for entry in interface.inputs if entry.name not in own]
 
 
 def _members(interface: PolicyInterface) -> list[tuple[Input, str]]:
-    """The readings of a step, each with the name of its member in C: that of the field, as far as C allows it."""
+    """Return the readings of a step, each with the name of its member in C: the field's name, as far as C allows it."""
     members: dict[str, Input] = {}
     for entry in readings_of(interface):
         member = name = re.sub(r"[^a-zA-Z0-9_]", "_", entry.name) + ("_" if entry.name in _KEYWORDS else "")
@@ -94,7 +94,7 @@ def _members(interface: PolicyInterface) -> list[tuple[Input, str]]:
 
 
 def _constants(interface: PolicyInterface, name: str) -> str:
-    """Macros of the header."""
+    """Return the macros of the header."""
     policy, robot = interface.policy, interface.policy.robot
     safety = Safety.of(robot)
     macros = [
@@ -120,7 +120,7 @@ def _constants(interface: PolicyInterface, name: str) -> str:
 
 
 def _tables(interface: PolicyInterface) -> str:
-    """Tables and macros of the source."""
+    """Return the tables and macros of the source."""
     policy, robot, layout = interface.policy, interface.policy.robot, interface.layout
     gait = interface.gait
     low, high = np.transpose([entry.range for entry in policy.control.commands[:VELOCITY]])
@@ -173,7 +173,7 @@ def _tables(interface: PolicyInterface) -> str:
 
 
 def _observe(interface: PolicyInterface) -> str:
-    """The function that writes the observation of one step."""
+    """Return the function that writes the observation of one step."""
     lines = ["int at = 0;", "(void)readings;", "(void)memory;"]
     members = {entry.name: f"readings->{member}" for entry, member in _members(interface)}
     for entry in interface.policy.fields:
@@ -185,7 +185,7 @@ def _observe(interface: PolicyInterface) -> str:
 
 
 def _table(name: str, values: ArrayLike) -> str:
-    """A constant array."""
+    """Return a constant array."""
     numbers = [_number(float(value)) for value in np.ravel(values)]
     return f"{name}[{len(numbers)}] = {_list(numbers)};"
 
@@ -197,18 +197,18 @@ def _list(texts: Iterable[str], per_line: int = _PER_LINE) -> str:
 
 
 def _number(value: float) -> str:
-    """A float32 as C writes it, with as few digits as tell it from its neighbours."""
+    """Return a float32 as C writes it, with as few digits as tell it from its neighbours."""
     text = str(np.float32(value))
     return "INFINITY" if text == "inf" else f"{text}f"
 
 
 def _text(text: str) -> str:
-    """A text of any characters as a literal in C: its UTF-8 bytes, those beyond ASCII as octal numbers."""
+    """Return a text of any characters as a literal in C: its UTF-8 bytes, those beyond ASCII as octal numbers."""
     plain = {*range(32, 127)} - {*b'"\\?'}
     return '"' + "".join(chr(byte) if byte in plain else f"\\{byte:03o}" for byte in text.encode()) + '"'
 
 
 def _comment(text: str) -> str:
-    """Text that cannot end the comment that it is in, nor begin another one or a new line."""
+    """Return text that cannot end the comment that it is in, nor begin another one or a new line."""
     visible = "".join(character if character.isprintable() else " " for character in text)
     return visible.replace("*/", "* /").replace("/*", "/ *").replace("\\", "/").rstrip("/")

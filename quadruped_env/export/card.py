@@ -2,7 +2,7 @@
 
 import json
 import textwrap
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
 from quadruped_env.envs import ENV_ID
@@ -27,7 +27,7 @@ _SHOWN: Final = {
 
 
 def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str | None, files: Iterable[str]) -> str:
-    """The page in Markdown, with the front matter that model hubs read; `files` are the other files of the folder."""
+    """Return the page in Markdown, with front matter for model hubs; `files` are the other files of the folder."""
     sections = [
         _front_matter(manifest),
         f"# {manifest['name']}\n\n{_introduction(manifest)}",
@@ -37,14 +37,14 @@ def card_page(interface: PolicyInterface, manifest: Mapping[str, Any], film: str
         f"## Before it walks\n\n{_entry(manifest)}",
         f"## Results\n\n{_results(manifest['evaluation'])}",
         _learning(manifest["learning"]),
-        f"## Training\n\n{_verbatim(json.dumps(manifest['training'], indent=2))}",
+        f"## Training\n\n```text\n{json.dumps(manifest['training'], indent=2)}\n```",
         f"## Files\n\n{_files(files)}",
     ]
     return "\n\n".join(section for section in sections if section) + "\n"
 
 
 def _front_matter(manifest: Mapping[str, Any]) -> str:
-    """Metadata for hubs, as YAML; the results in it are JSON, which YAML contains."""
+    """Return metadata for hubs, as YAML; the results in it are JSON, which YAML contains."""
     fields = [
         "tags:",
         *(f"  - {tag}" for tag in TAGS),
@@ -52,7 +52,7 @@ def _front_matter(manifest: Mapping[str, Any]) -> str:
         "library_name: " + LIBRARY,
     ]
     if results := _by_motion(manifest["evaluation"]):
-        fields.append(f"model-index: {json.dumps(_model_index(manifest['name'], results, _SHOWN))}")
+        fields.append(f"model-index: {json.dumps(_model_index(manifest['name'], results))}")
     return "\n".join(["---", *fields, "---"])
 
 
@@ -71,10 +71,12 @@ def _introduction(manifest: Mapping[str, Any]) -> str:
 
 def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
     inputs, outputs = (
-        "\n".join(f"| `{entry.name}` | {entry.width} | {entry.unit} | {entry.description} |" for entry in entries)
-        for entries in (interface.inputs, interface.outputs)
+        _table(
+            [title, "columns", "unit", ""],
+            [[f"`{entry.name}`", str(entry.width), entry.unit, entry.description] for entry in entries],
+        )
+        for title, entries in (("input", interface.inputs), ("output", interface.outputs))
     )
-    header = "|---|---|---|---|"
     joints = ", ".join(manifest["robot"]["joints"])
     text = _filled(
         f"`{GRAPH_FILE}` takes readings in SI units, float32 with a batch as first axis, and returns joint targets. "
@@ -82,10 +84,7 @@ def _use(interface: PolicyInterface, manifest: Mapping[str, Any]) -> str:
         f"their stance, limits and gains. The graph's command approaches the requested one at a limited rate, as in "
         f"the code. Vectors are in the frame of the base: x forward, y left, z up."
     )
-    return (
-        f"{text}\n\n| input | columns | unit | |\n{header}\n{inputs}\n\n"
-        f"| output | columns | unit | |\n{header}\n{outputs}\n\n```python\n{example(interface)}```"
-    )
+    return f"{text}\n\n{inputs}\n\n{outputs}\n\n```python\n{example(interface)}```"
 
 
 def _check(trace: Mapping[str, Any]) -> str:
@@ -97,7 +96,7 @@ def _check(trace: Mapping[str, Any]) -> str:
 
 
 def example(interface: PolicyInterface) -> str:
-    """Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
+    """Return Python code that runs the graph with ONNX Runtime and NumPy alone, in the folder of the policy."""
     feedback = graph_io.FEEDBACK
     own = {entry.name: entry.width for entry in interface.inputs if entry.name in feedback}
     kept_inputs = {entry.name: entry.width for entry in interface.inputs if entry.name in (*feedback, graph_io.COMMAND)}
@@ -162,54 +161,47 @@ def _entry(manifest: Mapping[str, Any]) -> str:
 def _results(evaluation: Mapping[str, Any] | None) -> str:
     if evaluation is None:
         return "It was not evaluated before the export."
-    verdict = evaluation.get("verdict")
     parts = []
-    if isinstance(verdict, Mapping):
-        parts.append(verdict["headline"])
-    elif verdict:
-        parts.append(_verbatim(str(verdict)))
+    if verdict := evaluation.get("verdict"):
+        parts.append(verdict["headline"] if isinstance(verdict, Mapping) else f"```text\n{verdict}\n```")
     if (suite := evaluation.get("suite")) and "score" in suite:
         name = suite.get("suite", suite)
         quick = ", quick" if name.get("quick") else ""
-        parts.append(f"Score in the suite {name['name']} {name['version']}{quick}: {suite['score']['total']:.3f} of 1.")
-    if by_motion := _by_motion(evaluation):
-        parts.append(_metrics_table(by_motion))
+        score = suite["score"]["total"]
+        parts.append(f"Score in the suite {name['name']} {name['version']}{quick}: {score:.3f} of 1.")
+    if results := _by_motion(evaluation):
+        shown = [metric for metric in _SHOWN if any(metric in found for found in results.values())]
+        rows = [
+            [motion, *("-" if found.get(metric) is None else f"{found[metric]:.3g}" for metric in shown)]
+            for motion, found in results.items()
+        ]
+        parts.append(_table(["", *map(_SHOWN.__getitem__, shown)], rows))
     return "\n\n".join(parts)
 
 
-def _by_motion(evaluation: Mapping[str, Any] | None) -> Mapping[str, Mapping[str, Any]]:
-    """Motion -> metric -> number or estimate; empty without an evaluation."""
-    found = {} if evaluation is None else evaluation
-    return found.get("by_motion") or found.get("metrics") or {}
+def _by_motion(evaluation: Mapping[str, Any] | None) -> dict[str, dict[str, float | None]]:
+    """Return motion -> metric -> mean, None where it was not measured; empty without an evaluation."""
+    found = {} if evaluation is None else evaluation.get("by_motion") or evaluation.get("metrics") or {}
+    return {
+        motion: {metric: value["mean"] if isinstance(value, Mapping) else value for metric, value in values.items()}
+        for motion, values in found.items()
+    }
 
 
 def _learning(learning: Mapping[str, Any] | None) -> str:
-    """Section of the gain over the zero action; empty for a policy whose card has none."""
+    """Return the section of the gain over the zero action; empty for a policy whose card has none."""
     if learning is None:
         return ""
-    header, *rows = (f"| {' | '.join(row)} |" for row in (GAIN_HEADER, *gain_rows(learning)))
-    table = "\n".join([header, "|---" * len(GAIN_HEADER) + "|", *rows])
     text = _filled(
         f"Policy and zero action in its own task, over {learning['episodes']} episodes of {learning['seconds']:g} s: "
         f"{learning['verdict']}; {reward_in_words(learning)}. 95 % intervals are in brackets. {TABLE_NOTE}"
     )
-    return f"## What learning added\n\n{text}\n\n{table}"
+    return f"## What learning added\n\n{text}\n\n{_table(GAIN_HEADER, gain_rows(learning))}"
 
 
-def _metrics_table(by_motion: Mapping[str, Mapping[str, Any]]) -> str:
-    known = [name for name in _SHOWN if any(name in values for values in by_motion.values())]
-    lines = [f"| | {' | '.join(_SHOWN[name] for name in known)} |", "|---|" + "---|" * len(known)]
-    for motion, values in by_motion.items():
-        cells = []
-        for name in known:
-            mean = _mean(values.get(name))
-            cells.append("-" if mean is None else f"{mean:.3g}")
-        lines.append(f"| {motion} | {' | '.join(cells)} |")
-    return "\n".join(lines)
-
-
-def _verbatim(text: str) -> str:
-    return f"```text\n{text}\n```"
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return a table in Markdown."""
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in (head, ["---"] * len(head), *rows))
 
 
 def _files(files: Iterable[str]) -> str:
@@ -229,7 +221,7 @@ def _files(files: Iterable[str]) -> str:
         "robot.urdf": "the robot, for ROS and other simulators",
         "robot.xml": "the robot, for MuJoCo",
     }
-    return "\n".join(["| file | |", "|---|---|", *(f"| `{name}` | {meanings.get(name, '')} |" for name in files)])
+    return _table(["file", ""], [[f"`{name}`", meanings.get(name, "")] for name in files])
 
 
 def _filled(text: str) -> str:
@@ -240,24 +232,13 @@ def _item(text: str) -> str:
     return textwrap.fill(text, 120, initial_indent="- ", subsequent_indent="  ", break_on_hyphens=False)
 
 
-def _model_index(name: str, results: Mapping[str, Mapping[str, Any]], metrics: Iterable[str]) -> list[dict[str, Any]]:
-    """Results as a hub lists them with a model.
-
-    Args:
-        name: of the model.
-        results: motion -> metric -> number, or its estimate with a field `mean`; None where it was not measured.
-        metrics: those to list.
-    """
-    values = [(metric, motion, _mean(found.get(metric))) for motion, found in results.items() for metric in metrics]
+def _model_index(name: str, results: Mapping[str, Mapping[str, float | None]]) -> list[dict[str, Any]]:
+    """Return results (motion -> metric -> mean) as a hub lists them with a model."""
     listed = [
-        {"type": metric, "name": f"{metric.replace('_', ' ')}, {motion}", "value": value}
-        for metric, motion, value in values
-        if value is not None
+        {"type": metric, "name": f"{metric.replace('_', ' ')}, {motion}", "value": found[metric]}
+        for motion, found in results.items()
+        for metric in _SHOWN
+        if found.get(metric) is not None
     ]
     task = {"type": "reinforcement-learning", "name": "walking as commanded"}
     return [{"name": name, "results": [{"task": task, "dataset": {"name": ENV_ID, "type": ENV_ID}, "metrics": listed}]}]
-
-
-def _mean(value: Any) -> float | None:
-    """A metric's number: itself, or the mean of an estimate; None where it was not measured."""
-    return value["mean"] if isinstance(value, Mapping) else value

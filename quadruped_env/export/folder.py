@@ -22,7 +22,6 @@ from quadruped_env.export.manifest import (
     GRAPH_FILE,
     MANIFEST_FILE,
     PAGE_FILE,
-    RESULTS,
     manifest,
     metadata,
 )
@@ -122,7 +121,7 @@ def export_policy(
 
 
 def _published(document: Mapping[str, Any]) -> dict[str, Any]:
-    """A card, or results, whose command line names no directories."""
+    """Return a card, or results, whose command line names no directories."""
     commands = {name: str(document[name]) for name in ("command", "command_line") if document.get(name)}
     shown = {name: [shown_argument(one, names_only=True) for one in text.split()] for name, text in commands.items()}
     return {**document, **{name: " ".join(words) for name, words in shown.items()}}
@@ -148,13 +147,13 @@ def check_output(output: Path, overwrite: bool = False) -> None:
 
 
 def results_of(evaluated: EvaluatedPolicy) -> tuple[CardResults, dict[str, Any] | None]:
-    """Results on the card, and those of the evaluation in the policy's output directory, or of the card, or None.
+    """Return the results on the card, and the evaluation in the policy's output directory, else on the card, or None.
 
     Raises:
         QuadrupedError: if the file of the metrics is no JSON.
 
     Warns:
-        QuadrupedWarning: if results are those of another policy, or have another form; they are left out.
+        QuadrupedWarning: if results belong to another policy, or have another form; they are left out.
     """
     path, policy = evaluated.output / METRICS_FILE, evaluated.policy
     results = card_results(policy.card, policy.source)
@@ -170,7 +169,7 @@ def results_of(evaluated: EvaluatedPolicy) -> tuple[CardResults, dict[str, Any] 
                 return results, without_nan({**own, **known["controllers"]["policy"]})
             problem = "is the evaluation of another policy, so it is left out; evaluate this one to export its results"
             warnings.warn(f"{path}: {problem}", QuadrupedWarning, stacklevel=3)
-    return results, without_nan({name: results[name] for name in RESULTS if name in results}) or None
+    return results, without_nan({name: value for name, value in results.items() if name != "learning"}) or None
 
 
 def _is_export(folder: Path) -> bool:

@@ -47,7 +47,7 @@ class TraceField:
 
 
 def trace_fields(interface: PolicyInterface) -> list[TraceField]:
-    """Fields of a policy's trace in the order in which a loop computes them."""
+    """Return the fields of a policy's trace in the order in which a loop computes them."""
     given = [entry for entry in interface.inputs if entry.name not in (graph_io.COMMAND, *FEEDBACK)]
     state = [entry for entry in interface.inputs if entry not in given]
     for entry in state:
@@ -80,7 +80,7 @@ class Loop:
         }
 
     def begin(self, requested: NDArray[np.float32]) -> Arrays:
-        """The state (1, width) of the next step, whose command is nearer to the requested one (1, 2)."""
+        """Return the state (1, width) of the next step, whose command is nearer to the requested one (1, 2)."""
         if graph_io.COMMAND in self._state:
             command = self._state[graph_io.COMMAND]
             self._state[graph_io.COMMAND] = command + np.clip(requested - command, -self._change, self._change)
@@ -92,9 +92,9 @@ class Loop:
 
 
 def golden_trace(interface: PolicyInterface) -> Arrays:
-    """Values of all fields of a policy's trace by name (STEPS, width), by this package's own arithmetic.
+    """Return the values of all fields of a policy's trace by name (STEPS, width), by this package's own arithmetic.
 
-    The readings are those of the robot in the simulation of its task, on level ground and without randomization. It
+    The readings come from the simulation of the policy's task, on level ground and without randomization. It
     stands, walks, turns and walks backwards. Readings of the last `RANDOM_STEPS` are random and reach the bounds to
     which observations are clipped.
     """
@@ -135,21 +135,21 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
 
 
 def _requests(commands: Sequence[Any]) -> NDArray[np.float32]:
-    """Requested forward velocity and yaw rate of every step (STEPS, 2)."""
+    """Return the requested forward velocity and yaw rate of every step (STEPS, 2)."""
     low, high = np.array([entry.range for entry in commands[:VELOCITY]]).T
     parts = np.array([np.where(np.array(part) < 0.0, -low, high) * part for part in _REQUESTS])
     return np.repeat(parts, STEPS // len(parts), axis=0).astype(np.float32)
 
 
 def trace_document(interface: PolicyInterface) -> dict[str, Any]:
-    """The trace's part of the manifest."""
+    """Return the trace's part of the manifest."""
     return {
         "file": TRACE_FILE,
         "steps": STEPS,
         "meaning": "One line per control step, a header with the columns' names first. Feed the given fields to your "
         "loop, step by step, and let it keep the state itself: before the first step the command is idle, and the "
-        "other fields of the state are as in the first line. Then every field of the state and every result has to be "
-        f"that of the line. Readings of the last {RANDOM_STEPS} steps are random and reach the bounds",
+        "other fields of the state are as in the first line. Then every field of the state and every result has to "
+        f"equal the line. Readings of the last {RANDOM_STEPS} steps are random and reach the bounds",
         "columns": f"{STEP}, then the fields in their order: <name>_0 to <name>_<width - 1>",
         "largest_rates": list(interface.policy.control.command_rate),
         "timestep_s": interface.policy.control.timestep,
@@ -158,7 +158,7 @@ def trace_document(interface: PolicyInterface) -> dict[str, Any]:
 
 
 def csv_text(fields: Iterable[TraceField], values: Mapping[str, NDArray[np.float32]]) -> str:
-    """The trace as CSV: `step`, then the columns of the fields, float32 in the fewest digits that restore it."""
+    """Return the trace as CSV: `step`, then the columns of the fields, float32 in the fewest digits that restore it."""
     names = [column for field in fields for column in field.columns]
     table = np.concatenate([values[field.name] for field in fields], axis=1)
     lines = [",".join([STEP, *names])]

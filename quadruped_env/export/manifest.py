@@ -10,6 +10,7 @@ from quadruped_env.control.control_config import COMMAND_RATE_UNITS
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
 from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
+from quadruped_env.evaluation.results import CardResults
 from quadruped_env.export.golden_trace import trace_document
 from quadruped_env.export.onnx_graph import OPSET
 from quadruped_env.export.onnx_interface import HISTORY, LAST_ACTION, Input, PolicyInterface
@@ -23,9 +24,6 @@ PAGE_FILE: Final = "walk.html"
 CONTROLLERS_FILE: Final = "controllers.yaml"
 FORMAT: Final = "mini-quadruped policy"
 FORMAT_VERSION: Final = 1
-
-RESULTS: Final = ("metrics", "acceptance", "disturbed", "suite", "verdict")
-"""Fields of a shipped policy's card that are results, not training."""
 
 _FIRST_INPUTS: Final = {LAST_ACTION: 0.0, HISTORY: "NaN"}
 
@@ -43,13 +41,13 @@ def manifest(
     difference: float,
     learning: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """The manifest without its list of files.
+    """Return the manifest without its list of files.
 
     `difference` is the largest one between the graph on ONNX Runtime and the policy; `learning` is the gain over the
     zero action.
     """
     control = policy.control
-    facts = {key: value for key, value in policy.card.items() if key not in (*RESULTS, "learning")}
+    facts = {key: value for key, value in policy.card.items() if key not in CardResults.__optional_keys__}
     return {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
@@ -85,7 +83,7 @@ def manifest(
 
 
 def metadata(policy: Policy, interface: PolicyInterface) -> dict[str, str]:
-    """Entries of the graph's `metadata_props` under the names of mjlab's exporter, and `update_rate` of exploy's.
+    """Return the graph's `metadata_props` under the names of mjlab's exporter, and `update_rate` of exploy's.
 
     A list is one text with commas, one value per joint, observation or command.
     """
@@ -142,11 +140,11 @@ def _value(entry: Input) -> dict[str, Any]:
 
 
 def _observation(interface: PolicyInterface) -> dict[str, Any]:
-    """The graph's own arithmetic: for those who compute the observation themselves."""
+    """Return the graph's own arithmetic: for those who compute the observation themselves."""
     layout = interface.layout
     return {
         "formula": "clip((input - offset) * scale, low, high); the graph computes it",
-        "order": "fields of this step, then those of the history - 1 steps before, the latest first; before the first "
+        "order": "fields of this step, then of the history - 1 steps before, the latest first; before the first "
         "step, the first observation stands for them",
         "width": layout.width,
         "history": layout.history,
@@ -187,7 +185,7 @@ def _command(policy: Policy) -> dict[str, Any]:
 
 
 def _entry(policy: Policy, interface: PolicyInterface) -> dict[str, Any]:
-    """State in which the policy may start, the way to it, and reasons to stop; numbers of the live controller."""
+    """Return the state in which the policy may start, and reasons to stop; the numbers are the live controller's."""
     safety = Safety.of(policy.robot)
     own = {entry.name for entry in interface.inputs}
     return {

@@ -36,7 +36,7 @@ _OPERATORS: Final = {
 
 
 def policy_graph(interface: PolicyInterface, name: str, metadata: Mapping[str, str] | None = None) -> bytes:
-    """The graph of a policy as an ONNX file.
+    """Return the graph of a policy as an ONNX file.
 
     It takes every input of `PolicyInterface.inputs`, computes the observation from them (offset, scale, clipping, gait
     clock), the network's action, and the joint targets, to which in `residual` mode the scripted gait belongs.
@@ -53,7 +53,7 @@ def policy_graph(interface: PolicyInterface, name: str, metadata: Mapping[str, s
 
 
 def _clock(graph: "Graph", interface: PolicyInterface) -> tuple[str, str]:
-    """Sine and cosine of the phase, 0 where standing is commanded (N, 2), and the phase after this step (N, 1)."""
+    """Return sine and cosine of the phase, 0 where standing is commanded (N, 2), and the next phase (N, 1)."""
     if not interface.has_clock:
         return "", ""
     threshold = graph.constant(moving_threshold(interface.policy.robot))
@@ -67,7 +67,7 @@ def _clock(graph: "Graph", interface: PolicyInterface) -> tuple[str, str]:
 
 
 def _observation(graph: "Graph", interface: PolicyInterface, clock: str) -> str:
-    """Observation (N, width): each input minus its offset, scaled and clipped."""
+    """Return the observation (N, width): each input minus its offset, scaled and clipped."""
     layout = interface.layout
     columns = [clock if entry is observations.gait_clock else entry.name for entry in interface.policy.fields]
     readings = graph.add("Concat", *columns, axis=1)
@@ -77,7 +77,7 @@ def _observation(graph: "Graph", interface: PolicyInterface, clock: str) -> str:
 
 
 def _with_history(graph: "Graph", interface: PolicyInterface, present: str) -> str:
-    """Observation of this step and of those before (N, history * width)."""
+    """Return the observation of this step and of those before (N, history * width)."""
     width = interface.history_width
     if not width:
         return present
@@ -90,7 +90,7 @@ def _with_history(graph: "Graph", interface: PolicyInterface, present: str) -> s
 
 
 def _network(graph: "Graph", interface: PolicyInterface, observation: str) -> str:
-    """Action (N, J) in [-1, 1]."""
+    """Return the action (N, J) in [-1, 1]."""
     policy = interface.policy
     *inner, last = zip(policy.weights, policy.biases, strict=True)
     x = observation
@@ -103,7 +103,7 @@ def _network(graph: "Graph", interface: PolicyInterface, observation: str) -> st
 
 
 def _activation(graph: "Graph", name: str, x: str) -> str:
-    """An activation function, made of operators of `OPSET`: Gelu came with 20."""
+    """Return an activation function, made of operators of `OPSET`: Gelu came with 20."""
     if name == "silu":
         return graph.add("Mul", x, graph.add("Sigmoid", x))
     if name == "mish":
@@ -116,7 +116,7 @@ def _activation(graph: "Graph", name: str, x: str) -> str:
 
 
 def _joint_target(graph: "Graph", interface: PolicyInterface, action: str, phase: str) -> None:
-    """Joint targets (N, J): stance or scripted gait plus the scaled action, within the joints' ranges."""
+    """Return the joint targets (N, J): stance or scripted gait plus the scaled action, within the joints' ranges."""
     policy, robot = interface.policy, interface.policy.robot
     change = graph.add("Mul", action, graph.constant(policy.control.action.scale))
     nominal = graph.constant(robot.stance) if interface.gait is None else _gait(graph, interface, phase)
@@ -125,7 +125,7 @@ def _joint_target(graph: "Graph", interface: PolicyInterface, action: str, phase
 
 
 def _gait(graph: "Graph", interface: PolicyInterface, phase: str) -> str:
-    """Joint positions (N, J) of the scripted gait; see `CommandedGait.waves`."""
+    """Return the joint positions (N, J) of the scripted gait; see `CommandedGait.waves`."""
     gait = interface.gait
     assert gait is not None
     knots = np.array(gait.speeds)
@@ -181,7 +181,7 @@ class Graph:
 
     @classmethod
     def of(cls, interface: PolicyInterface) -> Self:
-        """The graph of a policy; see `policy_graph`."""
+        """Return the graph of a policy; see `policy_graph`."""
         graph = cls()
         clock, phase = _clock(graph, interface)
         observation = _with_history(graph, interface, _observation(graph, interface, clock))
@@ -190,7 +190,7 @@ class Graph:
 
     @classmethod
     def of_gait(cls, interface: PolicyInterface) -> Self:
-        """The graph of a `residual` policy without its actions: the joint targets of the scripted gait alone."""
+        """Return the graph of a `residual` policy without its actions: the joint targets of the scripted gait alone."""
         graph = cls()
         _, phase = _clock(graph, interface)
         _joint_target(graph, interface, graph.constant(np.zeros(interface.policy.robot.num_joints)), phase)
@@ -203,7 +203,7 @@ class Graph:
         return output
 
     def clipped(self, value: str, low: ArrayLike, high: ArrayLike, output: str = "") -> str:
-        """A value within bounds, which broadcast; NaN stays NaN."""
+        """Return a value within bounds, which broadcast; NaN stays NaN."""
         return self.add("Min", self.add("Max", value, self.constant(low)), self.constant(high), output=output)
 
     def constant(self, values: ArrayLike) -> str:
@@ -222,7 +222,7 @@ class Graph:
     def onnx(
         self, name: str, inputs: tuple[Input, ...], outputs: tuple[Input, ...], metadata: Mapping[str, str]
     ) -> bytes:
-        """The checked graph as a file. Raises a MissingExtraError if onnx is not installed."""
+        """Return the checked graph as a file. Raises a MissingExtraError if onnx is not installed."""
         try:
             import onnx
         except ImportError as error:

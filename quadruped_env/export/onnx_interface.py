@@ -6,7 +6,6 @@ from functools import cached_property
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control import observations
 from quadruped_env.control.observations import Field, ObservationLayout
@@ -14,8 +13,7 @@ from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait, joint_phases
 from quadruped_env.policies.policy import Policy
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 COMMAND: Final = "command"
 GAIT_PHASE: Final = "gait_phase"
@@ -142,7 +140,7 @@ class PolicyInterface:
         return tuple(found)
 
     def offset(self, entry: Field) -> Floats:
-        """Subtracted from the input of a field before it is scaled, in its unit (width,)."""
+        """Return what is subtracted from the input of a field before it is scaled, in its unit (width,)."""
         if entry is observations.joint_position:
             return self.policy.robot.stance
         return np.zeros(entry.width(self.policy.robot))

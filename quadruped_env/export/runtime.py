@@ -23,7 +23,7 @@ _REACH: Final = 1.25
 
 
 def session_of(content: bytes) -> Any:
-    """ONNX Runtime with a graph, on the processor and with one thread; a MissingExtraError if it is not installed."""
+    """Return ONNX Runtime with a graph, on one thread of the processor; a MissingExtraError if it is not installed."""
     try:
         import onnxruntime
     except ImportError as error:
@@ -34,13 +34,13 @@ def session_of(content: bytes) -> Any:
 
 
 def run(session: Any, inputs: Arrays) -> Arrays:
-    """Outputs of a graph by name."""
+    """Return the outputs of a graph by name."""
     names = [output.name for output in session.get_outputs()]
     return dict(zip(names, session.run(names, inputs), strict=True))
 
 
 def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Arrays:
-    """Random inputs (N, width): readings within and beyond the range that is clipped, commands, and phases.
+    """Return random inputs (N, width): readings within and beyond the range that is clipped, commands, and phases.
 
     A tenth of the commands stand still, and a tenth of the histories is empty.
     """
@@ -68,7 +68,7 @@ def random_inputs(interface: PolicyInterface, samples: int, seed: int = 0) -> Ar
 
 
 def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
-    """Outputs, and the observation of one step, by this package's own scaling, network and action interface."""
+    """Return the outputs and the observation of one step, by this package's scaling, network and action interface."""
     policy, layout = interface.policy, interface.layout
     samples = len(next(iter(inputs.values())))
     everything = np.arange(samples)
@@ -102,7 +102,7 @@ def expected_outputs(interface: PolicyInterface, inputs: Arrays) -> Arrays:
 
 
 def difference(name: str, found: NDArray[Any], expected: NDArray[Any]) -> NDArray[np.float64]:
-    """Absolute differences between values of an input or output; a phase just below a whole turn is next to 0."""
+    """Return the absolute differences between values of an input or output; a phase near a whole turn is next to 0."""
     size = np.abs(found.astype(np.float64) - expected)
     return (
         np.minimum(size, np.abs(math.tau - size)) if name in (graph_io.GAIT_PHASE, graph_io.NEXT_GAIT_PHASE) else size
@@ -110,9 +110,9 @@ def difference(name: str, found: NDArray[Any], expected: NDArray[Any]) -> NDArra
 
 
 def largest_difference(interface: PolicyInterface, content: bytes, samples: int = SAMPLES) -> float:
-    """Largest difference between a graph on ONNX Runtime and the policy, over random inputs.
+    """Return the largest difference between a graph on ONNX Runtime and the policy, over random inputs.
 
-    It is that of any action or joint target, in their units, or of the clock's phase, rad.
+    It is the difference of any action or joint target, in their units, or of the clock's phase, rad.
 
     Raises:
         MissingExtraError: if ONNX Runtime is not installed.

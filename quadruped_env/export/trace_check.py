@@ -63,7 +63,7 @@ class ExportedTrace:
 
     @classmethod
     def load(cls, folder: Path) -> Self:
-        """The trace of an export.
+        """Return the trace of an export.
 
         Raises:
             QuadrupedError: if the folder holds no export, or its manifest or trace is damaged.
@@ -144,7 +144,7 @@ class ExportedTrace:
 
 
 def read_columns(path: Path, expected: Sequence[str] = ()) -> dict[str, NDArray[np.float64]]:
-    """Columns of a CSV file of numbers by name.
+    """Return the columns of a CSV file of numbers by name.
 
     Args:
         path: the file.

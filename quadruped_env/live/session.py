@@ -117,7 +117,7 @@ class Session:
 
     Args:
         name: the node's name.
-        arguments: parsed arguments, including those of `add_common_arguments`, and perhaps `realtime` and `seconds`.
+        arguments: parsed arguments, including `add_common_arguments`, and perhaps `realtime` and `seconds`.
         log: text stream for the log; by default standard error.
 
     Raises:

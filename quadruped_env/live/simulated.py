@@ -40,7 +40,8 @@ class SimulatedRobot:
         self._simulation = SingleSimulation(build_model(TIMESTEP, terrain=terrain, robot=robot), robot)
         self.state = self._simulation.readings
         self._generator = np.random.default_rng(seed)
-        self._target = robot.stance.copy()
+        self.target = robot.stance.copy()
+        """Joint targets, within the joints' range, rad (J,)."""
         self._servo_errors = robot.motors.servo_errors(robot.joint_kinds)
         self._play = robot.stance[None].copy()
         self.limp = False
@@ -64,7 +65,7 @@ class SimulatedRobot:
             qpos: base position in m, base quaternion wxyz, and joint positions in rad (7 + J,).
         """
         self._simulation.reset(_ROW, qpos[None], np.zeros((1, self.robot.num_velocities)))
-        self._target = qpos[7:].copy()
+        self.target = qpos[7:].copy()
         self._play[:] = qpos[7:]
         self._commanded_for = None
         self.limp = False
@@ -75,7 +76,7 @@ class SimulatedRobot:
         if target is LIMP:
             self.limp = True
             return
-        self._target = np.clip(target, self.robot.joint_position_low, self.robot.joint_position_high)
+        self.target = np.clip(target, self.robot.joint_position_low, self.robot.joint_position_high)
         self.limp = False
 
     def pick_up(self) -> None:
@@ -109,7 +110,7 @@ class SimulatedRobot:
         if self.limp:
             self._play[:] = position
         # With its own position as target, a position servo applies only its damping.
-        pursued = position if self.limp else servo_target(self._target, position, self._play, *self._servo_errors)
+        pursued = position if self.limp else servo_target(self.target, position, self._play, *self._servo_errors)
         self._simulation.step(pursued, 1)
         return watchdog_tripped
 

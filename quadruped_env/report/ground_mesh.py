@@ -23,13 +23,13 @@ _FADED: Final = 60.0
 
 
 def linear(colours: ArrayLike) -> NDArray[np.float64]:
-    """Linear values of sRGB values, all in 0 to 1: glTF expects linear colours of a mesh; source: IEC 61966-2-1."""
+    """Return linear values of sRGB values, all in 0 to 1, which glTF expects of a mesh; source: IEC 61966-2-1."""
     srgb = np.asarray(colours, dtype=np.float64)
     return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
 
 
 def scene_rgb(colour: str) -> tuple[int, int, int]:
-    """Colour `#rrggbb` for a mesh, an arrow or a line of viser's scene, which shows linear values in 0 to 255."""
+    """Return the colour `#rrggbb` as linear values in 0 to 255, for a mesh, an arrow or a line of viser's scene."""
     red, green, blue = (255.0 * linear(np.array(rgb(colour)) / 255.0)).round().astype(int).tolist()
     return red, green, blue
 
@@ -38,13 +38,13 @@ _COLOURS: Final = np.array([[*scene_rgb(colour), 255] for colour in FLOOR], np.u
 
 
 def use_film_colours(model: mujoco.MjModel) -> None:
-    """Change a model's colours, which mjviser passes on as linear ones, so that the browser shows those of films."""
+    """Change a model's colours, which mjviser passes on as linear ones, so that the browser shows them as in films."""
     for colours in (model.mat_rgba, model.geom_rgba):
         colours[:, :3] = linear(colours[:, :3])
 
 
 def robot_scene(server: Any, model: mujoco.MjModel) -> Any:
-    """Mjviser's scene of a model, which is modified, with the light and the colours of films and without uneven ground.
+    """Return mjviser's scene of a model, which is modified: the light and colours of films, no uneven ground.
 
     Uneven ground is drawn by `ground_mesh`: mjviser would draw a height field again with every robot.
     """
@@ -62,12 +62,12 @@ def robot_scene(server: Any, model: mujoco.MjModel) -> Any:
 
 
 def floor_plane(model: mujoco.MjModel) -> Any:
-    """The plane of a model that is drawn as the floor: the ground, or what surrounds uneven ground."""
+    """Return the plane of a model that is drawn as the floor: the ground, or what surrounds uneven ground."""
     return model.geom(GROUND if HeightField.of(model) is None else SURROUNDINGS)
 
 
 def floor_mesh() -> "trimesh.Trimesh":
-    """A flat floor at height 0 with a pattern of squares around the origin, which fades into the sky."""
+    """Return a flat floor at height 0 with a pattern of squares around the origin, which fades into the sky."""
     import trimesh
 
     count = 2 * _HALF_SQUARES
@@ -93,20 +93,20 @@ def floor_mesh() -> "trimesh.Trimesh":
 
 
 def add_floor(server: Any, plane: str, height: float) -> None:
-    """Draw the flat floor at a height, m, in viser's scene, in place of the grid that mjviser draws for a plane."""
+    """Draw the flat floor at a height, m, in viser's scene; it replaces the grid that mjviser draws for a plane."""
     name, position = f"/fixed_bodies/world/{plane}", (0.0, 0.0, height)
     server.scene.add_mesh_trimesh(name, floor_mesh(), position=position, cast_shadow=False, receive_shadow=0.25)
 
 
 def floor_offset(shift: NDArray[np.floating[Any]]) -> NDArray[np.floating[Any]]:
-    """A displacement (..., 2) of the floor, m, less whole periods of its pattern: it looks the same and has no end."""
+    """Return a displacement (..., 2) of the floor, m, less whole periods of its pattern: it looks the same."""
     return shift - FLOOR_PERIOD * np.round(shift / FLOOR_PERIOD)
 
 
 def ground_mesh(
     field: HeightField, around: NDArray[np.floating] | None = None, margin: float = 3.0
 ) -> "trimesh.Trimesh":
-    """The ground as a mesh in the world frame, with a pattern of squares; within a margin, m, of positions (N, 2)."""
+    """Return the ground as a mesh in the world frame with squares, within a margin, m, of positions (N, 2)."""
     import trimesh
 
     points = field.points(around, margin)
@@ -126,7 +126,7 @@ def ground_mesh(
 
 
 def _rise(points: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Steepest rise from each point of a grid (..., 3) to a neighbour along x or y, as a slope; 0 on level ground."""
+    """Return the steepest rise from each point of a grid (..., 3) to a neighbour, as a slope; 0 on level ground."""
     height = np.pad(points[..., 2], 1, mode="edge")
     highest = np.max([height[:-2, 1:-1], height[2:, 1:-1], height[1:-1, :-2], height[1:-1, 2:]], axis=0)
     return np.maximum(highest - points[..., 2], 0.0) / (points[0, 1, 0] - points[0, 0, 0])

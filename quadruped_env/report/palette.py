@@ -42,13 +42,13 @@ LIMIT: Final = "#CC0033"
 
 
 def rgb(colour: str) -> tuple[int, int, int]:
-    """`#rrggbb` as three numbers in 0 to 255."""
+    """Return `#rrggbb` as three numbers in 0 to 255."""
     red, green, blue = bytes.fromhex(colour.removeprefix("#"))
     return red, green, blue
 
 
 def leg_colours(robot: Robot) -> dict[str, str]:
-    """Colour of each leg by name, in the order of the legs; legs without a counterpart are grey."""
+    """Return the colour of each leg by name, in the order of the legs; legs without a counterpart are grey."""
     colours = dict.fromkeys(robot.leg_names, GREY)
     pairs = [(leg, other) for leg, other in enumerate(robot.foot_mirror) if robot.left_legs[leg] and leg != other]
     # Front legs first, so that the order of the legs does not matter. With more pairs than colours, colours repeat.

@@ -277,7 +277,7 @@ class Task:
         reward = np.add.reduce(terms, axis=0) if self.num_envs > 1 else np.add.accumulate(terms, axis=0)[-1]
         if self._own_terms and not np.isfinite(reward).all():
             self._refuse_reward(terms)
-        self._resample_commands(running)
+        self._randomizer.resample_commands(self._fixed, running)
         self.control.approach_requested()
         self._randomizer.within_episodes(running)
         if restart is not None:
@@ -375,11 +375,3 @@ class Task:
             f"reward {self.term_names[term]}: {terms[term, env_id]} in env {env_id}, step {self.steps[env_id]}; return "
             f"finite numbers"
         )
-
-    def _resample_commands(self, running: EnvIds | None) -> None:
-        due = (self.control.steps >= self._randomizer.command_due) & ~self._fixed
-        if np.count_nonzero(due):
-            env_ids = np.flatnonzero(due)
-            if running is not None:
-                env_ids = np.intersect1d(env_ids, running)
-            self.control.set_command(env_ids, self._randomizer.next_command(env_ids))

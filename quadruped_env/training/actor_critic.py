@@ -48,7 +48,7 @@ class Projection(NamedTuple):
     """Half of the sign of the mirror image, of the values' shape"""
 
     def __call__(self, values: torch.Tensor) -> torch.Tensor:
-        """Projected values, of the same shape."""
+        """Return projected values, of the same shape."""
         return torch.take(values, self.order).mul_(self.half).add_(values, alpha=0.5)
 
 
@@ -57,7 +57,7 @@ Tied = tuple[torch.nn.Parameter, Projection]
 
 
 def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection:
-    """Projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
+    """Return the projection of a layer's weights (out, in) or biases (out,) on those that commute with the mirror.
 
     Projected gradients keep weights projected, because the two entries of a pair take the same steps, up to their sign.
     """
@@ -70,7 +70,7 @@ def _projection(outputs: Mirrored, inputs: Mirrored | None = None) -> Projection
 
 
 def _tied(layer: torch.nn.Linear, inputs: Mirrored, outputs: Mirrored) -> list[Tied]:
-    """Parameters of a layer whose output is the mirror image when its input is."""
+    """Return parameters of a layer whose output is the mirror image when its input is."""
     return [(layer.weight, _projection(outputs, inputs)), (layer.bias, _projection(outputs))]
 
 
@@ -162,7 +162,7 @@ def _observations(mirror: MirrorMap) -> Mirrored:
 
 
 def mirrors(env: MiniQuadrupedSB3VecEnv) -> tuple[MirrorMap, MirrorMap]:
-    """Mirror of an env's observations and actions, and the same with its privileged readings."""
+    """Return the mirror of an env's observations and actions, and the same with its privileged readings."""
     own = MirrorMap.of(env.task.control.layout)
     if env.privileged is None:
         return own, own

@@ -61,7 +61,7 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
 
 
 def with_recipe(given: Mapping[str, Any], robot: Robot, whole: Iterable[str] = ()) -> TrainConfig:
-    """The settings of a training: what the user gave, then the recipe, then the algorithm.
+    """Return the settings of a training: what the user gave, then the recipe, then the algorithm.
 
     All numbers of the recipe's task follow the robot's size by their units.
 

@@ -167,7 +167,7 @@ def _check_privileged(recorded: list[str], definition: TaskDefinition) -> None:
 
 
 def _read_config(path: Path, definition: TaskDefinition) -> tuple[TrainConfig, _Used]:
-    """The training of a run's config.json with its whole task, and the steps and seconds at which it began."""
+    """Return the training of a run's config.json with its whole task, and the steps and seconds at which it began."""
     document = fitted(read_json(path, _NEW), _StoredRun, str(path), _NEW)
     training, task = document["training"], document["task"]
     for name, valid in _REMOVED.items():

@@ -129,7 +129,7 @@ def check_latest(parent: Path) -> None:
 
 
 def run_name(directory: Path) -> str:
-    """Name of a run in messages: its directory, or `<run>/checkpoints/<checkpoint>`."""
+    """Return the name of a run in messages: its directory, or `<run>/checkpoints/<checkpoint>`."""
     directory = directory.resolve()
     # A checkpoint's own name does not say whose it is.
     return "/".join(directory.parts[-3 if directory.parent.name == CHECKPOINTS else -1 :])

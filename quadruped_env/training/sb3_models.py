@@ -82,7 +82,7 @@ def _check_finite(value: Any, place: str = "") -> None:
 
 
 def algorithm_class(name: str) -> Any:
-    """Class of an algorithm of `ALGORITHMS`.
+    """Return the class of an algorithm of `ALGORITHMS`.
 
     Raises:
         MissingExtraError: if it is in sb3-contrib, which is not installed.

@@ -51,7 +51,7 @@ class Schedule:
         return final + (first - final) * self.left
 
     def __call__(self, progress_remaining: float = 0.0) -> float:
-        """The learning rate."""
+        """Return the learning rate."""
         return self._learning_rate * (_FINAL_LEARNING_RATE + (1.0 - _FINAL_LEARNING_RATE) * self.left)
 
 

@@ -28,7 +28,7 @@ class ObservationColumns(BaseFeaturesExtractor):
 
 @functools.cache
 def squashed_policy(module: ModuleType, name: str) -> type[Any]:
-    """Subclass of an off-policy algorithm's policy, with the arguments `actor_width` and `mirror`.
+    """Return a subclass of an off-policy algorithm's policy, with the arguments `actor_width` and `mirror`.
 
     Args:
         module: module of the policy and its class `Actor`.
@@ -55,7 +55,7 @@ def squashed_policy(module: ModuleType, name: str) -> type[Any]:
             return {**super()._get_constructor_parameters(), **own}
 
         def make_actor(self, features_extractor: BaseFeaturesExtractor | None = None) -> Any:
-            """The actor, with its own columns."""
+            """Return the actor, with its own columns."""
             columns = ObservationColumns(self.observation_space, self.actor_width)
             if self.mirror is None:
                 return super().make_actor(columns)
@@ -67,7 +67,7 @@ def squashed_policy(module: ModuleType, name: str) -> type[Any]:
 
 @functools.cache
 def _symmetric(base: Any) -> type[Any]:
-    """A symmetric subclass of an actor: before tanh, f(x) and mirror(f(mirror(x))), averaged."""
+    """Return a symmetric subclass of an actor: before tanh, f(x) and mirror(f(mirror(x))), averaged."""
 
     class SymmetricActor(base):
         """SB3's actor, left/right symmetric."""
@@ -83,12 +83,12 @@ def _symmetric(base: Any) -> type[Any]:
                 self.register_buffer(name, torch.as_tensor(values), persistent=False)
 
         def _both(self, observation: torch.Tensor) -> torch.Tensor:
-            """Features of the observations and of their mirror images, (2 N, width)."""
+            """Return features of the observations and of their mirror images, (2 N, width)."""
             features = self.extract_features(observation, self.features_extractor)
             return torch.cat([features, features.index_select(-1, self.order) * self.sign])
 
         def _mean(self, both: torch.Tensor) -> torch.Tensor:
-            """Mean (N, J) of the actions of both sides (2 N, J)."""
+            """Return the mean (N, J) of the actions of both sides (2 N, J)."""
             one, other = both.chunk(2)
             return 0.5 * (one + other.index_select(-1, self.action_order) * self.action_sign)
 

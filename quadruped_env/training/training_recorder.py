@@ -177,7 +177,7 @@ class Recorder(Scheduled):
                 (part / name).write_bytes(content)
 
     def _files(self, ending: Mapping[str, Any] = NO_FIELDS) -> dict[str, bytes]:
-        """Name -> content; the policy's card, which marks a directory as complete, is the last."""
+        """Return name -> content of the files; the policy's card, which marks a directory as complete, is the last."""
         archive = io.BytesIO()
         self.model.save(archive)
         return {RESUME_FILE: archive.getvalue(), **self._policy(ending).files()}

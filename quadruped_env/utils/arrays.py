@@ -14,6 +14,6 @@ EnvIds = NDArray[np.intp]
 
 
 def frozen(values: NDArray[Any]) -> NDArray[Any]:
-    """The same array, read-only from now on: a constant."""
+    """Return the same array, read-only from now on: a constant."""
     values.setflags(write=False)
     return values

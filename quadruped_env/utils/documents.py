@@ -48,7 +48,7 @@ def check_regular(path: Path, fix: str) -> None:
 
 
 def read_json(path: Path, fix: str = "name a JSON file") -> Any:
-    """The document in a JSON file.
+    """Return the document in a JSON file.
 
     Args:
         path: of the file.
@@ -61,12 +61,12 @@ def read_json(path: Path, fix: str = "name a JSON file") -> Any:
 
 
 def parse_json(text: str, where: str, fix: str = "fix it") -> Any:
-    """The document in JSON text; `where` names it in errors. As `read_json`."""
+    """Return the document in JSON text; `where` names it in errors. As `read_json`."""
     return _parsed(json.loads, text, where, "JSON", fix)
 
 
 def read_toml(path: Path, fix: str = "fix it, or name another file") -> dict[str, Any]:
-    """The document in a TOML file; as `read_json`."""
+    """Return the document in a TOML file; as `read_json`."""
     document: dict[str, Any] = _parsed(tomllib.loads, _text(path, "TOML", fix), str(path), "TOML", fix)
     return document
 

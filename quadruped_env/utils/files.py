@@ -25,7 +25,7 @@ _NAME_SHOWN: Final = 50
 
 @contextmanager
 def whole(path: Path) -> Iterator[Path]:
-    """A path to create a file or a directory at, which becomes `path` when the context ends without an error.
+    """Yield a path to create a file or a directory at, which becomes `path` when the context ends without an error.
 
     It has the last name of `path`, lies on the same file system and does not exist yet. Missing parents of `path` are
     made. A file replaces a file in one step; a directory replaces whatever is at `path`. A symbolic link stays, and
@@ -70,7 +70,7 @@ def write_json(path: Path, document: dict[str, Any]) -> None:
 
 
 def free_path(path: Path) -> Path:
-    """The path itself, or the first of `<name>-2`, `<name>-3`, ... that neither exists nor is being written."""
+    """Return the path itself, or the first of `<name>-2`, `<name>-3`, ... that neither exists nor is being written."""
     number = 1
     free = path
     while free.exists() or free.with_name(free.name + PART).exists():
@@ -91,7 +91,7 @@ def check_free(paths: Iterable[Path], overwrite: bool) -> None:
 
 
 def shown_path(path: Path) -> str:
-    """A path without the directories of this machine, to show to others.
+    """Return a path without the directories of this machine, to show to others.
 
     Relative to the working directory; of a path that lies elsewhere, its name and its directory's name.
     """
@@ -105,7 +105,7 @@ def shown_path(path: Path) -> str:
 
 
 def shown_argument(text: str, names_only: bool = False) -> str:
-    """An argument of a command line, without the directories of this machine, as it is recorded.
+    """Return an argument of a command line, without the directories of this machine, as it is recorded.
 
     An absolute path is shown relative to the working directory; one that lies elsewhere, by its name.
 

@@ -44,6 +44,6 @@ def install_command(extra: str) -> str:
 
 
 def _from_here(path: Path) -> str:
-    """A path from the working directory on where it is below it, and as it is elsewhere."""
+    """Return a path from the working directory on where it is below it, and as it is elsewhere."""
     relative = os.path.relpath(path, Path.cwd())
     return str(path) if relative.startswith("..") else relative

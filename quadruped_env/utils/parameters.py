@@ -16,7 +16,7 @@ SMALLEST: Final = 1e-9
 
 
 def is_quantity(value: Any, low: float = -LARGEST, high: float = LARGEST) -> bool:
-    """True if a value is an int or float between two bounds, and not a bool."""
+    """Return True if a value is an int or float between two bounds, and not a bool."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and low <= value <= high
 
 
@@ -32,20 +32,20 @@ class Parameter:
 
     @classmethod
     def positive(cls, unit: str = "1") -> "Parameter":
-        """Parameter whose values must be greater than 0."""
+        """Return a parameter whose values must be greater than 0."""
         return cls(unit, 0.0, exclusive=True)
 
     def scaled(self, factor: float) -> "Parameter":
-        """A copy with the limits times a factor."""
+        """Return a copy with the limits times a factor."""
         low, high = (bound if abs(bound) == LARGEST else bound * factor for bound in (self.low, self.high))
         return replace(self, low=low, high=high)
 
     def accepts(self, value: float) -> bool:
-        """True if a number is valid."""
+        """Return True if a number is valid."""
         return self.low + (SMALLEST if self.exclusive else 0.0) <= value <= self.high
 
     def rule(self) -> str:
-        """Valid values as text, for error messages."""
+        """Return valid values as text, for error messages."""
         unit = "" if self.unit == "1" else f" ({self.unit})"
         if self.high < LARGEST:
             high = "pi" if self.high == math.pi else f"{self.high:g}"
@@ -58,7 +58,7 @@ class Parameter:
 
 
 def parameters_of(function: Callable[..., Any]) -> dict[str, tuple[Parameter, float]]:
-    """Parameters of a function or class: its arguments after the first, which need a number as default.
+    """Return parameters of a function or class: its arguments after the first, which need a number as default.
 
     Raises:
         QuadrupedError: if such an argument has no default, or a default that is not a number.
@@ -85,5 +85,5 @@ def stay_importable(function: Callable[..., Any]) -> None:
 
 
 def described(function: Callable[..., Any]) -> str:
-    """First line of a docstring."""
+    """Return the first line of a docstring."""
     return (function.__doc__ or "").strip().partition("\n")[0]

@@ -15,7 +15,7 @@ _PLAIN: Final = frozenset({float, int, str, bool, type(None)})
 
 
 def plain(value: Any) -> Any:
-    """The same value as JSON takes it.
+    """Return the same value as JSON takes it.
 
     NumPy scalars become Python's numbers, arrays, tuples and lists become lists, enums their values, dataclasses dicts.
     Everything else stays as it is.
@@ -36,7 +36,7 @@ def plain(value: Any) -> Any:
 
 
 def whole_number(name: str, value: Any, low: int, or_none: bool = False) -> int:
-    """A value as a Python int.
+    """Return a value as a Python int.
 
     Args:
         name: the argument's name, for the error.

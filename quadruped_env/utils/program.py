@@ -26,7 +26,7 @@ STOPPING: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 def stopped_status(number: int = signal.SIGINT) -> int:
-    """Exit status after a signal, as shells have it: 130 after Ctrl-C, 143 after SIGTERM."""
+    """Return the exit status after a signal, as shells have it: 130 after Ctrl-C, 143 after SIGTERM."""
     return 128 + number
 
 

@@ -25,12 +25,12 @@ class TaskFile:
     """The file's bytes, which a run keeps; empty if only its name and hash are known."""
 
     def to_dict(self) -> dict[str, str]:
-        """Plain values, as stored in configs and results."""
+        """Return plain values, as stored in configs and results."""
         return {"name": self.name, "sha256": self.sha256}
 
 
 def circumstances(command_line: str) -> dict[str, Any]:
-    """Where a document comes from: command line, time, machine, versions and commit."""
+    """Return where a document comes from: command line, time, machine, versions and commit."""
     return {
         "command_line": command_line,
         "time": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
@@ -41,7 +41,7 @@ def circumstances(command_line: str) -> dict[str, Any]:
 
 
 def versions() -> dict[str, str]:
-    """Versions of Python and of the libraries that the numbers depend on, or 'not installed'."""
+    """Return versions of Python and of the libraries that the numbers depend on, or 'not installed'."""
     found = {"python": platform.python_version()}
     for library in _LIBRARIES:
         try:
@@ -60,7 +60,7 @@ def package_hash(*files: Path) -> str:
 
 
 def machine() -> str:
-    """The processor, the number of cores that this process may use, and the operating system."""
+    """Return the processor, the number of cores that this process may use, and the operating system."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
@@ -76,7 +76,7 @@ def cores() -> int:
 
 
 def git_commit() -> str:
-    """The checkout's commit, marked `-dirty` where files differ from it; 'unknown' outside a checkout.
+    """Return the checkout's commit, marked `-dirty` where files differ from it; 'unknown' outside a checkout.
 
     An installed package may lie within another repository, whose commit says nothing about it.
     """

@@ -11,19 +11,19 @@ Floats = NDArray[np.float64]
 
 
 def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
-    """Quaternions (..., 4) of rotations by angles (...) in rad about unit axes (3,) or (..., 3)."""
+    """Return quaternions (..., 4) of rotations by angles (...) in rad about unit axes (3,) or (..., 3)."""
     half = 0.5 * _floats(angle)[..., None]
     xyz = np.sin(half) * _floats(axis)
     return np.concatenate([np.broadcast_to(np.cos(half), (*xyz.shape[:-1], 1)), xyz], axis=-1)
 
 
 def from_yaw(angle: ArrayLike) -> Floats:
-    """Quaternions (..., 4) of rotations by angles (...) in rad about the vertical."""
+    """Return quaternions (..., 4) of rotations by angles (...) in rad about the vertical."""
     return from_axis_angle([0.0, 0.0, 1.0], angle)
 
 
 def from_roll_pitch_yaw(angles: ArrayLike) -> Floats:
-    """Quaternions (..., 4) of roll, pitch and yaw (..., 3) in rad, as in a URDF.
+    """Return quaternions (..., 4) of roll, pitch and yaw (..., 3) in rad, as in a URDF.
 
     Roll about the fixed x axis, then pitch about the fixed y axis, then yaw about the fixed z axis.
     """
@@ -39,7 +39,7 @@ def from_roll_pitch_yaw(angles: ArrayLike) -> Floats:
 
 
 def multiply(first: ArrayLike, second: ArrayLike) -> Floats:
-    """Products (..., 4): the rotation by `second` (..., 4), and after it the one by `first` (..., 4)."""
+    """Return products (..., 4): the rotation by `second` (..., 4), and after it the one by `first` (..., 4)."""
     a, b, c, d = _components(first)
     w, x, y, z = _components(second)
     return np.stack(
@@ -54,12 +54,12 @@ def multiply(first: ArrayLike, second: ArrayLike) -> Floats:
 
 
 def inverse(rotation: ArrayLike) -> Floats:
-    """Inverse rotations (..., 4)."""
+    """Return inverse rotations (..., 4)."""
     return _floats(rotation) * [1.0, -1.0, -1.0, -1.0]
 
 
 def rotate(rotation: ArrayLike, vector: ArrayLike) -> Floats:
-    """Vectors (..., 3) rotated by quaternions (..., 4); by an orientation: from body to world."""
+    """Return vectors (..., 3) rotated by quaternions (..., 4); by an orientation: from body to world."""
     quaternion, v = _floats(rotation), _floats(vector)
     w, axis = quaternion[..., :1], quaternion[..., 1:]
     turned = 2.0 * np.cross(axis, v)
@@ -72,7 +72,7 @@ def rotate_inverse(rotation: ArrayLike, vector: ArrayLike) -> Floats:
 
 
 def up_in_body(orientation: ArrayLike) -> Floats:
-    """The world's up direction in the body frame (..., 3), for orientations (..., 4)."""
+    """Return the world's up direction in the body frame (..., 3), for orientations (..., 4)."""
     w, x, y, z = _components(orientation)
     return np.stack([2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)], axis=-1)
 
@@ -84,7 +84,7 @@ def yaw(orientation: ArrayLike) -> Floats:
 
 
 def tilt(orientation: ArrayLike) -> Floats:
-    """Angle between the body's and the world's up direction, rad in [0, pi], shape (...)."""
+    """Return the angle between the body's and the world's up direction, rad in [0, pi], shape (...)."""
     up = up_in_body(orientation)
     return np.arctan2(np.hypot(up[..., 0], up[..., 1]), up[..., 2])
 
@@ -94,6 +94,6 @@ def _floats(values: ArrayLike) -> Floats:
 
 
 def _components(rotation: ArrayLike) -> Floats:
-    """The components w, x, y, z (4, ...) of quaternions (..., 4), or of other vectors."""
+    """Return the components w, x, y, z (4, ...) of quaternions (..., 4), or of other vectors."""
     values = _floats(rotation)
     return values.transpose(-1, *range(values.ndim - 1))

@@ -16,13 +16,13 @@ class Table(NamedTuple):
     note: str = ""
 
     def text(self) -> str:
-        """The table as plain text, between its title and its note."""
+        """Return the table as plain text, between its title and its note."""
         note = [self.note] if self.note else []
         return "\n".join([self.title, text_table([self.head, *self.rows]), *note])
 
 
 def text_table(rows: Sequence[Sequence[str]], left: int = 1) -> str:
-    """Lines of cells, two blanks apart: the first `left` columns are left-aligned, the others right-aligned."""
+    """Return lines of cells, two blanks apart: the first `left` columns are left-aligned, the others right-aligned."""
     rows = [[escaped(cell) for cell in row] for row in rows]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = (

@@ -81,7 +81,7 @@ class AccessRules:
 
 
 def page_address(host: str, port: int) -> str:
-    """The page's URL for a browser on this machine; for a server on all addresses, the loopback address."""
+    """Return the page's URL for a browser on this machine; for a server on all addresses, the loopback address."""
     address = _address(host)
     if address is not None and address.is_unspecified:
         host = "127.0.0.1" if address.version == 4 else "::1"

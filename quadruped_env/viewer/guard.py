@@ -36,7 +36,7 @@ _HEADERS: Final = {
 
 @contextmanager
 def guarded(host: str, allowed: Sequence[str] = ()) -> Iterator[None]:
-    """A context in which a server that viser starts on a host is guarded; arguments as of `AccessRules`.
+    """Return a context in which a server that viser starts on a host is guarded; arguments as of `AccessRules`.
 
     Raises:
         QuadrupedError: if viser did not start its server through `websockets.asyncio.server.serve`.

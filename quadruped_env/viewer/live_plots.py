@@ -57,7 +57,7 @@ class Plots:
 
     @staticmethod
     def _add_kind(server: "viser.ViserServer", robot: Robot, kind: str) -> tuple["_Chart", Any, tuple[float, float]]:
-        """A chart of the positions of the joints of a kind, its joints, and the outermost of their limits."""
+        """Return a chart of the positions of the joints of a kind, its joints, and the outermost of their limits."""
         joints = robot.joints_by_kind[kind]
         limits = float(robot.joint_position_low[joints].min()), float(robot.joint_position_high[joints].max())
         colours = palette.joint_colours(robot)
@@ -135,7 +135,7 @@ class _Chart:
 
 
 def gait_diagram(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> str:
-    """Gait diagram as SVG: one bar per foot and stance phase, time to the right, the present at the right edge.
+    """Return the gait diagram as SVG: a bar per foot and stance phase, with the present at the right edge.
 
     Contacts (T, L) are over `GAIT_SECONDS` or less, `timestep` seconds apart.
     """
@@ -165,7 +165,7 @@ def gait_diagram(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> s
 
 
 def reward_bars(names: Sequence[str], values: NDArray[np.float64]) -> str:
-    """The reward terms (T,) per second as a table with bars, the sum last."""
+    """Return the reward terms (T,) per second as a table with bars, the sum last."""
     most = max(4.0, float(np.abs(values).max(initial=0.0)))
     rows = []
     for name, value in zip(names, values, strict=True):

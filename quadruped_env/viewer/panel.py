@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.simulation.terrain import LEVELS
-from quadruped_env.viewer.panel_text import KEY_HTML, keys_html, legend_html, status_html, without_directories
+from quadruped_env.viewer.panel_text import KEY_HTML, keys_html, legend_html, status_html
 from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.view_controller import MAX_PUSH, MAX_ROBOTS, SPEEDS, ViewController
 from quadruped_env.viewer.viewed_robot import RANDOMIZATIONS
@@ -77,8 +77,7 @@ class Panel:
         self._show_robots()
 
     def tell(self, message: str, bad: bool = False) -> None:
-        """Show a notification in every browser, without this machine's directories."""
-        message = without_directories(message)
+        """Show a notification in every browser."""
         for client in self._server.get_clients().values():
             client.add_notification(
                 "Not possible" if bad else "MiniQuadruped",
@@ -250,7 +249,7 @@ class Panel:
             self._show_terrain()
 
     def _has_levels(self) -> bool:
-        """True if the chosen terrain has levels."""
+        """Return True if the chosen terrain has levels."""
         return any(entry.hardest for entry in self._controller.terrains if entry.name == self._terrain.value)
 
     def _choose(self, index: int) -> None:
@@ -324,7 +323,7 @@ class Panel:
 
     @contextmanager
     def _without_actions(self) -> Iterator[None]:
-        """A context in which changed values of controls do not trigger their actions."""
+        """Return a context in which changed values of controls do not trigger their actions."""
         self._setting = True
         try:
             yield

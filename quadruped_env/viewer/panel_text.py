@@ -1,21 +1,17 @@
 """Text of the viewer's page, as HTML: status, legend, keys, and the script that handles the keys."""
 
-import re
 from collections.abc import Mapping
 from html import escape
-from pathlib import Path
 from typing import Final
 
 from quadruped_env.report.palette import ACTUAL, COMMANDED, CONTACT, FRONT, GREY, INK, LIMIT, PUSH, leg_colours
 from quadruped_env.robot import Robot
-from quadruped_env.utils.files import shown_path
 from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.viewed_robot import Offered
 from quadruped_env.viewer.viewer_recording import MAX_SECONDS
 from quadruped_env.viewer.viewer_scene import CONTACT_FORCES, TRAILS, VELOCITIES
 
 SMALL: Final = "font:12px sans-serif;padding:0 12px 8px 12px;line-height:1.6"
-_ABSOLUTE: Final = re.compile(r"(?<![\w./])/(?:[^\s/'\"]+/)+[^\s/'\",;]*")
 _ARROW, _LINE, _PATCH = "&#10142;", "&#9473;", "&#9632;"
 _FRONT_GEOM: Final = "front_visual"
 """Name of the mark at the front in the models of `QuadrupedDesign`; other robots need not have one."""
@@ -51,7 +47,7 @@ KEY_HTML: Final = f'<img alt="" hidden src="{_PIXEL}" onload="{" ".join(_KEY_SCR
 
 
 def legend(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> dict[str, list[Mark]]:
-    """Meaning -> marks that have it, of the offered controls and readings, and of the visible overlays."""
+    """Return meaning -> marks that have it, of the offered controls and readings, and of the visible overlays."""
     entries: dict[str, list[Mark]] = {}
     if visible[VELOCITIES]:
         if offered.command:
@@ -70,7 +66,7 @@ def legend(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> dict[
 
 
 def legend_html(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> str:
-    """The `legend` as HTML."""
+    """Return the `legend` as HTML."""
     lines = []
     for meaning, marks in legend(robot, offered, visible).items():
         shown = (f'<span style="color:{colour}">{symbol}</span> {escape(name)}' for symbol, colour, name in marks)
@@ -79,7 +75,7 @@ def legend_html(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> 
 
 
 def keys_html(offered: Offered) -> str:
-    """The keys that have an effect, as HTML."""
+    """Return the keys that have an effect, as HTML."""
     keys = []
     if offered.command:
         keys += ["<b>↑ ↓</b> faster, slower", "<b>← →</b> turn", "<b>0</b> stand"]
@@ -93,7 +89,7 @@ def keys_html(offered: Offered) -> str:
 
 
 def status_html(view: View) -> str:
-    """The first lines of the panel, as HTML."""
+    """Return the first lines of the panel, as HTML."""
     robot, offered = view.robots[view.watched], view.offered
     commanded = robot.follows_command and offered.command
     (velocity, yaw_rate), (asked_velocity, asked_yaw_rate) = robot.now.smooth_velocity, robot.now.command
@@ -116,10 +112,3 @@ def status_html(view: View) -> str:
         warnings.append(escape(f"The gait exceeds limits: {robot.complaints[0]}{more}"))
     lines += [f'<span style="color:{LIMIT}">{warning}</span>' for warning in warnings]
     return f'<div style="{SMALL};padding-top:8px;min-height:80px;color:{INK}" data-status>{"<br>".join(lines)}</div>'
-
-
-def without_directories(text: str) -> str:
-    """Replace absolute paths in a text as `shown_path` does."""
-    # First the known directories, whose names may contain spaces.
-    text = text.replace(f"{Path.cwd()}/", "").replace(f"{Path.home()}/", "")
-    return _ABSOLUTE.sub(lambda match: shown_path(Path(match[0])), text)

@@ -58,7 +58,7 @@ def stop_server(server: "viser.ViserServer") -> None:
 
 
 def import_viser() -> Any:
-    """The module `viser`; a MissingExtraError if it, or mjviser, is not installed."""
+    """Return the module `viser`; a MissingExtraError if it, or mjviser, is not installed."""
     try:
         import mjviser  # noqa: F401
         import viser

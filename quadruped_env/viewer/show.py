@@ -61,7 +61,7 @@ class Show:
         return page_address(self._host, self.port)
 
     def clients(self) -> list[Any]:
-        """The connected browsers, as viser client handles."""
+        """Return the connected browsers, as viser client handles."""
         return list(self._server.get_clients().values())
 
     def draw(self, view: View) -> None:
@@ -133,8 +133,8 @@ def open_show(
         port: the first port to try; 0 takes any free port.
         results: directory for recordings.
         task_file: Python file of the terms or the robot that the runs were trained with; it is executed.
-        terrain: a terrain, or the name of one, built-in or of that file; None: that of the first robot's task.
-        trust_task: execute the copies of such files that these runs keep, in place of `task_file`.
+        terrain: a terrain, or the name of one, built-in or of that file; None: the ground of the first robot's task.
+        trust_task: execute the copies of such files that these runs keep, instead of `task_file`.
         allowed_hosts: further hosts under which browsers reach the page, such as `localhost:9000` for a forwarded port.
 
     Raises:

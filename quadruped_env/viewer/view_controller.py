@@ -51,7 +51,7 @@ class ViewController:
         chosen: names of the initial sources, one per robot.
         results: directory for recordings.
         robot: description of the robots.
-        terrain: initial ground of all simulated robots; None: that of the first robot's task.
+        terrain: initial ground of all simulated robots; None: the ground of the first robot's task.
         terrains: terrains that can be chosen.
 
     Raises:
@@ -314,7 +314,7 @@ class ViewController:
         return self._recording is not None or self._saver.busy
 
     def messages(self) -> list[str]:
-        """Messages for the user since the last call."""
+        """Return messages for the user since the last call."""
         return [self._messages.popleft() for _ in range(len(self._messages))]
 
     def close(self) -> None:
@@ -325,7 +325,7 @@ class ViewController:
     # --- snapshots
 
     def view(self) -> View:
-        """A snapshot of everything that is drawn."""
+        """Return a snapshot of everything that is drawn."""
         with self._lock:
             return View(
                 self._time,
@@ -339,7 +339,7 @@ class ViewController:
             )
 
     def model(self) -> mujoco.MjModel:
-        """A copy of the robots' MuJoCo model."""
+        """Return a copy of the robots' MuJoCo model."""
         with self._lock:
             return copy.copy(self._robots[0].model)
 
@@ -413,7 +413,7 @@ class ViewController:
 
 
 def _vector(direction: float, length: float) -> tuple[float, float]:
-    """Vector (forwards, left) of a length in a direction, rad, positive to the left."""
+    """Return the vector (forwards, left) of a length in a direction, rad, positive to the left."""
     return length * math.cos(direction), length * math.sin(direction)
 
 

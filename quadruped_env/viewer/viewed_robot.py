@@ -63,7 +63,7 @@ class ViewedTrace(CommandedTrace):
 
 
 def sample(robot: Robot, timestep: float, terrain: Terrain, readings: Readings, **values: NDArray[Any]) -> ViewedTrace:
-    """One sample of a robot, copied from readings of one env and from further quantities (1, ...) of the trace."""
+    """Return a sample of a robot, copied from readings of one env and from further quantities (1, ...)."""
     both = {**measured(readings), "foot_position": readings.foot_position, **values}
     copies: dict[str, Any] = {name: np.array(value[0]) for name, value in both.items()}
     return ViewedTrace(robot=robot, timestep=timestep, terrain=terrain, **copies)
@@ -142,7 +142,7 @@ class ViewedRobot(ABC):
 
     @abstractmethod
     def complaints(self) -> list[str]:
-        """Descriptions of the joint limits that its scripted gait exceeds."""
+        """Return descriptions of the joint limits that its scripted gait exceeds."""
 
     @abstractmethod
     def reset(self, seed: int, command: tuple[float, float]) -> None:
@@ -205,7 +205,7 @@ class TaskRobot(ViewedRobot):
         self._controller.settings = settings
 
     def complaints(self) -> list[str]:
-        """Descriptions of the joint limits that its scripted gait exceeds."""
+        """Return descriptions of the joint limits that its scripted gait exceeds."""
         return self._controller.complaints() if isinstance(self._controller, GaitController) else []
 
     def reset(self, seed: int, command: tuple[float, float]) -> None:
@@ -239,7 +239,7 @@ class TaskRobot(ViewedRobot):
         return moment
 
     def _sample(self, transition: Transition | None = None) -> ViewedTrace:
-        """The current sample, after a step or, without one, at the start of an episode."""
+        """Return the current sample, after a step or, without one, at the start of an episode."""
         task = self.task
         return sample(
             self.robot,
@@ -273,10 +273,10 @@ class TaskRobot(ViewedRobot):
 
 
 def heading(data: mujoco.MjData) -> float:
-    """Heading of a robot from the world's x axis, rad."""
+    """Return the heading of a robot from the world's x axis, rad."""
     return float(yaw(data.qpos[3:7]))
 
 
 def world_vector(vector: tuple[float, float], heading: float) -> NDArray[np.float64]:
-    """A horizontal vector (forwards, left) of a robot with a heading (rad), in the world frame (3,)."""
+    """Return a horizontal vector (forwards, left) of a robot with a heading (rad), in the world frame (3,)."""
     return rotate(from_yaw(heading), [*vector, 0.0])

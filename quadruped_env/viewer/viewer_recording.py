@@ -40,7 +40,7 @@ class ViewerRecording:
         return (len(self.samples) - 1) * self.samples[0].timestep
 
     def clip(self) -> Clip:
-        """The recording as a clip of a film, which shows the command if the robot follows it."""
+        """Return the recording as a clip of a film, which shows the command if the robot follows it."""
         trace: Trace = ViewedTrace.stack(self.samples)
         unknown = (() if self.follows_command else ("command",)) + (() if self.motion else ("velocity", "contact"))
         if unknown:

@@ -111,7 +111,7 @@ class Scene:
         self._labels: list[Any] = []
 
     def set_ground(self, model: mujoco.MjModel, terrain: Terrain) -> None:
-        """Draw the ground of a model, which is that of a terrain, in place of the last one."""
+        """Draw the ground of a model, which has this terrain; it replaces the last one."""
         self.terrain = terrain
         """The ground that is drawn."""
         self._field = HeightField.of(model)
@@ -270,7 +270,7 @@ class Scene:
 
 
 def _direction(angle: Any) -> Any:
-    """Horizontal unit vectors (..., 3) at angles (...,) from the x axis, rad."""
+    """Return the horizontal unit vectors (..., 3) at angles (...,) from the x axis, rad."""
     return np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
 
 

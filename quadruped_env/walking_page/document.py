@@ -55,7 +55,7 @@ def check_exportable(policy: Policy) -> None:
 
 
 def page_document(policy: Policy, name: str) -> dict[str, Any]:
-    """The content of a policy's page, of plain values.
+    """Return the content of a policy's page, of plain values.
 
     Args:
         policy: the policy.
@@ -67,7 +67,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
     check_exportable(policy)
     if policy.robot.assets:
         raise QuadrupedError(
-            f"the page holds no files of a robot's model, and that of {policy.robot.name!r} has "
+            f"the page holds no files of a robot's model, and the model of {policy.robot.name!r} has "
             f"{min(policy.robot.assets)!r}; give the robot without meshes, with boxes, cylinders and balls"
         )
     config, robot = policy.config, policy.robot
@@ -114,7 +114,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
 
 
 def graph_document(graph: Graph, interface: PolicyInterface) -> dict[str, Any]:
-    """A graph as plain values: nodes as (operator, inputs, output), constants by rows as base64 of float32 numbers.
+    """Return a graph as plain values: nodes as (operator, inputs, output), constants as base64 of float32 by rows.
 
     It keeps the inputs and outputs of the interface that the graph has.
     """
@@ -131,7 +131,7 @@ def graph_document(graph: Graph, interface: PolicyInterface) -> dict[str, Any]:
 
 
 def _gait(policy: Policy) -> dict[str, Any] | None:
-    """Graph of the scripted gait alone: the policy's own, or the default one; None for robots that have none."""
+    """Return the graph of the scripted gait alone: the policy's or the default one; None for robots without one."""
     action = replace(policy.control.action, mode="residual")
     interface = PolicyInterface(replace(policy, control=replace(policy.control, action=action)))
     try:
@@ -141,7 +141,7 @@ def _gait(policy: Policy) -> dict[str, Any] | None:
 
 
 def _servo(config: TaskConfig) -> dict[str, list[float]] | None:
-    """Errors of the servos of all joints, rad; None if they have none."""
+    """Return the errors of the servos of all joints, rad; None if they have none."""
     errors = config.motor.servo_errors(config.robot.joint_kinds)
     if not any(values.any() for values in errors):
         return None
@@ -149,7 +149,7 @@ def _servo(config: TaskConfig) -> dict[str, list[float]] | None:
 
 
 def _terrains(config: TaskConfig) -> list[Terrain]:
-    """Terrains to choose from, the policy's own in its own shape."""
+    """Return the terrains to choose from, the policy's own in its own shape."""
     ground, found = config.ground, []
     for terrain in config.definition.terrains:
         if isinstance(terrain, Tiles):
@@ -161,7 +161,7 @@ def _terrains(config: TaskConfig) -> list[Terrain]:
 
 
 def _terrain(terrain: Terrain, config: TaskConfig) -> dict[str, Any]:
-    """A terrain's MJCF with the robot, and the heights that belong into its height field."""
+    """Return a terrain's MJCF with the robot, and the heights that belong into its height field."""
     heights = terrain.heights()
     lowest, span = float(heights.min()), float(np.ptp(heights))
     spec = build_spec(config.physics_timestep, config.motor, flat, config.robot)
@@ -185,7 +185,7 @@ def _terrain(terrain: Terrain, config: TaskConfig) -> dict[str, Any]:
 
 
 def _reference(policy: Policy, config: TaskConfig) -> dict[str, Any]:
-    """A walk straight ahead on the plane in Python, with all that varies left out: its start, command and end."""
+    """Return start, command and end of a walk straight ahead on the plane in Python, without randomization."""
     config, robot = config.without_randomization().on_terrain(flat), policy.robot
     simulation = SingleSimulation(config.compiled_model(), robot)
     task = Task(simulation, config)

@@ -48,5 +48,5 @@ def write_page(policy: Policy, path: Path, name: str = "policy") -> None:
 
 
 def _source(text: str) -> str:
-    """An inline script or style as a source of a content security policy."""
+    """Return an inline script or style as a source of a content security policy."""
     return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"

@@ -33,7 +33,7 @@ _SPEED: Final = 0.8
 
 
 def learning_document(config: TaskConfig) -> dict[str, Any] | None:
-    """Plain values for learning with the robot of a config; None if the scripted gaits do not fit the robot.
+    """Return plain values for learning with the robot of a config; None if the scripted gaits do not fit the robot.
 
     Reward, observations and gait clock are the defaults of the robot's task, whatever the config has.
     """

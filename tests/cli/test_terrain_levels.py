@@ -2,6 +2,7 @@
 
 import argparse
 import json
+from types import SimpleNamespace
 
 import pytest
 
@@ -62,8 +63,10 @@ def test_live_nodes_take_a_level(tmp_path, capsys):
     assert "terrain slope: level must be a whole number from 1 to 10; found 12" in capsys.readouterr().err
 
 
-def test_training_on_tiles_records_kinds_levels_and_curriculum(tmp_path):
+def test_training_on_tiles_records_kinds_levels_and_curriculum(tmp_path, monkeypatch):
     pytest.importorskip("stable_baselines3")
+    gain = SimpleNamespace(table=str, verdict=str, episodes=2, seconds=20.0, is_better=True)
+    monkeypatch.setattr("quadruped_env.cli.train.measure_learning", lambda *arguments: gain)
     budget = ["--timesteps", "64", "--num-envs", "8", "--n-steps", "8", "--batch-size", "32", "--hidden", "8"]
     shape = '{"terrain": {"name": "tiles", "kinds": ["stairs", "gaps"], "levels": 3, "curriculum": true}}'
     runs = tmp_path / "runs"

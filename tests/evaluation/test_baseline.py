@@ -46,4 +46,6 @@ class TestBaseline:
         tuned, article = (run_baseline(preset, seconds=5.0, episodes=4) for preset in ("tuned", "article"))
         assert tuned.estimate("fall_rate").mean == article.estimate("fall_rate").mean == 0.0
         assert tuned.estimate("forward_velocity").mean > 0.25
+        assert tuned.estimate("distance").mean == pytest.approx(tuned.metrics["distance"].mean())
+        assert np.ptp(tuned.metrics["distance"]) > 0.0
         assert abs(article.estimate("forward_velocity").mean) < 0.03

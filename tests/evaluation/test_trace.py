@@ -146,11 +146,11 @@ class TestRecorder:
 
     @pytest.mark.parametrize("dtype", [np.float32, np.float64])
     def test_trace_holds_the_readings_in_the_type_asked_for(self, readings, dtype):
-        recorder = Recorder(Scored, MINI_QUADRUPED, 3, dtype)
+        recorder = Recorder(3, dtype)
         for sample, reading in enumerate(readings):
             recorder.write(reading, **self.extras(sample))
         assert recorder.written == 2
-        trace = recorder.trace(timestep=0.02, label="recorded")
+        trace = Scored(robot=MINI_QUADRUPED, timestep=0.02, label="recorded", **recorder.arrays())
         for t, reading in enumerate(readings):
             np.testing.assert_array_equal(trace.base_position[t], reading.base_position.astype(dtype))
             np.testing.assert_array_equal(trace.orientation[t], reading.orientation.astype(dtype))
@@ -166,11 +166,11 @@ class TestRecorder:
         assert trace.label == "recorded"
 
     def test_samples_are_copies_of_the_live_readings(self, readings):
-        recorder = Recorder(Trace, MINI_QUADRUPED, 1)
+        recorder = Recorder(1)
         before = readings[0].joint_position.copy()
         recorder.write(readings[0])
         readings[0].joint_position[:] = 0.0
-        np.testing.assert_array_equal(recorder.trace(timestep=0.02).joint_position[0], before)
+        np.testing.assert_array_equal(recorder.arrays()["joint_position"][0], before)
 
     def test_quantity_that_is_always_known_is_required(self):
         # `Scored` requires `velocity`, which `Trace` may leave out.

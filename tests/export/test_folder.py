@@ -11,7 +11,7 @@ import gymnasium
 import numpy as np
 import pytest
 import second_robot
-from comparisons import TINY, random_policy, write_evaluation
+from comparisons import TINY, random_policy
 from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
@@ -25,11 +25,11 @@ from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain, rew
 from quadruped_env.export import folder as folder_module
 from quadruped_env.export import runtime
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
-from quadruped_env.export.folder import export_policy
+from quadruped_env.export.folder import export_policy, results_of
 from quadruped_env.export.manifest import metadata
 from quadruped_env.export.onnx_interface import PolicyInterface
 from quadruped_env.policies import Policy, find_controllers, load_policy
-from quadruped_env.report.pages import report
+from quadruped_env.report.pages.report import write_numbers
 from quadruped_env.task import ActionConfig, TaskConfig
 
 pytest.importorskip("onnx", reason="ONNX is not installed: pip install -e '.[export]'")
@@ -94,6 +94,12 @@ def flat(tmp_path_factory):
 def run(tmp_path):
     """A run with random weights."""
     return save_run(tmp_path / "20260101-000000-ppo", random_policy("residual"))
+
+
+@pytest.fixture(scope="module")
+def compared():
+    """A short comparison of the run's policy."""
+    return compare(random_policy("residual"), num_seeds=1, seconds=2.0, commands=TINY)
 
 
 def walk(folder, *command):
@@ -192,6 +198,7 @@ def test_manifest_states_the_robot_its_joints_and_the_control(flat):
         tuple(stop[name] for name in ("tilt_rad", "no_command_s", "no_reading_hold_s", "no_reading_limp_s")) == limits
     )
     assert document["training"]["seed"] == policy.card["seed"]
+    assert document["training"]["recipe"] == policy.card["recipe"]
     assert document["training"]["command"] == policy.card["command"]
     assert not {"metrics", "verdict", "acceptance"} & set(document["training"])
     assert document["evaluation"]["verdict"] == policy.card["verdict"]
@@ -255,26 +262,21 @@ def test_policy_that_was_not_evaluated_has_no_results(run, tmp_path):
     assert "progress.csv" not in export.files
 
 
-def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, tmp_path, monkeypatch):
-    # Figures take most of a report's time.
-    monkeypatch.setattr(report, "_figures", lambda *_: [])
-    comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
-    write_evaluation(run, comparison, "python evaluate/policy.py")
+def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, compared, tmp_path):
+    write_numbers(run, compared, "python evaluate/policy.py")
     export = export_policy(run, tmp_path / "export")
     results = export.manifest["evaluation"]
-    error = comparison.estimate("policy", "forward_velocity_error", "forwards").mean
+    error = compared.estimate("policy", "forward_velocity_error", "forwards").mean
     assert results["by_motion"]["forwards"]["forward_velocity_error"]["mean"] == pytest.approx(error)
     assert results["verdict"]["headline"] in (tmp_path / "export" / "README.md").read_text()
     assert f"{error:.3g}" in (tmp_path / "export" / "README.md").read_text()
 
 
-def test_an_export_names_no_directories(run, tmp_path, monkeypatch):
-    monkeypatch.setattr(report, "_figures", lambda *_: [])
+def test_an_export_names_no_directories(run, compared, tmp_path):
     command = "mini-quadruped train --task=/secret/place/my_task.py -o ../secret/runs --resume secret/runs/latest"
     told = dataclasses.replace(run, policy=run.policy.with_card({"command": command}))
     told.policy.save(run.directory)
-    comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
-    write_evaluation(told, comparison, "mini-quadruped evaluate secret/a --task /secret/b.py")
+    write_numbers(told, compared, "mini-quadruped evaluate secret/a --task /secret/b.py")
     export = export_policy(told, tmp_path / "export")
     shown = "mini-quadruped train --task=my_task.py -o runs --resume latest"
     assert export.manifest["training"]["command"] == shown
@@ -297,19 +299,15 @@ def test_gain_over_the_zero_action_is_on_the_page_and_in_the_manifest(run, tmp_p
         assert " ".join(f"| {' | '.join(row)} |".split()) in page
 
 
-def test_results_of_another_policy_are_left_out_with_a_warning(run, tmp_path, monkeypatch):
-    # Figures take most of a report's time.
-    monkeypatch.setattr(report, "_figures", lambda *_: [])
-    comparison = compare(run.policy, num_seeds=1, seconds=3.0, commands=TINY)
-    write_evaluation(run, comparison, "python evaluate/policy.py")
+def test_results_of_another_policy_are_left_out_with_a_warning(run, compared):
+    write_numbers(run, compared, "python evaluate/policy.py")
     other = run.policy.with_card({**run.policy.card, "seed": 7})
     evaluated = EvaluatedPolicy(run.name, other, run.directory, run.output)
     with pytest.warns(QuadrupedWarning, match=r"metrics\.json: is the evaluation of another policy"):
-        export = export_policy(evaluated, tmp_path / "export")
-    assert export.manifest["evaluation"] is None
+        assert results_of(evaluated) == ({}, None)
     (run.output / "metrics.json").write_text("{}")
     with pytest.warns(QuadrupedWarning, match=r"metrics\.json: command_line is missing; it is"):
-        export_policy(run, tmp_path / "export", overwrite=True)
+        assert results_of(run) == ({}, None)
 
 
 def test_folder_is_written_whole_or_not_at_all(run, tmp_path, monkeypatch):
@@ -473,9 +471,8 @@ def test_results_on_a_card_of_another_form_are_left_out_and_named(tmp_path, part
     policy = load_policy("flat")
     evaluated = save_run(tmp_path / "run", policy.with_card({**policy.card, part: value, "later": {"x": 1}}))
     with pytest.warns(QuadrupedWarning, match=rf"run/policy\.json: {message}$") as warned:
-        export = export_policy(evaluated, tmp_path / "export")
+        on_card, evaluation = results_of(evaluated)
     assert len(warned) == 1
-    kept = {**export.manifest["evaluation"], "learning": export.manifest["learning"]}
+    kept = {**evaluation, "learning": on_card.get("learning")}
     known = ("metrics", "acceptance", "disturbed", "suite", "verdict", "learning")
     assert {name: kept.get(name) for name in known} == {**{n: policy.card[n] for n in known}, part: None}
-    assert export.manifest["training"]["later"] == {"x": 1}

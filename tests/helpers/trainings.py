@@ -54,13 +54,16 @@ def progress(directory):
         return list(csv.DictReader(file))
 
 
-def scalars(directory):
-    """Names of the scalars that TensorBoard shows -> their number of points."""
+def tensorboard(directory):
+    """Name of each scalar that TensorBoard shows -> its steps and values."""
     from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
 
     events = EventAccumulator(str(directory / "tensorboard"))
     events.Reload()
-    return {tag: len(events.Scalars(tag)) for tag in events.Tags()["scalars"]}
+    return {
+        tag: ([event.step for event in events.Scalars(tag)], [event.value for event in events.Scalars(tag)])
+        for tag in events.Tags()["scalars"]
+    }
 
 
 def assert_complete(directory, files=RUN_FILES):

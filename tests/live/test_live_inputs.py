@@ -17,7 +17,7 @@ from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode
 from quadruped_env.live.control_time import SystemTime
-from quadruped_env.live.controller_inputs import VelocityCommands
+from quadruped_env.live.controller_inputs import Measurements, VelocityCommands
 from quadruped_env.live.live_robot import LiveRobot
 from quadruped_env.live.messages.imu_messages import Imu, in_base
 from quadruped_env.live.messages.joint_messages import JointMerger, JointReader, Joints, Period
@@ -134,6 +134,22 @@ def test_tolerance_is_one_and_a_half_periods_whatever_is_lost(period, tolerance)
     for i in (0, 1, 2, 2, 3, 9, 10, 11):
         stream.add(STAMP + i * period * MS)
     assert stream.tolerance == pytest.approx(tolerance)
+
+
+@pytest.mark.parametrize("age", [0.03, -0.03])
+def test_imu_that_is_older_or_newer_than_the_joints_by_more_than_the_tolerance_is_refused(age):
+    stream, level = Period(), np.array([1.0, 0.0, 0.0, 0.0])
+    merger, repetition = SimpleNamespace(period=stream), SimpleNamespace(frozen=False)
+    fields = {"_merger": merger, "_repetition": repetition, "_imu_period": stream, "_base": "base", "_mount": None}
+    joints = Joints(STAMP, STANCE, np.zeros(8), None)
+
+    def paired(age):
+        imu = Imu(STAMP - round(age * 1e9), level, np.zeros(3), "")
+        return Measurements._paired(SimpleNamespace(**fields), joints, imu)
+
+    assert paired(age / 2).stamp == STAMP
+    with pytest.raises(QuadrupedError, match=f"0.03 s {'older' if age > 0 else 'newer'} than /joint_states, over 0.02"):
+        paired(age)
 
 
 HALF = math.sqrt(0.5)

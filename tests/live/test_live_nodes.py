@@ -27,6 +27,8 @@ class Watcher:
     def __init__(self, velocity=0.5, names=None):
         self.node = Node("watcher", names=names)
         self.velocity = velocity
+        self.distance = 0.0
+        """Last distance of the base from the origin, m."""
         self._velocities = self.node.publish(CMD_VEL)
         self._odometry = self.node.subscribe(ODOMETRY, Qos(1000))
         self._twist = cdr.message(CMD_VEL.type_name, linear={"x": velocity})
@@ -38,6 +40,9 @@ class Watcher:
         def watched():
             self._velocities.send(self._twist)
             found.extend(self._odometry.decode(one) for one in self._odometry.take())
+            if found:
+                place = found[-1].pose.pose.position
+                self.distance = np.hypot(place.x, place.y)
             return len(found) >= round(100.0 * seconds)
 
         wait_until(watched, f"{seconds:g} s of /odom", interval=0.05)

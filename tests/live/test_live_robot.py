@@ -1,6 +1,7 @@
 """The simulated robot with the live controller, without a network; its messages; its display in the viewer."""
 
 import itertools
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,9 +14,11 @@ from quadruped_env import QuadrupedError
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode
 from quadruped_env.live.live_robot import NAME, LiveRobot
-from quadruped_env.live.messages.joint_messages import JointReader
+from quadruped_env.live.messages.driver_joints import DriverJoints
+from quadruped_env.live.messages.joint_messages import JointReader, command_message
 from quadruped_env.live.messages.sensor_messages import Sensors
-from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_STATES, ODOMETRY, PUSH, TF
+from quadruped_env.live.middleware.topics import CLOCK, CMD_VEL, IMU, JOINT_COMMANDS, JOINT_STATES, ODOMETRY, PUSH, TF
+from quadruped_env.live.nodes import sim
 from quadruped_env.live.simulated import WATCHDOG, SimulatedRobot
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import JOINT_NAMES, MINI_QUADRUPED
@@ -93,6 +96,31 @@ def test_live_controller_walks_on_other_terrains(terrain):
     feet = loop.robot.state.foot_position[0]
     assert (feet[:, 2] - FOOT_RADIUS - ground.at(feet)).min() > -0.005
     assert ground.at(feet).max() > 0.003
+
+
+def test_simulator_takes_commands_of_one_publisher_in_order_and_none_while_it_is_stopped(nodes):
+    refused, robot = [], SimulatedRobot()
+    session = SimpleNamespace(node=nodes("sim"), refuse=refused.append)
+    commands = sim.Commands(session, robot, DriverJoints(MINI_QUADRUPED))
+    first, second = (nodes(name).publish(JOINT_COMMANDS) for name in ("first", "second"))
+    wait_until(lambda: first.readers and second.readers)
+
+    def send(publisher, stamp, offset, stopped=False):
+        publisher.send_bytes(command_message(MINI_QUADRUPED, stamp, MINI_QUADRUPED.stance + offset))
+        wait_until(lambda: session.node.wait(0.1))
+        commands.take(stopped)
+        return robot.target - MINI_QUADRUPED.stance
+
+    np.testing.assert_allclose(send(first, 5, 0.1), 0.1)
+    np.testing.assert_allclose(send(second, 6, 0.2), 0.1)
+    assert "/joint_commands: second (process" in refused[-1]
+    assert "sends joint targets too, which comes from first (process" in refused[-1]
+    np.testing.assert_allclose(send(first, 4, 0.3), 0.1)
+    assert refused[-1] == "/joint_commands: older than the previous command; ignored"
+    send(first, 7, 0.3, stopped=True)
+    assert robot.limp
+    np.testing.assert_allclose(send(first, 8, 0.2), 0.2)
+    assert not robot.limp
 
 
 def test_limp_robot_sinks_without_motor_torque():

@@ -124,8 +124,10 @@ def test_simulation_resets_and_stops(run_node, nodes):
     wait_until(lambda: (resets.readers, stops.readers) == (4, 6))
     watcher.until_it_walks()
     assert status_of_controller(diagnostics)[:2] == (0, "following the command")
+    wait_until(lambda: watcher.watch(0.1) and watcher.distance > 0.3)
     resets.send(cdr.message(RESET.type_name))
     wait_until(lambda: "waiting for fresh states (reset)" in controller.said, lambda: controller.said)
+    wait_until(lambda: watcher.watch(0.1) and watcher.distance < 0.2)
     wait_until(lambda: controller.said.count("following the command") == 2, lambda: controller.said)
     stops.send(cdr.message(ESTOP.type_name, data=True))
     # The simulator's motors go limp too: it sinks.

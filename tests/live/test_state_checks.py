@@ -1,6 +1,7 @@
 """Content of live states: an IMU that repeats itself, joints that freeze, two publishers or controllers."""
 
 import time
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,10 +10,10 @@ from fake_robot import FakeRobot
 from live_nodes import joint_state
 from waiting import wait_until
 
-from quadruped_env import JOINT_NAMES
+from quadruped_env import JOINT_NAMES, QuadrupedError
 from quadruped_env.live import single_publisher
 from quadruped_env.live.messages.imu_messages import Imu
-from quadruped_env.live.middleware.topics import JOINT_STATES
+from quadruped_env.live.middleware.topics import JOINT_COMMANDS, JOINT_STATES
 from quadruped_env.live.state_checks import FrozenJoints, ImuRepetition
 
 pytest.importorskip("cyclonedds")
@@ -152,3 +153,34 @@ def test_of_two_controllers_that_wait_together_one_ends_before_both_command(run_
         assert "there can be one publisher only" in ended.said
         wait_until(lambda: "following the command" in left.said, lambda: left.said)
         assert robot.targets
+
+
+@pytest.mark.parametrize("publishing", [True, False])
+def test_publisher_that_no_other_has_precedence_over_gives_way_only_while_it_waits(nodes, publishing):
+    ours, other = nodes("ours"), nodes("other")
+    said = []
+    session = SimpleNamespace(node=ours, running=False, every_turn=[], say_once=said.append)
+    guard = single_publisher.SinglePublisherGuard(session, JOINT_COMMANDS, lambda: publishing)
+    ours.graph.participant = ""  # sorts before the other one
+    publisher = other.publish(JOINT_COMMANDS)
+    wait_until(lambda: publisher.readers)
+
+    def noticed():
+        publisher.send(joint_state())
+        try:
+            session.every_turn[0]()
+        except QuadrupedError as error:
+            return str(error)
+        return guard.problem
+
+    words = "publishes /joint_commands too; end one" if publishing else "publishes it already on domain"
+    assert words in wait_until(noticed)
+    assert bool(said) == publishing
+
+
+def test_node_that_starts_while_another_one_publishes_is_refused(nodes):
+    ours, other = nodes("ours"), nodes("other")
+    publisher = other.publish(JOINT_COMMANDS)
+    session = SimpleNamespace(node=ours, running=True, every_turn=[], wait=lambda _: publisher.send(joint_state()))
+    with pytest.raises(QuadrupedError, match=r"/joint_commands: .* publishes it already on domain"):
+        single_publisher.SinglePublisherGuard(session, JOINT_COMMANDS)

@@ -182,8 +182,9 @@ def own_term(context):
 '''
 
 
-def test_policy_that_needs_no_users_file_is_not_affected_by_one(run_directory, tmp_path):
-    (tmp_path / "own.py").write_text(OWN_TERM)
+@pytest.mark.parametrize("text", [OWN_TERM, ONE_MORE])
+def test_policy_that_needs_no_users_file_is_not_affected_by_one(run_directory, tmp_path, text):
+    (tmp_path / "own.py").write_text(text)
     config = load_policy(run_directory, task_file=tmp_path / "own.py").config
     assert config == TASK
     assert "own_term" not in config.reward.weights

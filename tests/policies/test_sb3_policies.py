@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import stable_baselines3
 import torch
+from gymnasium.wrappers import RescaleAction
 from stable_baselines3 import PPO, SAC
 from stable_baselines3.common.vec_env import DummyVecEnv, SubprocVecEnv, VecCheckNan, VecFrameStack, VecNormalize
 
@@ -18,6 +19,7 @@ from quadruped_env.training.actor_critic import ActorCritic
 NN = torch.nn
 RANDOM = np.random.default_rng(0)
 OFF_POLICY = {"buffer_size": 9}
+LOW = np.full(8, -0.5, np.float32)
 
 
 def model_of(kind, env=None, policy="MlpPolicy", **arguments):
@@ -149,6 +151,10 @@ class Turned(gymnasium.ObservationWrapper):
         (lambda: model_of(PPO, make_sb3_vec_env(2, privileged=True)), r"its actor sees 120 columns, and the env's"),
         (lambda: model_of(PPO, VecFrameStack(make_sb3_vec_env(2), 2)), r"its actor sees 204 columns"),
         (lambda: model_of(PPO, Turned(gymnasium.make("MiniQuadruped-v0"))), r"an ObservationWrapper, which changes"),
+        (
+            lambda: model_of(PPO, RescaleAction(gymnasium.make("MiniQuadruped-v0"), LOW, -LOW)),
+            r"an ActionWrapper, which",
+        ),
         (lambda: model_of(PPO, policy=Doubled), r"Doubled computes its action in a way of its own"),
         (
             lambda: model_of(SAC, use_sde=True, policy_kwargs={"activation_fn": NN.Tanh}, **OFF_POLICY),

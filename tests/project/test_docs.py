@@ -78,7 +78,7 @@ def test_scripts_and_make_targets_on_every_page_exist():
     targets = set(re.findall(r"^([a-z0-9-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
     for page in PAGES:
         for command in commands_of(page.read_text()):
-            if re.match(r"make [a-z]", command):
+            if re.match(r"make [a-z]", command) and page.name != "CHANGELOG.md":  # which names what was removed
                 assert command.split()[1] in targets, f"{page.name}: {command}"
 
 

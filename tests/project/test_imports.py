@@ -35,7 +35,7 @@ print(*sorted(envs[1] - envs[0]))
 def test_make_loads_few_modules_and_nothing_of_recordings_or_ros():
     print_modules = "import sys; print(*(name for name in sys.modules if name.startswith('quadruped_env')))"
     loaded = run(f"import gymnasium, quadruped_env; gymnasium.make('MiniQuadruped-v0'); {print_modules}").split()
-    unneeded = tuple(f"quadruped_env.{name}" for name in ("trajectory", "ros", "live", "reporting", "policies"))
+    unneeded = tuple(f"quadruped_env.{name}" for name in ("trajectory", "ros", "live", "report", "policies"))
     assert [name for name in loaded if name.startswith(unneeded)] == []
     assert len(loaded) <= 82
 

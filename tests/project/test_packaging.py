@@ -161,12 +161,3 @@ def test_the_repository_names_no_home_and_no_registry():
             text = (ROOT / name).read_text()
             for place in places:
                 assert f"{place}/" not in text, name
-
-
-def test_every_public_name_of_the_design_is_there():
-    import quadruped_env
-
-    for name in quadruped_env.__all__:
-        assert hasattr(quadruped_env, name), name
-    assert callable(quadruped_env.envs.make_sb3_vec_env)
-    assert callable(quadruped_env.policies.load_policy)

@@ -24,7 +24,7 @@ class TestReplay:
     @pytest.mark.parametrize("rate", [20.0, 50.0])
     def test_commands_give_the_motion_of_the_baseline(self, tmp_path, preset, rate):
         baseline = run_baseline(preset, seconds=1.0, rate=rate, episodes=1)
-        baseline.save(tmp_path / "a.csv", commands=True)
+        baseline.commands.save(tmp_path / "a.csv")
         again = replay(JointTrajectory.load(tmp_path / "a.csv"))
         assert_same_numbers(again.played, baseline.recording.joints)
         np.testing.assert_array_equal(again.motion.base_pose, baseline.recording.base_pose)

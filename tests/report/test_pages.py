@@ -43,7 +43,7 @@ def test_its_video_advances(chromium, tmp_path, monkeypatch):
         pytest.skip(missing[0])
     with browser.opened(chromium) as page:
         page.goto(path.as_uri())
-        video = page.locator("video").first  # that of the learning stands below it
+        video = page.locator("video").first  # the film of the learning is below it
         video.scroll_into_view_if_needed()
         # A Chromium of Debian may lack H.264, which common browsers have.
         if video.evaluate("v => v.error !== null || v.networkState === 3"):

@@ -143,7 +143,7 @@ class TestMetrics:
         assert METRICS["peak_joint_speed"].limit_of(ROBOT) == 7.0
         assert METRICS["distance"].limit_of(ROBOT) is None
         position = np.tile(ROBOT.stance, (10, 1, 1))
-        position[:5, 0, 1] = -2.095  # a knee at its limit, beyond that of the built-in robot
+        position[:5, 0, 1] = -2.095  # a knee at its limit, beyond the limit of the built-in robot
         position[5:8, 0, 0] = -1.395
         assert joint_limit_share(position, np.ones((10, 1), bool), ROBOT) == pytest.approx(0.8)
         position[:] = ROBOT.stance
@@ -242,7 +242,7 @@ class TestIdentification:
         errors = json.loads((tmp_path / "identification.json").read_text())["errors"]["held_out"]["after"]["position"]
         assert list(errors) == list(ROBOT.joint_names)
         figures = Figures((tmp_path / "report.html").read_text()).found
-        assert len(figures) == 4
+        assert len(figures) == 3
         for svg in figures.values():
             assert [text for text in texts(svg) if text in LABELS] == LABELS
 

@@ -45,7 +45,7 @@ def test_report_holds_the_suite_and_its_numbers(
     text = text_of(page)
     for words in (
         "mq-eval 2 (quick)",
-        "never comparable with those of the full suite",
+        "never comparable with the numbers of the full suite",
         "Every command",
         "Gait at every speed",
         "Changes of the command",

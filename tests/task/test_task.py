@@ -61,10 +61,11 @@ def test_kind_of_a_command_changes_exactly_at_the_sums_of_the_shares():
     config = CommandConfig(standing_fraction=0.125, straight_fraction=0.25, turning_fraction=0.5)
     kinds = np.array([0.0, below(0.125), 0.125, below(0.375), 0.375, below(0.875), 0.875, below(1.0)])
     draws = np.column_stack([kinds, np.full((8, 2), 0.75), np.zeros(8)])
-    command, _ = CommandSampler(COMMANDS, config).sample(draws)
+    command, interval = CommandSampler(COMMANDS, config).sample(draws)
     forward, yaw_rate = -0.3 + 0.9 * 0.75, -0.8 + 1.6 * 0.75
     expected = [(0.0, 0.0), (forward, 0.0), (0.0, yaw_rate), (forward, yaw_rate)]
     np.testing.assert_allclose(command, np.repeat(expected, 2, axis=0), rtol=1e-12)
+    assert (interval == config.resample_interval[0]).all(), "of any kind"
 
 
 def below(value):

@@ -120,6 +120,7 @@ def test_physics_on_tiles_is_measured_over_the_plane():
     assert "terrain" in throughput.WORKS
 
 
+@pytest.mark.slow
 def test_memory_of_a_training_is_measured_at_the_ends_of_its_rollouts():
     resident, growth = throughput.training_memory(timesteps=13_000)
     assert 50.0 < resident.value < 10_000.0, "MiB of a process with torch"

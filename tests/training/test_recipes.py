@@ -78,6 +78,12 @@ def test_options_change_the_recipe(asked):
     ("options", "randomization", "terrain"),
     [
         (("--randomization", "none"), RandomizationConfig(), "tiles"),
+        (("--randomization", "hard"), RandomizationConfig(preset="hard"), "tiles"),
+        (
+            ("--randomization", "hard", "--task", '{"randomization": {"payload": null}}'),
+            RandomizationConfig(preset="hard", payload=None),
+            "tiles",
+        ),
         (("--task", '{"randomization": "hard"}'), RandomizationConfig(preset="hard"), "tiles"),
         (("--task", '{"randomization": {"preset": "none"}}'), RandomizationConfig(), "tiles"),
         (("--terrain", "stairs", "--level", "2"), RandomizationConfig(preset="moderate"), "stairs"),
@@ -98,9 +104,10 @@ def test_recipe_for_another_robot_has_that_robots_values(asked, tmp_path):
     file.write_text(
         "from quadruped_env.robot import QuadrupedDesign\nROBOT = QuadrupedDesign(name='heavy', base_mass=6.2)\n"
     )
-    config = asked("--recipe", "rough", "--task", str(file))
-    heavy, built_in = config.task["randomization"]["payload"], preset_values("moderate")["payload"]
-    assert heavy == pytest.approx([2.0 * end for end in built_in])
+    for options, preset in ((("--recipe", "rough"), "moderate"), (("--randomization", "hard"), "hard")):
+        config = asked(*options, "--task", str(file))
+        heavy, built_in = config.task["randomization"]["payload"], preset_values(preset)["payload"]
+        assert heavy == pytest.approx([2.0 * end for end in built_in])
 
 
 def test_recipe_for_another_robot_asks_for_steps_of_its_size(asked, tmp_path):

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import torch
-from trainings import ENDLESS, STEPS, assert_complete, command, learn, progress, running, scalars, train
+from trainings import ENDLESS, STEPS, assert_complete, command, learn, progress, running, tensorboard, train
 from waiting import wait_until
 
 from quadruped_env import QuadrupedError, QuadrupedWarning
@@ -207,7 +207,7 @@ def test_killed_training_continues_from_its_last_checkpoint(tmp_path):
     every = sorted(path for path in checkpoints.iterdir() if not path.name.startswith("."))
     steps = [load_policy(path).card["timesteps"] for path in every]
     assert steps == sorted(set(steps))
-    assert scalars(checkpoints.parent)
+    assert tensorboard(checkpoints.parent)
     arguments = command(tmp_path, "--resume", tmp_path / "latest", "--timesteps", 2048)
     done = subprocess.run(arguments, capture_output=True, text=True, check=True)
     assert "mini-quadruped train: warning: " in done.stderr

@@ -77,6 +77,7 @@ def test_a_value_of_another_type_or_of_any_size_is_refused(name):
         ({"seconds": "x"}, r"^training.seconds: expected a number; found 'x'"),
         ({"hidden": (64, 63)}, r"^training.hidden: expected even widths, .* found \(64, 63\); .*symmetric to false"),
         ({"num_envs": 2, "n_steps": 4, "batch_size": 9}, r"^training.batch_size: 9 is more than the 8 samples.*lower"),
+        ({"seed": 999_745}, r"^training.seed: found 999745 to 1000000; 1000000 to 1999999 are reserved for evaluation"),
         ({"name": "a/b"}, r"^training.name must be a part of a directory's name; found 'a/b'"),
     ],
 )

@@ -13,7 +13,7 @@ import gymnasium
 import numpy as np
 import pytest
 from stable_baselines3 import PPO
-from trainings import progress
+from trainings import progress, tensorboard
 
 from quadruped_env.envs import ENV_ID, make_sb3_vec_env
 from quadruped_env.policies import load_policy
@@ -246,21 +246,18 @@ def replayed(run):
     return infos
 
 
-def test_tensorboard_has_the_mean_of_every_reward_term_per_second(run):
-    shown, infos = tensorboard(run.directory), replayed(run)
-    terms = [name for name in infos[0] if name.startswith("reward_")]
-    assert {f"reward_per_second/{name.removeprefix('reward_')}" for name in terms} <= set(shown)
-    for name in terms:
+def test_progress_has_the_mean_of_every_reward_term_per_second(run):
+    infos = replayed(run)
+    for name in (name for name in infos[0] if name.startswith("reward_")):
         expected = [values.mean() / 0.02 for values in windows([info[name] for info in infos])]
-        steps, values = shown[f"reward_per_second/{name.removeprefix('reward_')}"]
-        assert steps == column(run, "timesteps")
-        np.testing.assert_allclose(values, expected, rtol=1e-4, atol=1e-6, err_msg=name)
+        np.testing.assert_allclose(column(run, name), expected, rtol=1e-4, atol=1e-6, err_msg=name)
 
 
 def test_tensorboard_has_the_columns_of_progress(run):
     shown = tensorboard(run.directory)
-    for name in ("return", "fall_rate", "forward_velocity_error", "yaw_rate_error", "seconds"):
-        steps, values = shown[f"progress/{name}"]
+    for name in progress(run.directory)[0].keys() - {"timesteps"}:
+        group = "reward_per_second/" if name.startswith("reward_") else "progress/"
+        steps, values = shown[group + name.removeprefix("reward_")]
         assert steps == column(run, "timesteps")
         np.testing.assert_allclose(values, column(run, name), rtol=1e-5, err_msg=name)
 
@@ -300,18 +297,6 @@ def test_first_episodes_of_new_and_of_resumed_trainings_end_at_different_steps(w
         ends = np.array(run.dones)[:EPISODE_STEPS]
         assert (ends.sum(axis=0) >= 1).all()
         assert len(np.unique(ends.argmax(axis=0))) > ENVS / 2
-
-
-def tensorboard(directory):
-    """Name of each scalar -> steps and values."""
-    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
-
-    events = EventAccumulator(str(directory / "tensorboard"))
-    events.Reload()
-    return {
-        tag: ([event.step for event in events.Scalars(tag)], [event.value for event in events.Scalars(tag)])
-        for tag in events.Tags()["scalars"]
-    }
 
 
 def test_progress_errors_are_those_of_the_averaged_velocities(watched, tmp_path):
@@ -411,10 +396,13 @@ def test_run_that_is_resumed_twice_uses_the_budget_of_the_first_once(watched, tm
     np.testing.assert_allclose(column(third, "seconds"), rows, atol=1e-3)
 
 
-def test_rest_of_a_training_that_continues_a_complete_one_is_resumed(run, watched, tmp_path):
+def test_rest_of_a_training_that_continues_a_complete_one_is_resumed(run, watched, tmp_path, monkeypatch):
     """As much again, of which 4 of 12 rollouts are used; the schedules stay at their ends."""
-    parent = Parent.load(run.directory)
+    parent, shown = Parent.load(run.directory), []
+    monkeypatch.setattr(training_recorder.ProgressLine, "__call__", lambda line, share, note: shown.append(share))
     again = watched().train(tmp_path / "again", parent.resumed({}), parent)
+    steps = np.arange(1, ROLLOUTS * N_STEPS + 1) / (ROLLOUTS * N_STEPS)
+    np.testing.assert_allclose(shown, np.minimum(steps, 0.99), err_msg="the share of its own budget")
     assert column(again, "timesteps")[-1] == 2 * ROLLOUTS * SAMPLES
     rest = resume(watched(), again, "00008s", tmp_path / "rest")
     assert len(rest.rewards) == (ROLLOUTS - 4) * N_STEPS

@@ -2,7 +2,7 @@
 
 import pytest
 
-from quadruped_env.utils.progress import ProgressLine
+from quadruped_env.utils.progress import ProgressLine, part_of
 
 
 @pytest.fixture
@@ -50,3 +50,12 @@ def test_line_in_a_terminal_is_overwritten_and_fits(capsys, monkeypatch, report)
 def test_progress_starts_again_with_the_next_piece_of_work(report):
     pieces = ((0.0, 0.5), (0.5, 1.0), (20.0, 0.1), (21.0, 0.2), (22.0, 0.3))
     assert report(ProgressLine("filming"), *pieces) == "filming:  30%, 7 s left\n"
+
+
+def test_part_of_a_progress_is_scaled_into_its_range():
+    seen = []
+    part = part_of(seen.append, 0.25, 0.75)
+    for share in (0.0, 0.5, 1.0):
+        part(share)
+    assert seen == [0.25, 0.5, 0.75]
+    assert part_of(None, 0.0, 1.0) is None

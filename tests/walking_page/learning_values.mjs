@@ -113,7 +113,7 @@ const VALUES = {
   },
 };
 
-/** An episode in a simulation whose readings are those of a step, `simulation.at`. */
+/** An episode in a simulation whose readings come from a step, `simulation.at`. */
 function made(learning, control, random, settings, steps) {
   const simulation = {
     at: 0, robot: { start: [0, 0, 0, 1, 0, 0, 0, ...learning.stance], height: 1 }, play: learning.stance, data: { qvel: [] },

@@ -27,7 +27,7 @@ _VECTOR_STEPS: Final = 10
 
 
 def single_over_ant(chunks: int = CHUNKS) -> list[Measure]:
-    """The single environment, as `gymnasium.make` gives it, over Gymnasium's Ant-v5."""
+    """Return the single environment, as `gymnasium.make` gives it, over Gymnasium's Ant-v5."""
     env, ant = gymnasium.make(ENV_ID), gymnasium.make("Ant-v5")
     rng = np.random.default_rng(0)
     own, other, resets = [], [], []
@@ -49,7 +49,7 @@ def single_over_ant(chunks: int = CHUNKS) -> list[Measure]:
 
 
 def vector_over_sync(chunks: int = CHUNKS) -> list[Measure]:
-    """The native vector environment over `SyncVectorEnv` of the single one."""
+    """Return the native vector environment over `SyncVectorEnv` of the single one."""
     native = gymnasium.make_vec(ENV_ID, num_envs=SYNC_ENVS)
     vector_kwargs = {"autoreset_mode": AutoresetMode.SAME_STEP}
     sync = gymnasium.make_vec(ENV_ID, num_envs=SYNC_ENVS, vectorization_mode="sync", vector_kwargs=vector_kwargs)
@@ -68,7 +68,7 @@ def vector_over_sync(chunks: int = CHUNKS) -> list[Measure]:
 
 
 def vector_over_bare(chunks: int = 6 * CHUNKS) -> list[Measure]:
-    """The native vector environment over a bare `Batch.step` from the same states with the same controls.
+    """Return the native vector environment over a bare `Batch.step` from the same states with the same controls.
 
     Random actions alone hardly ever throw this robot over: pushes make it fall every few seconds.
     """

@@ -124,7 +124,7 @@ class _Watch(Scheduled):
 
 
 def summary(results: list[Learned]) -> str:
-    """A Markdown table of the seeds of each action mode; a seed that never passed counts as infinitely slow."""
+    """Return a Markdown table of the seeds of each action mode; a seed that never passed counts as infinitely slow."""
     lines = ["| action mode | seeds that learn | median s | each seed, s | median steps |", "|---|---|---|---|---|"]
     for mode in dict.fromkeys(result.action_mode for result in results):
         found = [result for result in results if result.action_mode == mode]

@@ -64,7 +64,7 @@ HEADER: Final = "| measure | value | reach | | detail |\n|---|---|---|---|---|"
 
 
 def row(measure: Measure) -> str:
-    """A row of the Markdown table."""
+    """Return a row of the Markdown table."""
     value = f"{measure.value:.3g} {measure.unit}".strip()
     return f"| {measure.name} | {value} | {measure.reach} | {'yes' if measure.reached else 'NO'} | {measure.detail} |"
 

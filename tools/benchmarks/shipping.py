@@ -113,7 +113,7 @@ def without_output(command: str) -> str:
 
 
 def without_suite(card: dict[str, Any]) -> dict[str, Any]:
-    """A card as it is before the suite has run, in JSON's values."""
+    """Return a card as it is before the suite has run, in JSON's values."""
     return without_nan({name: value for name, value in card.items() if name != "suite"})
 
 
@@ -161,7 +161,7 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
 
 
 def reference_row(result: Mapping[str, Any]) -> dict[str, Any]:
-    """The part of a controller's results that ships: what identifies them, the score, and the main measures."""
+    """Return the part of a controller's results that ships: what identifies them, the score, and the main measures."""
     return {
         **{field: result[field] for field in ("suite", "conditions", "name", "score")},
         "met": result["commands"]["met"],

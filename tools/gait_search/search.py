@@ -158,7 +158,7 @@ def search(
 def tune_commanded_gait(
     robot: Robot, name: str, angular_frequency: float, generations: int, say: Callable[[str], None]
 ) -> CommandedGait:
-    """The tables of a `CommandedGait` in one of `STYLES`, at a frequency in rad/s.
+    """Return the tables of a `CommandedGait` in one of `STYLES`, at a frequency in rad/s.
 
     Each search starts from the preset of that name, mapped to the robot, at the nearest speed of its tables. Speeds
     that are not searched in turns turn as their nearest ones do.
@@ -204,7 +204,7 @@ def _nearest(speed: float, others: Iterable[float]) -> float:
 def commanded_gait(
     robot: Robot, table: Mapping[float, Floats], angular_frequency: float, largest_yaw_rate: float
 ) -> CommandedGait:
-    """The robot's own gait whose tables have a candidate (3, 2, 6) at each speed in m/s, increasing."""
+    """Return the robot's own gait whose tables have a candidate (3, 2, 6) at each speed in m/s, increasing."""
     # Part, leg, column, speed.
     columns = np.round(list(table.values()), 4).transpose(1, 2, 3, 0)
     fore, hind, fore_turn, hind_turn, fore_side, hind_side = (
@@ -226,7 +226,7 @@ def commanded_gait(
 
 
 def candidates_of(gait: CommandedGait) -> dict[float, Floats]:
-    """The candidates (3, 2, 6) of a gait on its robot, by speed in m/s: the inverse of `commanded_gait`."""
+    """Return the candidates (3, 2, 6) of a gait on its robot, by speed in m/s: the inverse of `commanded_gait`."""
     own = [corners(gait.robot).index(corner) for corner in (1, 3)]
     parts = []
     for waves in (gait.straight, gait.turn, gait.side):
@@ -248,13 +248,13 @@ def _line(what: str, found: Found, yaw_rates: tuple[float, ...]) -> str:
 
 
 def measure_commands(gait: CommandedGait, commands: Floats) -> Achieved:
-    """Results of the gait for commands (N, 2) in m/s and rad/s."""
+    """Return results of the gait for commands (N, 2) in m/s and rad/s."""
     targets = lambda clock: gait.positions(np.full(len(commands), clock), commands)  # noqa: E731
     return measure(gait.robot, targets, len(commands), gait.angular_frequency, _TROT, draw_starts(gait.robot, 0))
 
 
 def achieved_table(gait: CommandedGait) -> str:
-    """A Markdown table of commanded and achieved velocities."""
+    """Return a Markdown table of commanded and achieved velocities."""
     straight = [(speed, 0.0) for speed in (-0.4, -0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]
     turning = [(speed, rate) for speed in (0.0, 0.3) for rate in (-0.6, -0.3, 0.3, 0.6)]
     scale = Scale(gait.robot)

@@ -127,7 +127,7 @@ class Achieved:
     yaw_rate_spread: Floats
 
     def like_the_tuned_robot(self, robot: Robot) -> "Achieved":
-        """The same motion of a robot of the size for which the costs of a search are given."""
+        """Return the same motion of a robot of the size for which the costs of a search are given."""
         scale = Scale(robot)
         units = {
             scale.velocity: ("forward_velocity", "lateral_velocity", "slip", "forward_velocity_spread"),

@@ -97,7 +97,7 @@ class DrakeRobot:
         return position, self.plant.GetVelocities(self.context)[self._model.joint_velocity]
 
     def orientation(self) -> Floats:
-        """Unit quaternion wxyz of the base (4,)."""
+        """Return the unit quaternion wxyz of the base (4,)."""
         quaternion = self.plant.GetPositions(self.context)[self._model.base_position][:4]
         return quaternion / np.linalg.norm(quaternion)
 

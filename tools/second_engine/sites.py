@@ -34,7 +34,7 @@ class Site:
 
     @classmethod
     def of_sensor(cls, model: mujoco.MjModel, sensor: str) -> Self:
-        """The site of a sensor of the model."""
+        """Return the site of a sensor of the model."""
         site = model.site(int(model.sensor(sensor).objid[0]))
         link = model.body(int(site.bodyid[0])).name
         return cls(site.name, link, site.pos.copy(), site.quat.copy(), int(site.type[0]), site.size.copy())
@@ -55,7 +55,7 @@ class Site:
         return linear + np.cross(angular, arm) + turning
 
     def holds(self, robot: DrakeRobot, link: str, point: Floats) -> bool:
-        """True for a contact on the site's link at a point (3,) of the world within the zone.
+        """Return True for a contact on the site's link at a point (3,) of the world within the zone.
 
         Raises:
             QuadrupedError: if the zone is neither a sphere nor a box.

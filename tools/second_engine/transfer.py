@@ -77,13 +77,13 @@ class Transfer:
         return 1.0 if math.isnan(there) else 1.0 - there / here
 
     def largest_loss(self, controller: str, velocity: str) -> tuple[float, Command] | None:
-        """The largest loss of a velocity, and its command; None if no command asks for the velocity."""
+        """Return the largest loss of a velocity, and its command; None if no command asks for the velocity."""
         commands = self.commands[controller]
         losses = [(self.loss(controller, velocity, i), command) for i, command in enumerate(commands)]
         return max((entry for entry in losses if not math.isnan(entry[0])), default=None)
 
     def falls(self, controller: str) -> tuple[int, int]:
-        """Number of falls in both engines."""
+        """Return the number of falls in both engines."""
         here, there = (int(engine["fallen"].sum()) for engine in self.values[controller])
         return here, there
 
@@ -97,7 +97,7 @@ class Transfer:
         ]
 
     def carries_over(self) -> bool | None:
-        """True if the policy loses no more than `TARGETS`, and falls no more often in the second engine.
+        """Return True if the policy loses no more than `TARGETS`, and falls no more often in the second engine.
 
         None if that is so, but it does not follow some command here.
         """
@@ -108,7 +108,7 @@ class Transfer:
         return None if self.not_followed("policy") else True
 
     def tables(self) -> list[str]:
-        """Results of each controller as text: the mean of each quantity in both engines, and what is lost."""
+        """Return results of each controller as text: the mean of each quantity in both engines, and what is lost."""
         here, there = (str(engine["name"]) for engine in self.engines)
         velocities = (f"m/s {here}", there, "loss", f"rad/s {here}", there, "loss")
         header = ("m/s, rad/s", *velocities, f"height mm {here}", there, f"falls {here}", there)
@@ -127,7 +127,7 @@ class Transfer:
         return found
 
     def verdict(self) -> tuple[str, ...]:
-        """The targets, one sentence each, for the policy; the first is the conclusion."""
+        """Return the targets, one sentence each, for the policy; the first is the conclusion."""
         here, there = (str(engine["name"]) for engine in self.engines)
         carries_over = self.carries_over()
         sentences = [f"The policy {'carries' if carries_over else 'does not carry'} over to {there}."]
@@ -238,7 +238,7 @@ def run_transfer(
 
 
 def _checked(commands: Sequence[Command], num_seeds: int, seconds: float) -> list[Command]:
-    """The commands as pairs of numbers."""
+    """Return the commands as pairs of numbers."""
     values = np.asarray(commands, dtype=np.float64)
     if values.ndim != 2 or values.shape[1] != 2 or not len(values) or not np.isfinite(values).all():
         raise QuadrupedError(
@@ -256,7 +256,7 @@ def _checked(commands: Sequence[Command], num_seeds: int, seconds: float) -> lis
 
 
 def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
-    """The quantities of a rollout: name -> (K, S)."""
+    """Return the quantities of a rollout: name -> (K, S)."""
     metrics = measure(rollout)
     values: dict[str, Floats] = {
         "forward_velocity": metrics["forward_velocity"],

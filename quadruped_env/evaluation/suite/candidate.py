@@ -30,14 +30,14 @@ class Candidate:
 
     @classmethod
     def of_policy(cls, policy: Policy | Agent, name: str) -> Self:
-        """A trained policy, or one that is code, in its own task."""
+        """Make a candidate of a trained policy, or one that is code, in its own task."""
         policy = as_policy(policy, name)
         return cls(name, PolicyController(policy, name), policy.config)
 
     def task(
         self, commands: Iterable[Command], randomization: Mapping[str, Any] | None = None, terrain: Terrain = flat
     ) -> TaskConfig:
-        """Task of the suite: physics, falls and randomization are the same for all controllers of a robot.
+        """Return the task of the suite: physics, falls and randomization are the same for all controllers of a robot.
 
         The observation, the action, the control rate and the gait clock are the controller's own. Motors and
         terminations are the robot's and the built-in ones, whatever the controller's task has.
@@ -87,7 +87,7 @@ class Candidate:
         )
 
     def zero_action(self) -> Self:
-        """The zero action in the same task: a policy's gait alone, or its stance."""
+        """Return the zero action in the same task: a policy's gait alone, or its stance."""
         return type(self)(f"{self.name}, zero action", ZeroController(self.controller.action_mode), self.config)
 
     @property

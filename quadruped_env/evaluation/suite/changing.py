@@ -41,7 +41,7 @@ def run_joystick(part: Joystick, candidate: Candidate, progress: Progress | None
 
 
 def schedule(part: Joystick, seed: int, dt: float) -> Floats:
-    """Command in each control step of `dt` seconds (T, 2) of the episode of a seed."""
+    """Return the command in each control step of `dt` seconds (T, 2) of the episode of a seed."""
     generator = np.random.default_rng(seed)
     low, high = np.array(part.rectangle)
     steps, command, now = round(part.seconds / dt), np.zeros(2), 0
@@ -67,7 +67,7 @@ def schedule(part: Joystick, seed: int, dt: float) -> Floats:
 
 
 def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict[str, Any]:
-    """Falls per hour until each robot's fall, errors, and the share of met windows, as plain values.
+    """Return falls per hour until each robot's fall, errors, and the share of met windows, as plain values.
 
     `command` (T, N, 2) are the commands that were given, whatever the task makes of them.
     """
@@ -89,7 +89,7 @@ def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict
 
 
 def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Mask, part: Joystick, dt: float) -> Floats:
-    """Error of the mean velocity of the stretch of one command to which each sample belongs (T, N, 2).
+    """Return the error of the mean velocity over the stretch of one command that each sample belongs to (T, N, 2).
 
     A stretch begins `allowance` after a change of the command, and ends at the next change or a fall. NaN outside
     stretches, and in those shorter than `shortest`.
@@ -109,7 +109,7 @@ def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Mask, part: J
 
 
 def met_windows(error: Floats, valid: Mask, part: Joystick, dt: float) -> Mask:
-    """True for each whole window without a fall and with mean absolute errors in the tolerance (windows, N).
+    """Return True for each whole window without a fall and with mean absolute errors in the tolerance (windows, N).
 
     A window without a counted sample is not met.
     """
@@ -147,7 +147,7 @@ def run_transients(part: Transients, candidate: Candidate, progress: Progress | 
 
 
 def step_measures(rollout: Rollout, change: Change, part: Transients) -> dict[str, Any]:
-    """Measures of the episodes of one step of the command, as plain values.
+    """Measure the episodes of one step of the command; plain values.
 
     An episode that falls or does not follow the change counts with the longest settling time, `part.after`.
     """
@@ -173,7 +173,7 @@ def step_measures(rollout: Rollout, change: Change, part: Transients) -> dict[st
 def step_response(
     velocity: NDArray[Any], wanted: float, part: Transients, dt: float, narrowest: float = 0.0
 ) -> tuple[Floats, Mask]:
-    """Settling time in s of a velocity (T, N) after a commanded change (`wanted`), and whether it followed, (N,) each.
+    """Return the settling time (s) of a velocity (T, N) after a commanded change, and True where it followed, (N,).
 
     The settling time is from the change until the velocity stays in the band around its final value. The velocity is
     from `part.before` before the change to `part.after` after it, every `dt` seconds; the last half window counts only
@@ -193,7 +193,7 @@ def step_response(
 
 
 def centred_mean(values: NDArray[Any], half: int) -> Floats:
-    """Means (T, N) over each sample, `half` samples before and `half` after it; shorter windows at both ends."""
+    """Return means (T, N) over each sample, `half` samples before and `half` after it; shorter windows at both ends."""
     total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0, dtype=np.float64)])
     index = np.arange(len(values))
     low, high = np.maximum(index - half, 0), np.minimum(index + half + 1, len(values))
@@ -218,14 +218,14 @@ def run_pushes(part: Pushes, candidate: Candidate, progress: Progress | None = N
 
 
 def push_of(part: Pushes, seed: int) -> tuple[float, Floats]:
-    """Time in s and direction of the push in the episode of a seed: (6,) in the units of `part.unit`."""
+    """Return the time in s and direction of the push in the episode of a seed: (6,) in the units of `part.unit`."""
     generator = np.random.default_rng(seed)
     direction = generator.standard_normal(6)
     return generator.uniform(*part.before), direction / np.linalg.norm(direction) * part.unit
 
 
 def push_measures(rollout: Rollout, part: Pushes) -> dict[str, Any]:
-    """Shares of the episodes that follow their command after the push, and that do not fall, as plain values.
+    """Return the shares of the episodes that follow their command after the push and that do not fall, plain values.
 
     Without a fall, the mean velocities over the last `final` seconds must be close to the command; under a command
     to stand, the robot must also stand still.

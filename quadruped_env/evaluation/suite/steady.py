@@ -1,7 +1,7 @@
-"""Parts of the suite with a fixed command: the map of commands, the gait, and regulation under disturbances."""
+"""Parts of the suite with a fixed command: map of commands, gait, regulation under disturbances, and terrains."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Final
 
 import numpy as np
@@ -18,8 +18,8 @@ from quadruped_env.evaluation.measures import (
 )
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.suite.candidate import Candidate
-from quadruped_env.evaluation.suite.suite_definition import CommandMap, Disturbance, GaitPart, Regulation
-from quadruped_env.simulation import flat
+from quadruped_env.evaluation.suite.suite_definition import CommandMap, Disturbance, GaitPart, Regulation, TerrainPart
+from quadruped_env.simulation import TERRAINS, Tiles, find_terrain, flat
 from quadruped_env.simulation.terrain import Grid, terrain
 from quadruped_env.task import Task
 from quadruped_env.utils import rotations
@@ -58,7 +58,7 @@ def run_command_map(part: CommandMap, candidate: Candidate, progress: Progress |
 
 
 def summary(commands: ArrayLike, achieved: Floats, fallen: Mask, met: Mask) -> dict[str, Any]:
-    """Errors and shares of K commands, from mean velocities (K, S, 2), falls and the result of `meets` (K, S)."""
+    """Summarize K commands from mean velocities (K, S, 2), falls and the result of `meets` (K, S)."""
     error = achieved - np.asarray(commands, dtype=np.float64)[:, None]
     result: dict[str, Any] = {"met": proportion(met).to_dict(), "falls": proportion(fallen).to_dict()}
     for column, name in enumerate(("forward_velocity", "yaw_rate")):
@@ -73,7 +73,7 @@ def summary(commands: ArrayLike, achieved: Floats, fallen: Mask, met: Mask) -> d
 
 
 def envelope(part: CommandMap, met: Mask) -> dict[str, float]:
-    """Largest command in each direction up to which every episode meets its command; 0 if none does.
+    """Return the largest command in each direction up to which every episode meets its command; 0 if none does.
 
     Forwards and backwards in m/s, left and right in rad/s. `met` (commands of all axes, S) is the result of `meets`.
     """
@@ -110,7 +110,7 @@ def run_gait(part: GaitPart, candidate: Candidate, progress: Progress | None = N
 
 
 def gait_score(result: Mapping[str, Any], part: GaitPart) -> float:
-    """Score of the gait in [0, 1]: mean over the commands of the share of episodes that follow it times five numbers.
+    """Score the gait in [0, 1]: mean over the commands of the share of episodes that follow it times five numbers.
 
     Their mean, 0 for a robot with a foot that does not step: the clearance of the foot that is lifted least, over
     `full_clearance`; x or 1 / x, the one below 1, of the foot with the worst number x of swings per stride; 1 - bounces
@@ -198,7 +198,7 @@ def _place(task: Task, angle: float) -> None:
 
 
 def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
-    """Falls, and the signed share of each command that is kept, in episodes grouped by command, as plain values."""
+    """Return falls, and the signed share of each command that is kept, of episodes grouped by command."""
     achieved = mean_velocities(rollout).reshape(len(part.commands), -1, 2)
     kept = keeps(part, achieved, rollout.fallen.reshape(len(part.commands), -1))
     return {
@@ -216,7 +216,7 @@ def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
 
 
 def keeps(part: Regulation, achieved: ArrayLike, fallen: Mask) -> Mask:
-    """True for each of S episodes that keeps both velocities of its command without a fall (K, S).
+    """Return True for each of S episodes that keeps both velocities of its command without a fall (K, S).
 
     `achieved` are mean velocities (K, S, 2), NaN if unknown.
     """
@@ -227,10 +227,61 @@ def keeps(part: Regulation, achieved: ArrayLike, fallen: Mask) -> Mask:
 
 
 def regulation_score(result: Mapping[str, Any], part: Regulation) -> float:
-    """Score of the regulation in [0, 1]: mean of two shares of episodes.
+    """Score the regulation in [0, 1]: mean of two shares of episodes.
 
     The first are those that keep their velocities under one disturbance, mean over the disturbances; the second those
     that hold their command under all together.
     """
     alone = np.mean([result[factor.name]["kept"]["mean"] for factor in part.factors])
     return 0.5 * float(alone + result[part.together.name]["held"]["mean"])
+
+
+def run_terrain(part: TerrainPart, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
+    """Measure the share of crossings by kind and level, as plain values.
+
+    Levels are tried in their order. A kind is not tried any further after the first level that is not passed.
+    """
+    passed: dict[str, list[dict[str, Any]]] = {kind: [] for kind in part.kinds}
+    left = list(part.kinds)
+    for level in range(1, part.levels + 1):
+        done = part_of(progress, (level - 1) / part.levels, level / part.levels)
+        crossed = crossings(part, candidate, left, level, done)
+        for kind in tuple(left):
+            passed[kind].append(proportion(crossed[kind]).to_dict())
+            if crossed[kind].mean() < part.pass_share:
+                left.remove(kind)
+        if not left:
+            break
+    if progress is not None:
+        progress(1.0)
+    return {kind: {"highest_level": highest(levels, part), "crossed": levels} for kind, levels in passed.items()}
+
+
+def crossings(
+    part: TerrainPart, candidate: Candidate, kinds: Sequence[str], level: int, progress: Progress | None = None
+) -> dict[str, Mask]:
+    """Return True for each episode that leaves its tile on its feet and in time: kind -> (worlds, S).
+
+    Episodes start in the middle of the tile with a random heading, and walk straight ahead.
+    """
+    worlds = []
+    tiles = find_terrain("tiles", TERRAINS)
+    assert isinstance(tiles, Tiles)
+    on = np.repeat([[part.kinds.index(kind), level] for kind in kinds], part.num_seeds, axis=0)
+    for i, seed in enumerate(part.terrain_seeds):
+        done = part_of(progress, i / len(part.terrain_seeds), (i + 1) / len(part.terrain_seeds))
+        world = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, seed)
+        rollout = candidate.run([part.command] * len(kinds), part.seeds, part.seconds, done, terrain=world, tiles=on)
+        ground = rollout.terrain  # in the units of the robot
+        assert isinstance(ground, Tiles)
+        centre = ground.centres()[on[:, 0], on[:, 1] - 1]
+        away = np.abs(rollout.base_position[..., :2] - centre).max(axis=-1)
+        crossed = (rollout.valid & (away > 0.5 * ground.tile_size)).any(axis=0)
+        worlds.append(crossed.reshape(len(kinds), part.num_seeds))
+    return dict(zip(kinds, np.stack(worlds, axis=1), strict=True))
+
+
+def highest(levels: Sequence[Mapping[str, Any]], part: TerrainPart) -> int:
+    """Return the highest level up to which every level is passed; 0 if the first one is not."""
+    passed = [entry["mean"] >= part.pass_share for entry in levels]
+    return passed.index(False) if False in passed else len(passed)

@@ -15,9 +15,9 @@ from quadruped_env.evaluation.suite.steady import (
     run_command_map,
     run_gait,
     run_regulation,
+    run_terrain,
 )
 from quadruped_env.evaluation.suite.suite_definition import Suite, TerrainPart, for_robot, full_suite
-from quadruped_env.evaluation.suite.terrains import run_terrain
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.utils.progress import Progress, part_of
 
@@ -26,7 +26,7 @@ _STANDING_WEIGHT: Final = 0.2
 
 
 def moving_and_standing(result: Mapping[str, Any], part: object) -> float:
-    """Score in [0, 1] from the shares of commands to move and to stand that are met.
+    """Score in [0, 1] the shares of commands to move and to stand that are met.
 
     Standing alone earns nothing; a robot that moves as commanded, and never stands still, loses a fifth.
     """
@@ -119,7 +119,7 @@ def _results(candidate: Candidate, suite: Suite, progress: Progress | None) -> d
 
 
 def _physics(candidate: Candidate) -> dict[str, Any]:
-    """Robot and physics of a controller's task, which must be the same in results that are compared."""
+    """Return the robot and physics of a controller's task, which must be the same in results that are compared."""
     config = candidate.task([(0.0, 0.0)])
     model = config.compiled_model()
     option = model.opt
@@ -136,6 +136,6 @@ def _physics(candidate: Candidate) -> dict[str, Any]:
 
 
 def scores(suite: Suite, parts: Mapping[str, Any]) -> dict[str, Any]:
-    """Score in [0, 1]: `total`, the mean of the components, and `components`."""
+    """Return the score in [0, 1]: `total`, the mean of the components, and `components`."""
     components = {name: score(parts[name], getattr(suite, name)) for name, (_, score) in PARTS.items()}
     return {"total": sum(components.values()) / len(components), "components": components}

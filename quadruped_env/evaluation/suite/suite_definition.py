@@ -38,7 +38,7 @@ _R2: Final = np.array([0.7548776662466927, 0.5698402909980532])
 
 
 def _steps(first: int, last: int, step: int, unit: float) -> tuple[float, ...]:
-    """Multiples of `unit`: `first`, `first` + `step`, ... up to `last`, rounded to their decimal values."""
+    """Return the multiples of `unit`: `first`, `first` + `step`, ... up to `last`, rounded to their decimal values."""
     return tuple(round(i * unit, 6) for i in range(first, last + 1, step))
 
 
@@ -217,7 +217,7 @@ class Pushes(Part):
 
 
 def _factors() -> tuple[Disturbance, ...]:
-    """Friction, payload, encoder offsets and slopes, one at a time."""
+    """List the disturbances: friction, payload, encoder offsets and slopes, one at a time."""
     return (
         Disturbance("nominal"),
         *(Disturbance(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
@@ -298,7 +298,7 @@ class Suite:
     terrain: TerrainPart = TerrainPart(16, _FIRST_SEED + 6 * _SEEDS_PER_PART)
 
     def to_dict(self) -> dict[str, Any]:
-        """The definition as plain values."""
+        """Return the definition as plain values."""
         values = dataclasses.asdict(self)
         del values["commands"]["rectangle"], values["joystick"]["rectangle"]
         return {"name": NAME, "version": VERSION, **plain(values)}
@@ -333,7 +333,7 @@ for all."""
 
 
 def for_robot(suite: Suite, robot: Robot) -> Suite:
-    """The suite in the units of a robot: its commands, tolerances, pushes, and the heights and speeds of its scores."""
+    """Scale the suite to a robot: commands, tolerances, pushes, and the heights and speeds of the scores."""
     scaled_suite: Suite = _scaled(suite, robot)
     return scaled_suite
 
@@ -352,13 +352,13 @@ def _scaled(value: Any, robot: Robot, unit: str | tuple[str, ...] | None = None)
 
 @functools.cache
 def full_suite() -> Suite:
-    """Version `VERSION` of the suite."""
+    """Return version `VERSION` of the suite."""
     return Suite()
 
 
 @functools.cache
 def quick_suite() -> Suite:
-    """The quick version: few conditions and episodes of every part, never comparable with the full one."""
+    """Return the quick version: few conditions and episodes of every part, never comparable with the full one."""
     full = full_suite()
     factors = {factor.name: factor for factor in full.regulation.factors}
     axes = {name: commands[1:3] for name, commands in full.commands.axes.items()}

@@ -153,7 +153,7 @@ class _Wizard:
         references, positions = np.zeros((2, self._robot.num_joints))
         for joints in map(list, self._robot.leg_joints):
             references[joints] = self._angles(joints)
-            # All motors; a leg's joints use those of this leg.
+            # All motors; a leg's joints use this leg's motors.
             measured = self._swing.positions()
             combined = _map(self._robot, answers, self._unit).to_joints(self._motors, {"position": measured})
             positions[joints] = combined["position"][joints]

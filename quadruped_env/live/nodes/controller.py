@@ -87,7 +87,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--sim-time",
         action="store_true",
-        help=f"the time is that of {CLOCK.name}, or of the states' timestamps where nothing publishes it: for a "
+        help=f"the time comes from {CLOCK.name}, or from the states' timestamps where nothing publishes it: for a "
         "simulator that does not run at real time, or starts again (ROS's use_sim_time)",
     )
     parser.add_argument(

@@ -76,7 +76,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
         raise QuadrupedError(f"--real-time-factor: expected {_SLOWEST:g} to {_FASTEST:g}; found {factor:g}")
     SinglePublisherGuard(session)
     sensors = Sensors(session.node, robot.robot, driver)
-    commands = _Commands(session, robot, driver)
+    commands = Commands(session, robot, driver)
     pushes = session.node.subscribe(PUSH, read=message_reader(PUSH, _push))
     # Exclude the existing objects from garbage collection, to avoid pauses in the real-time loop.
     gc.collect()
@@ -110,7 +110,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     return 0
 
 
-class _Commands:
+class Commands:
     """Forwards validated commands to the robot, in order and from one publisher at a time."""
 
     def __init__(self, session: Session, robot: SimulatedRobot, driver: DriverJoints) -> None:

@@ -55,7 +55,7 @@ stride."""
 
 
 def size_of(robot: Robot) -> float:
-    """Size of a robot, by which lengths of pictures are scaled: the height of its base relative to `_UNIT_HEIGHT`."""
+    """Return the size of a robot, which scales lengths of pictures: the height of its base over `_UNIT_HEIGHT`."""
     return robot.stance_height / _UNIT_HEIGHT
 
 
@@ -68,20 +68,20 @@ class Clip:
 
     @classmethod
     def of_rollout(cls, rollout: Rollout, row: int, title: str, start: float = 0.0, stop: float = np.inf) -> Self:
-        """Part of an episode (its index in the rollout) from `start` to `stop`, s, or to its fall."""
+        """Return the part of an episode (its index in the rollout) from `start` to `stop`, s, or to its fall."""
         one = rollout.env(row)
         last = min(int(one.valid.sum()) + 1, len(one))
         first = min(round(start / one.timestep), last - 1)
         return cls(title, facing_ahead(one.window(first, round(min(stop / one.timestep, last)))))
 
     def frame_samples(self) -> NDArray[np.intp]:
-        """Indices of the samples that a film at `FRAME_RATE` shows."""
+        """Return the indices of the samples that a film at `FRAME_RATE` shows."""
         times = np.arange(0.0, self.trace.seconds - 1e-9, 1.0 / FRAME_RATE)
         return np.minimum(np.round(times / self.trace.timestep), len(self.trace) - 1).astype(np.intp)
 
 
 def facing_ahead(trace: Trace) -> Trace:
-    """A trace of one env, rotated and translated in the plane so that it begins at the origin and faces along x.
+    """Return a trace of one env, rotated and translated in the plane so that it begins at the origin and faces along x.
 
     A trace on uneven ground stays where it is.
     """
@@ -96,7 +96,7 @@ def facing_ahead(trace: Trace) -> Trace:
 
 
 def smoothed_position(trace: Trace, sample: int) -> NDArray[np.float64]:
-    """Position of the base around a sample, averaged over time so that a camera can follow it: x and y, m (2,)."""
+    """Return x and y of the base around a sample, averaged over time so that a camera can follow it, m (2,)."""
     around = round(_SMOOTHING / trace.timestep)
     return trace.base_pose[max(0, sample - around) : sample + around + 1, :2].mean(axis=0, dtype=np.float64)
 

@@ -66,7 +66,7 @@ class Overlay:
         self._gait = None if trace.contact is None else gait_strip(robot, trace.contact, trace.timestep)
 
     def draw(self, picture: NDArray[np.uint8], sample: int) -> NDArray[np.uint8]:
-        """The picture (H, W, 3) of a sample, with overlays."""
+        """Return the picture (H, W, 3) of a sample, with overlays."""
         picture = picture.copy()
         # Only the edges are converted to Pillow images: converting the whole picture takes as long as drawing.
         head, panel = picture[:_HEAD_HEIGHT], picture[-_PANEL_HEIGHT:]
@@ -122,18 +122,16 @@ class Overlay:
         pen.text((_BAR_RIGHT + 10, top + 8), text, fill=INK, font=self._small, anchor="lm")
 
     def _draw_legend(self, pen: Any) -> None:
-        """Draw the meaning of the bar and of the mark."""
-        x, y = _BAR_LEFT, _LEGEND_TOP
-        pen.rectangle((x, y - 4, x + 14, y + 4), fill=ACTUAL)
-        pen.text((x + 20, y), MEASURED_LEGEND, fill=GREY, font=self._smallest, anchor="lm")
+        """Name the bar and the mark, in their colours."""
+        at, font = (_BAR_LEFT, _LEGEND_TOP), self._smallest
+        pen.text(at, MEASURED_LEGEND, fill=ACTUAL, font=font, anchor="lm")
         if self._command is not None:
-            x += 30 + math.ceil(self._smallest.getlength(MEASURED_LEGEND))
-            pen.line((x, y - 6, x, y + 6), fill=COMMANDED, width=3)
-            pen.text((x + 8, y), COMMANDED_LEGEND, fill=GREY, font=self._smallest, anchor="lm")
+            right = _BAR_LEFT + 12 + font.getlength(MEASURED_LEGEND)
+            pen.text((right, _LEGEND_TOP), COMMANDED_LEGEND, fill=COMMANDED, font=font, anchor="lm")
 
 
 def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float64]:
-    """Means over the last `window` samples of values (T, K), over fewer samples at the beginning, (T, K)."""
+    """Return the means over the last `window` samples of values (T, K), over fewer samples at the beginning, (T, K)."""
     total = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(values, axis=0, dtype=np.float64)])
     stop = np.arange(1, len(values) + 1)
     start = np.maximum(stop - window, 0)
@@ -141,13 +139,13 @@ def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float
 
 
 def _bands(robot: Robot) -> list[tuple[int, int]]:
-    """Top and bottom of each foot's band in the gait diagram, pixels; thinner for more feet."""
+    """Return the top and bottom of each foot's band in the gait diagram, pixels; thinner for more feet."""
     step = _GAIT_HEIGHT // robot.num_legs
     return [(step * leg, step * leg + max(1, int(_BAND_SHARE * step))) for leg in range(robot.num_legs)]
 
 
 def gait_strip(robot: Robot, contact: NDArray[np.bool_], timestep: float) -> NDArray[np.uint8]:
-    """The gait diagram of a trace as a picture: one band per foot, coloured while it is on the ground (T, L).
+    """Return the gait diagram of a trace as a picture: one band per foot, coloured while it is on the ground (T, L).
 
     `GAIT_SECONDS` are `_GAIT_WIDTH` pixels.
     """

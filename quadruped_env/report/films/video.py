@@ -1,5 +1,6 @@
 """Video files: MP4 for browsers and presentations, animated WebP for READMEs."""
 
+import importlib
 import io
 import itertools
 from collections.abc import Iterable, Iterator, Sequence
@@ -37,9 +38,9 @@ def prepare_video(path: Path | None, overwrite: bool = False) -> None:
             f"{path}: a video's name ends in {' or '.join(SUFFIXES)}; found {path.suffix or 'no ending'!r}"
         )
     check_free([path], overwrite)
-    _pillow()
+    _library("PIL.Image")
     if path.suffix == ".mp4":
-        _pyav()
+        _library("av")
     model = mujoco.MjSpec().compile()
     SceneRenderer(model, mujoco.MjData(model), "rgb_array", WIDTH, HEIGHT).close()
 
@@ -67,7 +68,7 @@ def save_video(path: Path, pictures: Iterable[Picture]) -> None:
 
 def encode_mp4(pictures: Iterable[Picture]) -> bytes:
     """Encode pictures (H, W, 3) with even sides as an H.264 video, which every browser plays."""
-    av = _pyav()
+    av = _library("av")
     first, pictures = _first(pictures)
     file = io.BytesIO()
     with av.open(file, "w", format="mp4") as container:
@@ -88,7 +89,7 @@ def encode_mp4(pictures: Iterable[Picture]) -> bytes:
 
 def _encode_webp(pictures: Iterable[Picture]) -> bytes:
     """Encode pictures as an animated WebP, scaled down to `_PAGE_WIDTH` if they are wider."""
-    image = _pillow()
+    image = _library("PIL.Image")
     _, pictures = _first(pictures)
     images = []
     for picture in pictures:
@@ -103,7 +104,7 @@ def _encode_webp(pictures: Iterable[Picture]) -> bytes:
 
 
 def _first(pictures: Iterable[Picture]) -> tuple[Picture, Iterator[Picture]]:
-    """The first of the pictures, and all of them."""
+    """Return the first of the pictures, and all of them."""
     rest = iter(pictures)
     first = next(rest, None)
     if first is None:
@@ -111,17 +112,9 @@ def _first(pictures: Iterable[Picture]) -> tuple[Picture, Iterator[Picture]]:
     return first, itertools.chain([first], rest)
 
 
-def _pillow() -> Any:
+def _library(name: str) -> Any:
+    """Import Pillow or PyAV; a MissingExtraError if it is not installed."""
     try:
-        from PIL import Image
+        return importlib.import_module(name)
     except ImportError as error:
         raise MissingExtraError("A video", "report") from error
-    return Image
-
-
-def _pyav() -> Any:
-    try:
-        import av
-    except ImportError as error:
-        raise MissingExtraError("A video", "report") from error
-    return av

@@ -15,10 +15,9 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.conditions import words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.failures import worst_episodes
 from quadruped_env.evaluation.learning_gain import TABLE_NOTE, LearningGain
 from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW
-from quadruped_env.evaluation.verdict import verdict
+from quadruped_env.evaluation.verdict import verdict, worst_episodes
 from quadruped_env.policies import task_note
 from quadruped_env.report import plots
 from quadruped_env.report.pages import clips, suite_section
@@ -190,7 +189,7 @@ def write_comparison(
 ) -> Path:
     """Write the report of several policies, whose numbers are in `document`, and return its path.
 
-    The other arguments are those of `write_comparison_numbers`.
+    The other arguments are as in `write_comparison_numbers`.
     """
     gains = gains or {}
     judged = {name: verdict(comparison.seen_as(name)).headline for name in policies}

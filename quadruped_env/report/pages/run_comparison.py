@@ -31,7 +31,7 @@ def find_policies(
 
 
 def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[str]:
-    """The most accurate policies for a motion: the best one, and those that are equal to it.
+    """Return the most accurate policies for a motion: the best one, and those that are equal to it.
 
     A policy is equal if the interval of the paired difference includes zero, or its mean is within `equal_up_to`.
     Policies that fall too early have no value and no rank; empty if there are not two others, or they share no episode.
@@ -50,7 +50,7 @@ def best_at(comparison: Comparison, names: Sequence[str], motion: str) -> list[s
 
 
 def headline(comparison: Comparison, names: Sequence[str]) -> str:
-    """A sentence: the policies that fall more often than others, and the most accurate ones for each motion."""
+    """Return a sentence: the policies that fall more often than others, and the most accurate ones for each motion."""
     falls = {name: comparison.estimate(name, "fall_rate") for name in names}
     # "More often" requires that the confidence intervals do not overlap.
     unsteady = [name for name in names if falls[name].low > min(fall.high for fall in falls.values())]

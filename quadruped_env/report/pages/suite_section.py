@@ -47,7 +47,7 @@ def results_of(evaluated: EvaluatedPolicy) -> dict[str, Any]:
     """Return a policy's results of the suite, from the default directory of its evaluation.
 
     Raises:
-        QuadrupedError: if there are no results, or they are those of another policy.
+        QuadrupedError: if there are no results, or they belong to another policy.
     """
     path = evaluated.evaluation / RESULTS_FILE
     fix = f"evaluate it first: mini-quadruped evaluate {evaluated.source} --suite"

@@ -87,7 +87,7 @@ def reward_terms(
 
 
 def terms_table(policies: Mapping[str, EvaluatedPolicy], comparison: Comparison) -> Table:
-    """Return the table of reward terms per second, those of all policies in their order."""
+    """Return the table of reward terms per second, with the terms of all policies in their order."""
     terms = reward_terms(policies, comparison)
 
     def cell(term: Mapping[str, float] | None) -> str:

@@ -2,8 +2,7 @@
 
 from quadruped_env.report.plots.effort_plots import cost_over_speed, mean_terms, motor_limits
 from quadruped_env.report.plots.learning_plots import LEARNING_CURVES, learning_curve, read_progress, term_curves
-from quadruped_env.report.plots.motion_plots import gait_diagram
-from quadruped_env.report.plots.velocity_plots import episode, tracking
+from quadruped_env.report.plots.motion_plots import episode, gait_diagram, tracking
 
 __all__ = [
     "LEARNING_CURVES",

@@ -1,7 +1,7 @@
 """Common parts of all figures: style, canvas, and the colour and marker of each controller."""
 
 import io
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import CONTROLLERS
-from quadruped_env.evaluation.measures import START_UP
+from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.report.palette import CONTROLLER_COLOURS, SERIES
 
 STYLE_FILE: Final = Path(__file__).with_name("quadruped.mplstyle")
@@ -58,17 +58,17 @@ def legend_above(figure: Any, columns: int, reverse: bool = False, **options: An
 
 
 def label(controller: str) -> str:
-    """Label of a controller. Policies of a comparison have their own names."""
+    """Return the label of a controller. Policies of a comparison have their own names."""
     return CONTROLLERS.get(controller, controller)
 
 
 def joint_label(name: str) -> str:
-    """Label of a joint, from its name."""
+    """Return the label of a joint, from its name."""
     return name.removesuffix("_joint").replace("_", " ")
 
 
 def controller_styles(controllers: Iterable[str]) -> dict[str, dict[str, Any]]:
-    """Colour and marker of each controller: fixed for those of `CONTROLLERS`, free ones for the others."""
+    """Return the colour and marker of each controller: a fixed one for the names in `CONTROLLERS`, else a free one."""
     taken = set(CONTROLLER_COLOURS.values())
     if "policy" not in (names := list(controllers)):
         taken.discard(CONTROLLER_COLOURS["policy"])
@@ -85,9 +85,10 @@ def controller_styles(controllers: Iterable[str]) -> dict[str, dict[str, Any]]:
     return found
 
 
-def shown_samples(valid: NDArray[np.bool_], timestep: float, seconds: float) -> NDArray[np.intp]:
-    """Indices of the samples to plot of an episode: `seconds` from the end of the start-up, earlier for early falls."""
-    alive = int(valid[:, 0].sum())
-    length = round(seconds / timestep)
-    start = max(0, min(round(START_UP / timestep), alive - length))
-    return np.arange(start, min(alive, start + length), dtype=np.intp)
+def draw_estimates(
+    ax: Any, x: NDArray[np.floating[Any]], estimates: Sequence[Estimate], hollow: bool = False, **style: Any
+) -> None:
+    """Draw means over x (N,) as marks with the bars of their intervals, hollow ones for a second kind of motion."""
+    mean, low, high = (np.array([getattr(one, end) for one in estimates]) for end in ("mean", "low", "high"))
+    reach, face = np.maximum([mean - low, high - mean], 0.0), "white" if hollow else None
+    ax.errorbar(x, mean, reach, markerfacecolor=face, **{"linestyle": "none", "elinewidth": 1.0, **style})

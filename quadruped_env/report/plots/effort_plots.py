@@ -1,5 +1,6 @@
 """Figures of energy and motor limits, and the mean reward terms."""
 
+import math
 from typing import Any, Final
 
 import numpy as np
@@ -8,14 +9,21 @@ from numpy.typing import NDArray
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.measures import counted_samples, masked_mean
 from quadruped_env.report.palette import GREY, LIMIT
-from quadruped_env.report.plots.canvas import controller_styles, draw_figure, joint_label, label, legend_above
+from quadruped_env.report.plots.canvas import (
+    controller_styles,
+    draw_estimates,
+    draw_figure,
+    joint_label,
+    label,
+    legend_above,
+)
 
 _SHARES: Final = (50, 95, 100)
 """Percentiles of |torque| and |speed| over time and episodes that the figure shows."""
 
 
 def cost_over_speed(comparison: Comparison) -> str:
-    """Costs of transport and powers over the speed reached, of every controller; hollow marks are backwards.
+    """Draw the costs of transport and powers over the speed reached, of every controller; hollow marks are backwards.
 
     Above the electrical figures, below the mechanical ones.
     """
@@ -29,26 +37,18 @@ def cost_over_speed(comparison: Comparison) -> str:
     def draw(axes: Any) -> None:
         for ax, (metric, quantity) in zip(axes.flat, metrics, strict=True):
             for controller in comparison.values:
-                for motion, face in (("forwards", None), ("backwards", "white")):
+                for motion in ("forwards", "backwards"):
                     rows = comparison.conditions(motion)
                     speed = np.abs([comparison.estimate(controller, "forward_velocity", [i]).mean for i in rows])
                     estimates = [comparison.estimate(controller, metric, [i]) for i in rows]
-                    mean = np.array([e.mean for e in estimates])
-                    reach = [[e.mean - e.low for e in estimates], [e.high - e.mean for e in estimates]]
                     # Commands that all lead to the same speed are not connected by a line.
                     known = speed[np.isfinite(speed)]
-                    travels = len(known) > 1 and float(np.ptp(known)) > 0.05
-                    if np.isfinite(mean).any():
-                        ax.errorbar(
-                            speed,
-                            mean,
-                            np.maximum(reach, 0.0),
-                            **styles[controller],
-                            linestyle="-" if travels and face is None else "none",
-                            linewidth=1.0,
-                            markerfacecolor=face,
-                            label=label(controller) if face is None else None,
-                        )
+                    travels = len(known) > 1 and float(np.ptp(known)) > 0.05 and motion == "forwards"
+                    if not all(math.isnan(one.mean) for one in estimates):
+                        style = {"linestyle": "-" if travels else "none", "linewidth": 1.0}
+                        name = label(controller) if motion == "forwards" else None
+                        hollow = motion == "backwards"
+                        draw_estimates(ax, speed, estimates, hollow, label=name, **styles[controller], **style)
             ax.set(xlabel="speed reached (m/s)" if ax in axes[-1] else "", ylabel=quantity)
             ax.set_ylim(bottom=0.0)
             ax.set_xlim(left=-0.02)
@@ -58,7 +58,7 @@ def cost_over_speed(comparison: Comparison) -> str:
 
 
 def motor_limits(comparison: Comparison) -> str:
-    """Torque and speed of each of the policy's joints over time and episodes, relative to the limits."""
+    """Draw the torque and speed of each of the policy's joints over time and episodes, relative to the limits."""
     rollout = comparison.rollouts["policy"]
     robot, counted = rollout.robot, counted_samples(rollout)
     torque, speed = rollout.joint_torque[counted], rollout.joint_velocity[counted]
@@ -84,7 +84,7 @@ def motor_limits(comparison: Comparison) -> str:
 
 
 def mean_terms(comparison: Comparison) -> dict[str, NDArray[np.float64]]:
-    """Controller -> mean of each weighted reward term per second over all commands (K,).
+    """Return controller -> mean of each weighted reward term per second over all commands (K,).
 
     Controllers that always fall during the start-up are left out.
     """

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,9 +10,6 @@ from numpy.typing import NDArray
 from quadruped_env.report.palette import LIMIT
 from quadruped_env.report.plots.canvas import draw_figure, joint_label
 from quadruped_env.robot import Robot
-
-_MAX_POINTS: Final = 1500
-"""Points drawn per line: more than a figure has pixels."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +31,7 @@ def joint_panels(
     limits: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None,
     mark: float | None = None,
 ) -> str:
-    """One panel per joint: one row per leg, with its joints from the base outwards, and a last row of other joints.
+    """Draw a panel per joint: a row per leg, with its joints from the base outwards, and a last row of other joints.
 
     Limits (J,) are drawn where they are within the range of the data; `mark` is a time to mark, s.
     """
@@ -44,10 +41,9 @@ def joint_panels(
 
     def draw_joint(ax: Any, joint: int) -> None:
         for title, line in lines.items():
-            shown = _shown_rows(line.values[:, joint])
             style: dict[str, Any] = {"linestyle": (0, (4, 2))} if line.dashed else {}
-            values = line.values[shown, joint]
-            ax.plot(line.times[shown], values, color=line.colour, linewidth=1.0, label=title, **style)
+            # Of a long log matplotlib draws the extremes at each pixel (path.simplify).
+            ax.plot(line.times, line.values[:, joint], color=line.colour, linewidth=1.0, label=title, **style)
         ax.set_ylim(*ax.get_ylim())
         for limit in () if limits is None else (limits[0][joint], limits[1][joint]):
             ax.axhline(limit, color=LIMIT, linewidth=1.0)
@@ -69,24 +65,3 @@ def joint_panels(
 
     height = 0.6 + 1.6 * len(rows)
     return draw_figure(len(rows), max(map(len, rows)), height, draw, sharex=True)
-
-
-def _shown_rows(values: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Indices of the rows of values (T,) to draw: at most `_MAX_POINTS`, without losing the peaks of a long log.
-
-    A long log is split into bins of equally many rows; the minimum and the maximum of each bin are drawn. A bin of NaN
-    is drawn as NaN.
-    """
-    count = len(values)
-    if count <= _MAX_POINTS:
-        return np.arange(count)
-    # Two rows per bin, and the two ends of the log.
-    size = -(-count // (_MAX_POINTS // 2 - 1))
-    padded = np.full(-(-count // size) * size, np.nan)
-    padded[:count] = values
-    bins = padded.reshape(-1, size)
-    unknown = np.isnan(bins)
-    lowest = np.where(unknown, np.inf, bins).argmin(axis=1)
-    highest = np.where(unknown, -np.inf, bins).argmax(axis=1)
-    starts = np.arange(len(bins)) * size
-    return np.unique(np.concatenate([[0, count - 1], starts + lowest, starts + highest]))

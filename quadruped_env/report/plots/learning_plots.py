@@ -43,7 +43,7 @@ def read_progress(path: Path) -> dict[str, NDArray[np.float64]]:
 
 
 def term_curves(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> str | None:
-    """Learning curves of every reward term that is not always 0, a panel each; None for runs without these columns."""
+    """Draw the learning curve of every reward term that is not always 0; None for runs without these columns."""
     columns = dict.fromkeys(
         column
         for columns in progress.values()
@@ -77,7 +77,7 @@ def term_curves(progress: Mapping[str, Mapping[str, NDArray[np.float64]]]) -> st
 def learning_curve(
     progress: Mapping[str, Mapping[str, NDArray[np.float64]]], zero_returns: Mapping[str, float] | None = None
 ) -> str:
-    """Learning curves of runs over their time steps.
+    """Draw the learning curves of runs over their time steps.
 
     Args:
         progress: name of a run -> columns, as from `read_progress`.

@@ -14,7 +14,7 @@ _RANGES: Final = (0.3, 0.6)
 
 
 def command_map(result: Mapping[str, Any]) -> str:
-    """Signed errors of forward velocity and yaw rate over all commands; crosses mark commands with falls."""
+    """Draw the signed errors of forward velocity and yaw rate over all commands; crosses mark commands with falls."""
     commands = result["commands"]
     forward, turning = np.array(commands["commands"]).T
     fallen = np.array(commands["fall_share"]) > 0.0
@@ -36,7 +36,7 @@ def command_map(result: Mapping[str, Any]) -> str:
 
 
 def pushes(result: Mapping[str, Any]) -> str:
-    """Share of the robots that follow their command after a push, over the size of the push."""
+    """Draw the share of the robots that follow their command after a push, over the size of the push."""
     sizes = result["definition"]["pushes"]["sizes"]
 
     def draw(axes: Any) -> None:
@@ -54,7 +54,7 @@ def pushes(result: Mapping[str, Any]) -> str:
 
 
 def crossings(result: Mapping[str, Any]) -> str:
-    """Share of the tiles that are crossed over the level, for each kind of terrain."""
+    """Draw the share of the tiles that are crossed over the level, for each kind of terrain."""
     needed = 100.0 * result["definition"]["terrain"]["pass_share"]
 
     def draw(axes: Any) -> None:

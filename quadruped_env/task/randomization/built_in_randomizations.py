@@ -39,33 +39,21 @@ def _payload_position(event: Event, values: Floats) -> None:
     event.payload_position = values
 
 
-def _push(event: Event, values: Floats) -> None:
-    event.simulation.push(event.env_ids, values)
-
-
-def _horizontal_push(event: Event, values: Floats) -> None:
-    event.simulation.push(event.env_ids, _horizontal(values))
-
-
-def _rotating_push(event: Event, values: Floats) -> None:
-    both = np.zeros((len(values), 6))
-    both[:, 3:] = values
-    event.simulation.push(event.env_ids, both)
+def _push(width: int, columns: slice, event: Event, values: Floats) -> None:
+    velocity = np.zeros((len(values), width))
+    velocity[:, columns] = values
+    event.simulation.push(event.env_ids, velocity)
 
 
 def _force(event: Event, values: Floats) -> None:
-    event.simulation.set_force(event.env_ids, _horizontal(values))
+    force = np.zeros((len(values), 3))
+    force[:, :2] = values
+    event.simulation.set_force(event.env_ids, force)
 
 
 def _worsen_servos(quantity: str, event: Event, values: Floats) -> None:
     assert event.servos is not None
     event.servos.add(quantity, event.env_ids, values)
-
-
-def _horizontal(values: Floats) -> Floats:
-    vectors = np.zeros((len(values), 3))
-    vectors[:, :2] = values
-    return vectors
 
 
 def _base(robot: Robot) -> tuple[str, ...]:
@@ -170,13 +158,15 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         valid=Parameter("s", _NOT_NEGATIVE, MAX_DELAY),
         description="age of the readings when the policy receives them",
         source="a bus at 100 Hz or more delivers a reading that is up to 0.01 s old"),
-    Randomization("push_velocity", _push, 0.0, "m/s", 3, interval=("push_interval", (4.0, 8.0)),
+    Randomization("push_velocity", partial(_push, 3, slice(0, 3)), 0.0, "m/s", 3,
+        interval=("push_interval", (4.0, 8.0)),
         description="velocity that a push adds to the base along each axis of the world",
         source=f"+-1 m/s: {_MINUTES}"),
-    Randomization("push_rotation", _rotating_push, 0.0, "rad/s", 3, interval=("push_interval", (4.0, 8.0)),
+    Randomization("push_rotation", partial(_push, 6, slice(3, 6)), 0.0, "rad/s", 3,
+        interval=("push_interval", (4.0, 8.0)),
         description="angular velocity that a push adds to the base about each of its axes",
         source="+-0.5 rad/s in roll and pitch, +-0.8 rad/s in yaw: mjlab's velocity task"),
-    Randomization("push_speed", _horizontal_push, None, "m/s", 2, law="direction",
+    Randomization("push_speed", partial(_push, 3, slice(0, 2)), None, "m/s", 2, law="direction",
         valid=Parameter("m/s", _NOT_NEGATIVE), interval=("push_interval", (4.0, 8.0)),
         description="velocity that a push in a random horizontal direction adds to the base",
         source="0.74 m/s sideways tips a rigid robot over its feet"),

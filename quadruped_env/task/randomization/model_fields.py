@@ -74,9 +74,8 @@ class ModelField:
         target = simulation.model_field(self.field)
         where = rows if self.column is None else (*rows, self.column)
         compiled = simulation.compiled_field(self.field)[ids]
-        old = (
-            target[where] if event.at_start else (compiled if self.column is None else compiled[..., self.column])[None]
-        )
+        model_file = compiled if self.column is None else compiled[..., self.column]
+        old = target[where] if event.at_start else model_file[None]
         shaped = values[:, None] if by_column else values.reshape(*values.shape, *([1] * (old.ndim - 2)))
         target[where] = new = self.changed(old, shaped)
         if self.field == "body_mass":

@@ -193,12 +193,14 @@ class Randomizer:
         """Return the present joint positions (N, J) in rad as the servos measure them."""
         return self._simulation.readings.joint_position if self.sensors is None else self.sensors.encoder_position()
 
-    def next_command(self, env_ids: EnvIds) -> Floats:
-        """Return new commands (R, C) for some envs (R,) in the middle of their episodes."""
-        steps = self._control.steps[env_ids]
-        command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
-        self.command_due[env_ids] = steps + in_steps(seconds, self._timestep)
-        return command
+    def resample_commands(self, fixed: Bools, running: EnvIds | None) -> None:
+        """Draw the commands that are due, in all envs or some (R,), but not where they are fixed, a mask (N,)."""
+        env_ids = _among((self._control.steps >= self.command_due) & ~fixed, running)
+        if len(env_ids):
+            steps = self._control.steps[env_ids]
+            command, seconds = self.commands.sample(self._draws.uniform(self.commands.purposes, env_ids, steps))
+            self.command_due[env_ids] = steps + in_steps(seconds, self._timestep)
+            self._control.set_command(env_ids, command)
 
     def within_episodes(self, running: EnvIds | None) -> None:
         """Apply the randomizations that are due at this control step, and end those that have lasted.

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from synthetic import synthetic_rollout
 
 from quadruped_env.evaluation.measures import meets
 from quadruped_env.evaluation.suite import steady
@@ -106,6 +107,13 @@ class TestRegulation:
             "hard": {"kept": {"mean": 0.0}, "held": {"mean": 0.9}},
         }
         assert PARTS["regulation"][1](result, part) == pytest.approx(0.65)
+
+    def test_all_disturbances_together_have_their_own_tolerance(self, monkeypatch):
+        part = replace(REGULATION, commands=((0.3, 0.0),), factors=(Disturbance("nominal"),), together_seeds=1)
+        rollout = synthetic_rollout(200, velocity=np.tile([0.38, 0.15], (200, 1, 1)))
+        monkeypatch.setattr(steady, "regulated", lambda *_: rollout)
+        result = steady.run_regulation(part, None)["hard"]
+        assert (result["kept"]["mean"], result["held"]["mean"]) == (0.0, 1.0)
 
     @pytest.mark.parametrize("slope", [16.0, -16.0])
     def test_robots_stand_on_an_incline_as_on_its_plane(self, slope):

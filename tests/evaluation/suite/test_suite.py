@@ -14,6 +14,7 @@ from benchmarks.shipping import reference_row
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.results import (
     COMPONENTS,
+    aggregate,
     check_comparable,
     read_references,
     read_results,
@@ -25,7 +26,7 @@ from quadruped_env.evaluation.suite import suite as suite_module
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import PARTS, run_suite, scores
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
-from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig
 from quadruped_env.task import TaskConfig, TerminationConfig
@@ -96,33 +97,6 @@ def test_the_zero_action_of_a_residual_policy_is_its_gait():
     rollout = zero.run([(0.3, 0.0)], range(1_600_000, 1_600_002), 4.0)
     assert rollout.velocity[100:, :, 0].mean() > 0.15
     np.testing.assert_array_equal(zero.config.action.mode, "residual")
-
-
-@pytest.mark.slow
-def test_suite_ranks_controllers_in_their_known_order():
-    """The suite's own order with few episodes: standing, the tutorial's gait, the closed form, the searched gait."""
-    controllers = (
-        ZeroController(),
-        GaitController(SinusoidalGait.preset("article"), "article"),
-        GaitController(CommandedGait.preset("sinusoid"), "sinusoid"),
-        GaitController(),
-    )
-    suite = replace(
-        QUICK,
-        commands=replace(QUICK.commands, axes={}),
-        pushes=replace(QUICK.pushes, num_seeds=1),
-    )
-    totals = []
-    for controller in controllers:
-        measured = Candidate(controller.name, controller, TaskConfig())
-        totals.append(0.0)
-        for name in ("commands", "gait", "pushes", "regulation"):
-            (run, score), part = PARTS[name], getattr(suite, name)
-            totals[-1] += score(run(part, measured, None), part) / 4.0
-    standing, article, sinusoid, searched = totals
-    assert standing <= article < sinusoid < searched
-    assert standing == 0.0
-    assert searched - sinusoid > 0.05
 
 
 @pytest.mark.parametrize(
@@ -258,3 +232,37 @@ def test_task_of_the_suite_does_not_depend_on_how_a_policy_was_trained():
     assert config.ground.name == "flat"
     assert config.command.forward_velocity[1] == 0.9
     assert config.command.yaw_rate[1] == 2.0
+
+
+def seed_result(name, score, **levels):
+    components = dict.fromkeys(COMPONENTS, score)
+    return {
+        "suite": full_suite().identity,
+        "conditions": {"robot": {"name": "r", "sha256": "0"}},
+        "name": name,
+        "score": {"total": score, "components": {**components, "gait": 0.5 * score}},
+        "terrain": {kind: {"highest_level": level} for kind, level in levels.items()},
+    }
+
+
+def test_aggregate_has_the_means_over_the_training_seeds_with_intervals():
+    scores = (0.2, 0.4, 0.5, 0.9)
+    result = aggregate([seed_result(f"seed {i}", score, rough=i + 3, steps=2) for i, score in enumerate(scores)])
+    assert [run["name"] for run in result["runs"]] == ["seed 0", "seed 1", "seed 2", "seed 3"]
+    assert [run["total"] for run in result["runs"]] == [0.2, 0.4, 0.5, 0.9]
+    assert result["score"]["mean"] == pytest.approx(np.mean(scores))
+    assert 0.2 < result["score"]["low"] < 0.5 < result["score"]["high"] < 0.9
+    assert (result["components"]["gait"]["mean"], result["components"]["gait"]["count"]) == (pytest.approx(0.25), 4)
+    assert result["terrain"] == {"rough": 3, "steps": 2}  # what all runs pass
+
+
+def test_aggregate_of_one_run_has_no_interval():
+    score = aggregate([seed_result("alone", 0.4, rough=1)])["score"]
+    assert (score["mean"], score["low"], score["high"]) == (pytest.approx(0.4), None, None)
+
+
+def test_aggregate_refuses_results_that_cannot_be_compared():
+    other = seed_result("quick", 0.5, rough=1)
+    other["suite"] = QUICK.identity
+    with pytest.raises(QuadrupedError, match=r"full \(1\) and quick \(2\) cannot be compared: suite.quick"):
+        aggregate([seed_result("full", 0.5, rough=1), other])

@@ -1,13 +1,15 @@
 """Crossings of tiles: what counts as one, and the highest level passed."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from settings import settings
+from synthetic import synthetic_rollout
 
 from quadruped_env import QuadrupedError
-from quadruped_env.evaluation.suite import terrains
+from quadruped_env.evaluation.suite import steady
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import PARTS
 from quadruped_env.evaluation.suite.suite_definition import full_suite
@@ -27,7 +29,7 @@ def levels(*shares):
     ("shares", "expected"), [((), 0), ((0.89,), 0), ((0.9, 1.0, 0.5), 2), ((1.0, 0.2, 1.0), 1), ((1.0,) * 10, 10)]
 )
 def test_highest_level_is_that_up_to_which_every_level_is_passed(shares, expected):
-    assert terrains.highest(levels(*shares), PART) == expected
+    assert steady.highest(levels(*shares), PART) == expected
 
 
 def test_score_is_the_mean_level_over_the_number_of_levels():
@@ -43,9 +45,9 @@ def test_levels_are_tried_until_the_first_that_is_not_passed(monkeypatch):
         tried.append((level, tuple(kinds)))
         return {kind: np.arange(10) < (9 if kind == "rough" and level <= 3 else 8) for kind in kinds}
 
-    monkeypatch.setattr(terrains, "crossings", crossings)
+    monkeypatch.setattr(steady, "crossings", crossings)
     done = []
-    result = terrains.run_terrain(replace(PART, kinds=("rough", "steps")), TUNED, done.append)
+    result = steady.run_terrain(replace(PART, kinds=("rough", "steps")), TUNED, done.append)
     assert tried == [(1, ("rough", "steps")), (2, ("rough",)), (3, ("rough",)), (4, ("rough",))]
     assert result["rough"]["highest_level"] == 3
     assert [entry["mean"] for entry in result["rough"]["crossed"]] == [0.9, 0.9, 0.9, 0.8]
@@ -56,19 +58,30 @@ def test_levels_are_tried_until_the_first_that_is_not_passed(monkeypatch):
 def test_robots_start_on_their_tiles_and_cross_when_they_leave_them():
     """On level 1 of `slope` the searched gait leaves the tile at 0.4 m/s; a robot that stands does not."""
     part = replace(PART, kinds=("rough", "slope"), levels=2)
-    crossed = terrains.crossings(part, TUNED, ["slope"], 1)
+    crossed = steady.crossings(part, TUNED, ["slope"], 1)
     assert list(crossed) == ["slope"]
     assert crossed["slope"].mean() >= 0.75
     standing = Candidate("standing", ZeroController(), TaskConfig())
     short = replace(part, seconds=1.0)
-    assert not terrains.crossings(short, standing, ["rough", "slope"], 2)["rough"].any()
+    assert not steady.crossings(short, standing, ["rough", "slope"], 2)["rough"].any()
     # 0.4 m/s for 4.5 s are 1.8 m: no robot can have left its tile.
-    assert not terrains.crossings(replace(part, seconds=4.5), TUNED, ["slope"], 1)["slope"].any()
+    assert not steady.crossings(replace(part, seconds=4.5), TUNED, ["slope"], 1)["slope"].any()
 
 
-def test_crossings_are_tried_in_every_world():
-    part = replace(PART, kinds=("rough",), levels=1, terrain_seeds=(1, 2, 3), seconds=0.5)
-    assert terrains.crossings(part, TUNED, ["rough"], 1)["rough"].shape == (3, 4)
+def test_a_fall_before_the_edge_is_no_crossing_and_every_world_has_its_own_tiles():
+    part = replace(PART, kinds=("rough",), levels=1, num_seeds=2, terrain_seeds=(1, 2, 3))
+    worlds = []
+
+    def run(commands, seeds, seconds, progress, terrain, tiles):
+        """Both robots leave their tile at the third sample; the second one falls at the second."""
+        worlds.append(terrain.seed)
+        pose, fell = np.zeros((4, 2, 7)), np.zeros((4, 2), dtype=bool)
+        pose[2:, :, 0], fell[1, 1] = 2.1, True
+        return synthetic_rollout(4, 2, base_pose=pose, fell=fell, terrain=terrain)
+
+    crossed = steady.crossings(part, SimpleNamespace(run=run), ["rough"], 1)["rough"]
+    np.testing.assert_array_equal(crossed, [[True, False]] * 3)
+    assert worlds == [1, 2, 3]
 
 
 def tiled_task(envs):
