@@ -118,33 +118,30 @@ def test_signal_to_the_command_stops_its_workers_with_their_checkpoints(tmp_path
 
 
 @pytest.mark.slow
-def test_two_machines_with_signals_at_random_moments_do_every_trial_once_with_the_bits_of_its_checkpoints(tmp_path):
-    generator = np.random.default_rng(0)
-    for turn in range(20):
-        sweep = make_sweep(tmp_path / str(turn), training={"timesteps": 32 * 100, "checkpoint_seconds": 0.2}, seeds=3)
-        with start_worker(sweep, "a") as stopped, start_worker(sweep, "b") as other:
-            wait_until(lambda path=sweep.path: list(path.glob("trials/*/2*")), alive=stopped)
-            try:
-                stopped.wait(generator.uniform(0.0, 3.0))
-            except subprocess.TimeoutExpired:
-                stopped.send_signal(signal.SIGTERM)
-            output_of(stopped)
-            _, err = output_of(other)
-        assert stopped.returncode in (0, 143)
-        assert other.returncode == 0, err
-        assert sweep.open_trials() == []
-        for number in range(3):
-            *before, (last, bits) = policies(sweep, number).items()
-            assert sweep.result(number)["run"].endswith(last)
-            document = json.loads((sweep.trial(number) / last / "config.json").read_text())
-            parent = None
-            config = sweep.config({}, number)
-            if document.get("resumed_from"):
-                parent = Parent.load(sweep.path / "trials" / f"{number:04d}" / document["resumed_from"]["run"])
-                config = parent.resumed({"timesteps": config.timesteps - parent.timesteps})
-            undisturbed = learn(tmp_path / f"{turn}-{number}", config, parent)
-            assert (undisturbed / "policy.safetensors").read_bytes() == bits
-            assert before or parent is None or "/checkpoints/" in document["resumed_from"]["run"]
+@pytest.mark.parametrize("turn", range(20))
+def test_two_machines_and_a_signal_do_each_trial_once_with_the_bits_of_its_checkpoint(tmp_path, turn):
+    sweep = make_sweep(tmp_path, training={"timesteps": 32 * 100, "checkpoint_seconds": 0.2}, seeds=3)
+    with start_worker(sweep, "a") as stopped, start_worker(sweep, "b") as other:
+        wait_until(lambda: list(sweep.path.glob("trials/*/2*")), alive=stopped)
+        try:
+            stopped.wait(np.random.default_rng(turn).uniform(0.0, 3.0))
+        except subprocess.TimeoutExpired:
+            stopped.send_signal(signal.SIGTERM)
+        output_of(stopped)
+        _, err = output_of(other)
+    assert stopped.returncode in (0, 143)
+    assert other.returncode == 0, err
+    assert sweep.open_trials() == []
+    for number in range(3):
+        last, bits = list(policies(sweep, number).items())[-1]
+        assert sweep.result(number)["run"].endswith(last)
+        before = json.loads((sweep.trial(number) / last / "config.json").read_text()).get("resumed_from")
+        parent, config = None, sweep.config({}, number)
+        if before is not None:
+            parent = Parent.load(sweep.trial(number) / before["run"])
+            config = parent.resumed({"timesteps": config.timesteps - parent.timesteps})
+        undisturbed = learn(tmp_path / str(number), config, parent)
+        assert (undisturbed / "policy.safetensors").read_bytes() == bits
 
 
 @pytest.mark.slow
