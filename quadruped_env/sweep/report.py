@@ -70,16 +70,16 @@ def table(found: Mapping[str, Any], seeds: int) -> Table:
         failed = sum(result["state"] == "failed" for result in entry["results"])
         count = f"{len(entry['results']) - failed} of {seeds} seeds{f', {failed} failed' if failed else ''}"
         scores = [score_of(entry["results"], component) for component in COMPONENTS]
-        cells = [estimate_in_words(score_of(entry["results"]), 3), *(estimate_in_words(score, 2) for score in scores)]
+        cells = [estimate_in_words(score_of(entry["results"])), *(f"{score.mean:.2f}" for score in scores)]
         rows.append([in_words(entry["values"]) or "all", count, *cells])
     note = "Quick suite: mean over all seeds [95 % interval]; a failed seed counts as the zero action."
     return Table("Scores", ["setting", "", "score", *COMPONENTS], rows, note)
 
 
-def estimate_in_words(estimate: Estimate, digits: int) -> str:
+def estimate_in_words(estimate: Estimate) -> str:
     """A mean with its interval; a dash if it is not known."""
-    interval = "" if math.isnan(estimate.low) else f" [{estimate.low:.{digits}f}, {estimate.high:.{digits}f}]"
-    return "-" if math.isnan(estimate.mean) else f"{estimate.mean:.{digits}f}{interval}"
+    interval = "" if math.isnan(estimate.low) else f" [{estimate.low:.3f}, {estimate.high:.3f}]"
+    return "-" if math.isnan(estimate.mean) else f"{estimate.mean:.3f}{interval}"
 
 
 def write_report(sweep: Sweep) -> Path:
