@@ -85,6 +85,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Make a sweep, or go on with one; print its results."""
     place = arguments.report or arguments.work or (arguments.ray and Path(arguments.ray[1]))
+    if (arguments.workers or 0) < 0:
+        raise QuadrupedError(f"--workers: expected 0 or more; found {arguments.workers}")
     if place is None:
         sweep = make(arguments, invocation.line)
         print(f"{sweep} -> {sweep.path}", flush=True)
@@ -133,8 +135,8 @@ def make(arguments: argparse.Namespace, command: str) -> Sweep:
     Raises:
         QuadrupedError: if an option is not valid.
     """
-    if arguments.retry_failed or arguments.trust_task or (arguments.workers or 0) < 0:
-        raise QuadrupedError("--retry-failed, --trust-task: only with --work or --ray; --workers: 0 or more")
+    if arguments.retry_failed or arguments.trust_task:
+        raise QuadrupedError("--retry-failed, --trust-task: only with --work or --ray")
     typed, task_file, definition, whole = typed_settings(arguments)
     sections, name = tuple(sorted(whole)), typed.get("name", typed.get("algo", TrainConfig.name))
     base = Sweep(Path(), typed, sections).config({}, 0, definition)

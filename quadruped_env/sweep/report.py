@@ -14,9 +14,10 @@ from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.report.pages.page import figure, provenance, write_html
 from quadruped_env.report.plots.learning_plots import learning_curve, read_progress
 from quadruped_env.report.report_directory import REPORT_FILE
-from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.folder import SWEEP_FILE, Sweep
 from quadruped_env.sweep.space import in_words
 from quadruped_env.training.run_directory import PROGRESS_FILE
+from quadruped_env.utils.documents import read_json
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.text_table import Table
 
@@ -97,7 +98,7 @@ def write_report(sweep: Sweep) -> Path:
             return page
         write_json(sweep.path / "results.json", found)
         context = {
-            "document": {**provenance("mini-quadruped sweep"), "states": found["states"]},
+            "document": {**provenance(read_json(sweep.path / SWEEP_FILE)["command_line"]), "states": found["states"]},
             "name": sweep.path.resolve().name,
             "definition": str(sweep),
             "headline": headline(found),
