@@ -48,7 +48,7 @@ DEFAULT_TRIALS: Final = 20
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options of the sweep, and those of a training."""
+    """Add the options of the sweep, and the settings of a training."""
     group = parser.add_argument_group("sweep")
     group.add_argument("--seeds", type=int, metavar="N", help="seeds of each setting, from --seed on (default: 1)")
     group.add_argument(

@@ -2,7 +2,7 @@
 
     sweep.json                definition
     task.py                   copy of the user's task file, if there is one
-    worker.json               package and libraries of the first worker, which those of all others equal
+    worker.json               package and libraries of the first worker; all others need the same
     optuna.log                study of Optuna, if fields vary
     trials/0007/<time>-ppo/   run directory of a trial; a further one for each time that it went on from a checkpoint
     trials/0007/result.json   result; a trial that has none is open
@@ -54,7 +54,7 @@ class Sweep:
     training: dict[str, Any]
     """Fields of `TrainConfig` that all trials have; of `task`, changes to its config."""
     whole: tuple[str, ...] = ()
-    """Sections of the task's config that are set as a whole, in place of the recipe's."""
+    """Sections of the task's config that are set as a whole, so that the recipe's do not count."""
     space: Mapping[str, Any] = field(default_factory=dict)
     """Field that varies -> its distribution."""
     settings: int = 1
