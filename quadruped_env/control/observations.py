@@ -3,7 +3,7 @@
 import importlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Final, Literal, Protocol
+from typing import TYPE_CHECKING, Final, Literal
 
 import numpy as np
 
@@ -14,26 +14,8 @@ from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.plain import Plain
 
-
-class ControlState(Protocol):
-    """Parts of a `ControlInterface` that observations read."""
-
-    robot: Robot
-    stance: Floats
-    """Joint positions of the stance (1, J), rad."""
-    action: Floats
-    """Latest action in [-1, 1], (N, J)."""
-    command: Floats
-    """Forward velocity in m/s and yaw rate in rad/s, (N, 2)."""
-
-    @property
-    def clock(self) -> Floats:
-        """Sine and cosine of the phase, (N, 2)."""
-        ...
-
-    def command_of(self, name: str) -> Floats:
-        """One component of the command by name, (N,)."""
-        ...
+if TYPE_CHECKING:
+    from quadruped_env.control.control_interface import ControlInterface
 
 
 Reader = Callable[..., Floats]
@@ -124,46 +106,46 @@ def _largest_joint_offset(robot: Robot) -> float:
 
 
 @observation(unit="1", mirror=(1.0, -1.0, 1.0), noise=0.02)
-def projected_gravity(readings: Readings, control: ControlState) -> Floats:
+def projected_gravity(readings: Readings, control: "ControlInterface") -> Floats:
     """Unit vector of gravity in the base frame."""
     return -readings.up_b
 
 
 # Mirroring flips the x and z components of an axial vector.
 @observation(unit="rad/s", mirror=(-1.0, 1.0, -1.0), scale=per_unit(0.25, "rad/s"), bound=4.0, noise=0.1)
-def angular_velocity(readings: Readings, control: ControlState) -> Floats:
+def angular_velocity(readings: Readings, control: "ControlInterface") -> Floats:
     """Angular velocity in the base frame (gyroscope)."""
     return readings.angular_velocity_b
 
 
 @observation(unit="rad", mirror="joints", bound=_largest_joint_offset, noise=0.01)
-def joint_position(readings: Readings, control: ControlState) -> Floats:
+def joint_position(readings: Readings, control: "ControlInterface") -> Floats:
     """Joint positions relative to the stance."""
     return readings.joint_position - control.stance
 
 
 # Impacts can move a joint faster than its motor can, hence the bound of 3.
 @observation(unit="rad/s", mirror="joints", scale=lambda robot: 1.0 / robot.velocity_limit.max(), bound=3.0, noise=0.3)
-def joint_velocity(readings: Readings, control: ControlState) -> Floats:
+def joint_velocity(readings: Readings, control: "ControlInterface") -> Floats:
     """Joint velocities."""
     return readings.joint_velocity
 
 
 @observation(unit="1", mirror="joints")
-def last_action(readings: Readings, control: ControlState) -> Floats:
+def last_action(readings: Readings, control: "ControlInterface") -> Floats:
     """Previous action, clipped to [-1, 1]."""
     return control.action
 
 
 @observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=per_unit(4.0, "m/s", "rad/s"), bound=4.0)
-def command(readings: Readings, control: ControlState) -> Floats:
+def command(readings: Readings, control: "ControlInterface") -> Floats:
     """Commanded forward velocity and yaw rate."""
     return control.command
 
 
 # In a trot the left fore leg swings with the right hind leg, so the mirrored clock is shifted by half a cycle.
 @observation(unit="1", mirror=(-1.0, -1.0))
-def gait_clock(readings: Readings, control: ControlState) -> Floats:
+def gait_clock(readings: Readings, control: "ControlInterface") -> Floats:
     """Sine and cosine of the gait phase; 0 when standing is commanded: at most 0.02 m/s and 0.02 rad/s."""
     return control.clock
 

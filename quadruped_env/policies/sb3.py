@@ -107,8 +107,7 @@ class Actor:
     def check(self, predict: Callable[[NDArray[np.float32]], NDArray[np.float32]]) -> None:
         """Refuse a policy whose actions differ from the model's, as for a subclass with its own `forward`."""
         inputs = len(self.network.layers[0][0])
-        limit = 2.0 if self.normalization is None else min(2.0, self.normalization.clip)
-        seen = np.random.default_rng(0).uniform(-limit, limit, (SAMPLES, inputs)).astype(np.float32)
+        seen = np.random.default_rng(0).uniform(-2.0, 2.0, (SAMPLES, inputs)).astype(np.float32)
         raw = seen
         if self.normalization is not None:
             raw = (seen * self.normalization.deviation + self.normalization.mean).astype(np.float32)

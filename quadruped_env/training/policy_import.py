@@ -62,7 +62,7 @@ def import_policy(path: Path, config: TaskConfig, vecnormalize: Path | None = No
     if vecnormalize is None and was_normalized(model):
         raise QuadrupedError(
             f"{path}: this {kind.__name__} was trained in a VecNormalize, whose statistics are not in the zip; name "
-            f"their file, which VecNormalize.save writes (vecnormalize.pkl of rl_zoo3), with --vecnormalize FILE"
+            f"their file (vecnormalize), which VecNormalize.save writes (vecnormalize.pkl of rl_zoo3)"
         )
     check_fits(path, model.observation_space.shape, model.action_space.shape, config)
     env: Any = make_sb3_vec_env(1, config=config)

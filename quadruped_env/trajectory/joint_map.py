@@ -258,10 +258,12 @@ class JointMap:
             for one in fields(rule):
                 value = getattr(rule, one.name)
                 if value != one.default:
-                    pairs = value.items() if isinstance(value, Mapping) else ()
-                    table = ", ".join(f"{json.dumps(name)} = {weight!r}" for name, weight in pairs)
-                    given = json.dumps(value) if isinstance(value, str) else repr(value)
-                    lines.append(f"{one.name} = {f'{{ {table} }}' if table else given}")
+                    if isinstance(value, Mapping):
+                        pairs = (f"{json.dumps(name)} = {float(weight)!r}" for name, weight in value.items())
+                        given = f"{{ {', '.join(pairs)} }}"
+                    else:
+                        given = json.dumps(value) if isinstance(value, str) else repr(float(value))
+                    lines.append(f"{one.name} = {given}")
             lines.append("")
         return "\n".join(lines)
 

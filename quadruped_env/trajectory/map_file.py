@@ -36,21 +36,19 @@ def check_forms(where: str, given: object) -> None:
     for key, form in get_type_hints(type(given)).items():
         value = getattr(given, key)
         value = value.item() if isinstance(value, np.generic) else value
-        parts = (
-            [part for part in get_args(form) if part is not NoneType]
-            if get_origin(form) in (UnionType, Union)
-            else [form]
-        )
-        problems: list[QuadrupedError] = []
-        for part in parts if value is not None or NoneType not in get_args(form) else ():
+        forms = get_args(form) if get_origin(form) in (UnionType, Union) else (form,)
+        if value is None and NoneType in forms:
+            continue
+        problems = []
+        for one in forms:
             try:
-                fitted(value, part, f"{where} {key}", "fix it")
-                break
+                if one is not NoneType:
+                    fitted(value, one, f"{where} {key}", "fix it")
+                    break
             except QuadrupedError as error:
                 problems.append(error)
         else:
-            if problems:
-                raise problems[0]
+            raise problems[0]
 
 
 def check_values(where: str, given: object, expected: Mapping[str, tuple[str, object]]) -> None:

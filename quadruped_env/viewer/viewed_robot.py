@@ -127,8 +127,8 @@ class ViewedRobot(ABC):
             if not (first and second):
                 mujoco.mj_contactForce(model, data, i, wrench)
                 points.append(contact.pos[None])
-                # The force acts on the second geom, in a frame that is the matrix's rows.
-                forces.append((contact.frame.reshape(3, 3).T @ wrench[:3] * (1.0 if second else -1.0))[None])
+                # The force acts on the second geom, which is the robot's: planes and height fields come first.
+                forces.append((contact.frame.reshape(3, 3).T @ wrench[:3])[None])
         return np.concatenate(points), np.concatenate(forces)
 
     @property

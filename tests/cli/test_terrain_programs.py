@@ -239,8 +239,6 @@ def test_baseline_and_replay_take_the_terrain_of_a_file(tmp_path):
     assert main([*tiny, "-o", str(tmp_path / "walk.csv")]) == 0
     assert main([*tiny, "--commands", "-o", str(tmp_path / "commands.csv")]) == 0
     origin = {"name": "my_terrain.py", "sha256": hashlib.sha256(STEPS.encode()).hexdigest()}
-    numbers = json.loads((tmp_path / "walk.json").read_text())
-    assert (numbers["terrain"], numbers["terrain_file"]) == ("ridges", origin)
     replayed = tmp_path / "replay"
     assert main(["replay", str(tmp_path / "commands.csv"), *ground, "-o", str(replayed)]) == 0
     assert (replayed / "joint_states.csv").read_bytes() == (tmp_path / "walk.csv").read_bytes()

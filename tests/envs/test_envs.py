@@ -32,20 +32,17 @@ from quadruped_env.envs import ENV_ID, MAX_EPISODE_STEPS, MiniQuadrupedVectorEnv
 
 
 @pytest.mark.parametrize("mode", ACTION_MODES)
-def test_gymnasiums_checker_finds_nothing_to_warn_about(mode):
-    check_env(make(action_mode=mode).unwrapped, skip_render_check=True)
-
-
-@pytest.mark.parametrize("mode", ACTION_MODES)
-def test_stable_baselines3s_checker_finds_nothing_to_warn_about(mode):
+def test_checkers_of_gymnasium_and_stable_baselines3_find_nothing_to_warn_about(mode):
     from stable_baselines3.common.env_checker import check_env as check_sb3_env
 
+    check_env(make(action_mode=mode).unwrapped, skip_render_check=True)
     check_sb3_env(make(action_mode=mode))
 
 
-@pytest.mark.parametrize("mode", ACTION_MODES)
-def test_observations_stay_in_their_space_under_extreme_actions(mode):
-    env = make_native(64, action_mode=mode, config=ROUGH | {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}})
+def test_observations_stay_in_their_space_under_extreme_actions():
+    env = make_native(
+        64, action_mode="residual", config=ROUGH | {"termination": {"max_tilt": 3.1, "max_trunk_force": 1e9}}
+    )
     observation, _ = env.reset(seed=0)
     rng = np.random.default_rng(0)
     for _ in range(100):
@@ -71,8 +68,8 @@ def test_native_vector_environment_describes_itself():
 @pytest.mark.parametrize("mode", ACTION_MODES)
 def test_native_vector_environment_equals_single_environments_to_the_last_bit(mode):
     kwargs = {"action_mode": mode, "config": ROUGH, "max_episode_steps": EPISODE_STEPS}
-    expected = episodes(make_sync(**kwargs), 200)
-    assert_same(episodes(make_native(num_threads=3, **kwargs), 200), expected)
+    expected = episodes(make_sync(**kwargs), 160)
+    assert_same(episodes(make_native(num_threads=3, **kwargs), 160), expected)
     steps = [entry for entry in expected if len(entry) == 5]
     resets = [entry for entry in expected if len(entry) == 2]
     assert len(resets) > 1, "masked resets"

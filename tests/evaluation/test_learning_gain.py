@@ -73,7 +73,7 @@ def test_difference_and_its_interval_are_those_of_independent_rollouts_with_fall
     assert (gain.policy.falls.mean, gain.zero.falls.mean) == (fell.mean(), fell_without.mean())
 
 
-def test_policy_without_an_action_of_its_own_is_exactly_as_good_as_doing_nothing():
+def test_policy_with_zero_weights_equals_the_zero_action():
     policy = random_policy("residual")
     still = dataclasses.replace(policy, weights=tuple(0.0 * weight for weight in policy.weights))
     gain = learning_gain(still, ROBOTS, SECONDS, motion_seeds=1)

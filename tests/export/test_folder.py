@@ -269,7 +269,10 @@ def test_results_of_the_evaluation_are_in_the_manifest_and_on_the_page(run, comp
     error = compared.estimate("policy", "forward_velocity_error", "forwards").mean
     assert results["by_motion"]["forwards"]["forward_velocity_error"]["mean"] == pytest.approx(error)
     assert results["verdict"]["headline"] in (tmp_path / "export" / "README.md").read_text()
-    assert f"{error:.3g}" in (tmp_path / "export" / "README.md").read_text()
+    forwards = results["by_motion"]["forwards"]
+    shown = [forwards[metric]["mean"] for metric in ("forward_velocity_error", "yaw_rate_error", "fall_rate")]
+    row = " | ".join(f"{value:.3g}" for value in shown)
+    assert f"| forwards | {row} |" in (tmp_path / "export" / "README.md").read_text()
 
 
 def test_an_export_names_no_directories(run, compared, tmp_path):
@@ -473,6 +476,7 @@ def test_results_on_a_card_of_another_form_are_left_out_and_named(tmp_path, part
     with pytest.warns(QuadrupedWarning, match=rf"run/policy\.json: {message}$") as warned:
         on_card, evaluation = results_of(evaluated)
     assert len(warned) == 1
+    assert "learning" not in evaluation
     kept = {**evaluation, "learning": on_card.get("learning")}
     known = ("metrics", "acceptance", "disturbed", "suite", "verdict", "learning")
     assert {name: kept.get(name) for name in known} == {**{n: policy.card[n] for n in known}, part: None}

@@ -69,7 +69,7 @@ def test_statistics_of_a_vecnormalize_become_a_part_of_the_policy(tmp_path, caps
     command = ["import-policy", str(tmp_path / "mine.zip"), "-o", str(tmp_path / "run")]
     assert main(command) == 2
     assert "was trained in a VecNormalize" in (error := capsys.readouterr().err)
-    assert "--vecnormalize FILE" in error
+    assert "name their file (vecnormalize)" in error
     assert not (tmp_path / "run").exists()
     assert main([*command, "--vecnormalize", str(tmp_path / "statistics.pkl")]) == 0
     raw = np.random.default_rng(0).normal(env.obs_rms.mean, np.sqrt(env.obs_rms.var), (50, 102)).astype(np.float32)

@@ -12,6 +12,7 @@ from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.recorded_episode import MAX_SECONDS, play, publish
 from quadruped_env.gait import PRESETS
 from quadruped_env.replay import replay as replaying
+from quadruped_env.replay import replay_report
 from quadruped_env.replay.replay import LIMIT_TOLERANCE, replay
 from quadruped_env.replay.signal_comparison import comparison_report, lag, saturation, side_by_side
 from quadruped_env.robot import JOINT_KINDS, MINI_QUADRUPED, JointMotor, MotorConfig
@@ -210,7 +211,7 @@ class TestReplay:
         assert np.abs(result.played.efforts).max() <= 0.5 + 1e-9
         assert result.report["limits"]["LF_knee_joint"]["saturated"]["share"] > 0.3
 
-    def test_recorded_against_simulated(self):
+    def test_recorded_against_simulated(self, monkeypatch):
         commands = publish(SinusoidalGait.preset("tuned"), 1.0, 50.0)
         truth = play(commands).joints
         offset = JointTrajectory(truth.stamps, JOINT_NAMES, truth.positions - 0.1, truth.velocities, truth.efforts * 2)
@@ -225,6 +226,16 @@ class TestReplay:
         result = replay(commands, measured=positions_only)
         assert list(comparison_report(*result.comparison)) == ["positions", "velocities"]
         assert "computed from its positions" in result.text(compare=True)
+        part = replay(commands, measured=truth.slice(0.3, 0.7))
+        recorded, simulated = part.comparison
+        assert recorded.stamps.tolist() == simulated.stamps.tolist() == truth.stamps[15:35].tolist()
+        plotted = []
+        monkeypatch.setattr(
+            replay_report, "joint_panels", lambda _, lines, *__: plotted.append(lines["recorded"].times)
+        )
+        monkeypatch.setattr(replay_report, "figure", lambda *_: {})
+        replay_report._comparison_figures(part)
+        np.testing.assert_allclose(plotted[0], truth.times[15:35])
         later = JointTrajectory(truth.stamps + 10**12, JOINT_NAMES, truth.positions)
         with pytest.raises(QuadrupedError, match="compare recordings from the same clock"):
             _ = replay(commands, measured=later).comparison

@@ -11,7 +11,6 @@ from report_page import Page
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain, reward_in_words
 from quadruped_env.policies.files import CHECKPOINTS
-from quadruped_env.report.pages import report
 from quadruped_env.report.pages.clips import half_way, learning_clips
 from quadruped_env.report.pages.report import zero_return
 from quadruped_env.report.plots import learning_curve
@@ -49,8 +48,7 @@ def test_report_holds_the_table_above_the_numbers(written):
     assert "The dashed line is the return of the zero action" in text
 
 
-def test_comparison_holds_the_gain_of_each_policy(run_directory, comparison, gain, tmp_path, monkeypatch):
-    monkeypatch.setattr(report, "_figures", lambda *_: [])
+def test_comparison_holds_the_gain_of_each_policy(run_directory, comparison, gain, tmp_path, without_figures):
     policies = {"policy": find_policy(str(run_directory), tmp_path)}
     page, numbers = write_comparison(policies, comparison, tmp_path, gains={"policy": gain})
     assert json.loads(numbers.read_text())["policies"]["policy"]["learning"]["verdict"] == gain.verdict()

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from quadruped_env.report.plots.canvas import draw_figure, legend_above
+from quadruped_env.evaluation.confidence import Estimate
+from quadruped_env.report.plots.canvas import draw_estimates, draw_figure, legend_above
+from quadruped_env.report.plots.motion_plots import _shown_samples
 
 PAGE, MARGINS = 400.0, 2 * 0.9 * 16.0
 """Width of the page and of its margins (templates/base.html), CSS pixels."""
@@ -70,3 +72,19 @@ def test_legend_of_runs_stays_within_the_figure(name):
         assert box.x1 <= figure.bbox.x1
 
     draw_figure(1, 1, 3.0, draw)
+
+
+def test_bars_reach_from_the_low_to_the_high_end():
+    def draw(axes):
+        found = [Estimate(1.0, 0.5, 3.0, 8), Estimate(2.0, 1.5, 2.25, 8)]
+        draw_estimates(axes[0, 0], np.array([0.0, 1.0]), found)
+        (bars,) = axes[0, 0].collections
+        assert [bar[:, 1].tolist() for bar in bars.get_segments()] == [[0.5, 3.0], [1.5, 2.25]]
+
+    draw_figure(1, 1, 3.0, draw)
+
+
+@pytest.mark.parametrize(("alive", "first", "last"), [(200, 50, 149), (120, 20, 119), (60, 0, 59)])
+def test_gait_is_shown_after_the_start_up_and_earlier_for_early_falls(alive, first, last):
+    samples = _shown_samples(np.arange(200)[:, None] < alive, 0.02, 2.0)
+    assert (samples[0], samples[-1]) == (first, last)

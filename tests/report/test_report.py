@@ -129,6 +129,11 @@ def test_reward_terms_are_per_second_and_unknown_for_a_policy_that_always_falls(
     terms = reward_terms(run, comparison)["policy"]
     mean = policy.reward_terms[50:].mean(axis=(0, 1)) * 50.0  # per second
     np.testing.assert_allclose([term["per_second"] for term in terms.values()], mean, rtol=1e-4, atol=1e-6)
+    for _, cell in terms_table(run, comparison).rows:
+        value, _, parts = cell.partition("\n")
+        if value != "-":
+            weight, mean = map(float, parts.split(" \N{MULTIPLICATION SIGN} "))
+            assert weight * mean == pytest.approx(float(value), rel=0.02)
     fallen = dataclasses.replace(policy, fell=np.ones_like(policy.fell))
     fallen = dataclasses.replace(comparison, rollouts={**comparison.rollouts, "policy": fallen})
     rows = terms_table(run, fallen).rows

@@ -17,8 +17,12 @@ def test_film_shows_slow_and_fast_walking_turning_and_backwards(comparison):
         "turning: 0.5 rad/s",
         "backwards: -0.2 m/s",
     ]
+    rollout, row = comparison.rollouts["policy"], comparison.commands.index((0.2, 0.0)) * len(comparison.seeds)
+    start = round(3.0 / rollout.timestep) - round(clips.CLIP_SECONDS / rollout.timestep)
     for clip in filmed(comparison):
         assert clip.trace.seconds <= clips.CLIP_SECONDS + 1e-9
+    shown = filmed(comparison)[0].trace.joint_position[0]
+    np.testing.assert_array_equal(shown, rollout.joint_position[start, row], "not the start-up")
 
 
 def test_recorded_joints_are_those_of_the_plotted_episode_until_its_fall(comparison):

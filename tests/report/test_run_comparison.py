@@ -55,9 +55,9 @@ def test_runs_are_compared_on_one_page(run_directory, tmp_path):
     compared = compare({name: found.policy for name, found in policies.items()}, 1, 2.0, TINY)
     assert list(compared.values) == ["20260101-000000-ppo", "second", "tuned", "article", "zero"]
     page, numbers = write_comparison(policies, compared, tmp_path / "out")
-    text = " ".join(Page(page.read_text()).text)
+    text = " ".join(" ".join(Page(page.read_text()).text).replace("\N{NO-BREAK SPACE}", " ").split())
     for name in policies:
-        assert name in text
+        assert f"{name} {verdict(compared.seen_as(name)).headline}" in text
     assert "A single start has no confidence interval" in text
     assert "ne start of each command gives no interval, so errors are not ranked" in text
     assert "No intervals: a single random start of each command has none." in summary_table(compared)
@@ -80,7 +80,7 @@ def hip_usage(context):
 """
 
 
-def test_runs_of_two_versions_of_a_task_file_are_compared_with_every_term_and_a_diff(tmp_path):
+def test_runs_of_two_versions_of_a_task_file_are_compared_with_every_term_and_a_diff(tmp_path, without_figures):
     for name, weight in (("one", -0.5), ("two", -2.0)):
         run = tmp_path / name
         run.mkdir()

@@ -157,6 +157,7 @@ class TestReport:
         assert "A robot with 4 legs and 8 motors, of 5.4 kg and with its base 24 cm above the ground, walks" in html
         assert "L and R: left and right" not in html
         assert document["metrics"]["peak_torque"]["limit"] == 14.0
+        assert "<small>N m limit 14</small>" in html
         assert document["config"]["robot"] == ROBOT.identity
 
     def test_figures_follow_the_legs_and_joints_of_the_robot(self, report):

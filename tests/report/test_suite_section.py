@@ -81,8 +81,7 @@ def test_figures_are_svg_and_survive_unknown_values(suite_result):
         entry["clearance"] = [None] * 4
     unknown["regulation"]["nominal"]["commands"][0]["share"] = [None, None]
     for draw in (plots.command_map, plots.pushes, plots.crossings):
-        for result in (suite_result, unknown):
-            assert ElementTree.fromstring(draw(result)).tag.endswith("svg")  # noqa: S314
+        assert ElementTree.fromstring(draw(unknown)).tag.endswith("svg")  # noqa: S314
     gait = {row[0].partition("\n")[0]: row[1:] for row in suite_section.section(unknown)["tables"][1].rows}
     assert gait["Foot clearance"] == gait["Landing speed"] == ["-", "-"]
 
@@ -146,7 +145,7 @@ def test_ranking_needs_comparable_results_of_these_policies(two_runs):
         suite_section.ranking(policies("one", "two"))
 
 
-def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
+def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path, without_figures):
     names = ["one", "two"]
     found = {**policies(*names)}
     several = comparison.seen_as("policy")
@@ -155,7 +154,8 @@ def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path):
     page, numbers = write_comparison(found, several, tmp_path / "out", ranked=suite_section.ranking(found))
     text = text_of(page)
     assert "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250." in text
-    assert "2 training seeds of one recipe (one and two): mean 0.375" in text
+    row = text.partition("2 training seeds of one recipe (one and two): mean 0.375")[2][:300]
+    assert row.count("0.38") == len(COMPONENTS)
     assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
 
 

@@ -72,7 +72,7 @@ def test_robot_of_the_docs_needs_only_what_its_model_does_not_say(tmp_path):
     robot = env.unwrapped.task.control.robot
     assert robot.joint_names[1] == "FL_KFE"
     assert robot.effort_limit.tolist() == [2.7] * 8
-    assert 5.0 in env.unwrapped.model.actuator_gainprm[0]  # kp, in place of the file's 40
+    assert 5.0 in env.unwrapped.model.actuator_gainprm[0]  # kp, instead of the file's 40
     assert 40.0 not in env.unwrapped.model.actuator_gainprm[0]
 
 

@@ -1,4 +1,4 @@
-"""The drives of a URDF: a robot that is built from its text alone moves as that of the MJCF does."""
+"""The drives of a URDF: a robot that is built from its text alone moves like the MJCF's."""
 
 from xml.etree import ElementTree
 

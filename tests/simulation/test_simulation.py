@@ -28,7 +28,7 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import BatchSimulation, SingleSimulation
 
 
-def eventful_run(driver, steps=300):
+def eventful_run(driver, steps=150):
     """Random controls with resets and pushes of some envs in between."""
     simulation = start(driver)
     rng = np.random.default_rng(1)
@@ -49,12 +49,12 @@ def eventful_run(driver, steps=300):
 def test_both_drivers_give_the_same_bits_at_any_number_of_threads():
     expected = eventful_run("singles")
     assert np.isfinite(expected).all()
-    for driver in ("1 thread", "2 threads", "3 threads"):
+    for driver in ("1 thread", "3 threads"):
         np.testing.assert_array_equal(eventful_run(driver), expected, err_msg=driver)
 
 
 @pytest.mark.parametrize("driver", [SingleSimulation, lambda model: BatchSimulation(model, 1)])
-@pytest.mark.parametrize("substeps", [1, 2, 3, SUBSTEPS])
+@pytest.mark.parametrize("substeps", [1, SUBSTEPS])
 def test_one_control_step_is_as_many_physics_steps_of_mujoco(model, driver, substeps):
     qpos, qvel = draw_starts(np.random.default_rng(0), 1)
     simulation = driver(model)

@@ -1,4 +1,4 @@
-"""Readings at the beginning of each physics step: identical in both drivers, and those of steps taken one by one."""
+"""Readings at the beginning of each physics step: identical in both drivers, and equal to steps taken one by one."""
 
 import pickle
 

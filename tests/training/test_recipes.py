@@ -72,6 +72,8 @@ def test_options_change_the_recipe(asked):
     assert expected.payload is not None
     assert task.randomization == expected.replace(payload=None)
     assert task.decimation == 5
+    again = asked("--task", change, "--task", '{"decimation": 6}')
+    assert again.task["decimation"] == 6, "later changes take precedence"
 
 
 @pytest.mark.parametrize(

@@ -171,7 +171,7 @@ class TestRetarget:
     )
     def test_turns_and_ticks_before_a_gear(self, units, position, velocity):
         """A motor that turns by 2.25 turns, at 9 turns/s with 0.5 N m, before a gear of 9."""
-        joint_map = JointMap({"b": JointRule("a", sign=-1, gear=9.0, **units)})
+        joint_map = JointMap({"b": JointRule("a", sign=-1, gear=np.float64(9.0), **units)})
         motor = {"position": np.array([position]), "velocity": np.array([velocity]), "effort": np.array([0.5])}
         joint = joint_map.to_joints(["a"], motor)
         np.testing.assert_allclose(list(joint.values()), [[-np.pi / 2], [-2 * np.pi], [-4.5]])

@@ -64,7 +64,7 @@ def test_robots_on_uneven_ground_start_next_to_each_other_on_the_ground(control)
         assert all((robot.data.qpos[:2] == 0.0).all() for robot in controller._robots)
 
 
-def test_an_unknown_terrain_or_level_changes_nothing(control):
+def test_a_terrain_that_cannot_be_used_changes_nothing(control, monkeypatch):
     controller = control("policy flat")
     controller.set_terrain("slope", 2)
     controller.advance(DT)
@@ -78,6 +78,16 @@ def test_an_unknown_terrain_or_level_changes_nothing(control):
             controller.set_terrain(name, level)
         assert controller.terrain == find_terrain("slope").variant(level=2)
         assert controller.view().time == before.time
+
+    def fail(*_):
+        raise QuadrupedError("cannot be made")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("quadruped_env.viewer.view_controller.TaskRobot", fail)
+        with pytest.raises(QuadrupedError, match="cannot be made"):
+            controller.set_terrain("stairs", 1)
+    controller.set_source(1, "stand still")
+    assert {robot(controller, index).terrain.name for index in range(2)} == {"slope"}
 
 
 # --- names, controls and the legend

@@ -59,6 +59,8 @@ def test_recording_ends_where_its_robot_does(control, tmp_path, monkeypatch, end
             throw_on_the_back(controller)
             for _ in range(12):
                 controller.advance(0.2)
+    if end != "close":
+        controller.advance(0.1)
     controller.close()
     (path,) = tmp_path.glob("results/view-*/joint_states.csv")
     seconds = JointTrajectory.load(path).duration

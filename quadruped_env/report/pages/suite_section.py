@@ -118,7 +118,6 @@ def section(result: Mapping[str, Any]) -> dict[str, Any]:
         "own": result["name"],
         "figures": _figures(result),
         "tables": [_joystick(result), _gait(result), _transients(result), _regulation(result)],
-        "envelope": _envelope(result),
     }
 
 
@@ -218,7 +217,8 @@ def _figures(result: Mapping[str, Any]) -> list[dict[str, str]]:
             "Every command",
             plots.command_map(result),
             f"Achieved minus commanded velocity at commands drawn over the rectangle: red too much, blue too little. "
-            f"Crosses mark commands with falls. {met} of the episodes meet their command.",
+            f"Crosses mark commands with falls. {met} of the episodes meet their command. Envelope, the largest "
+            f"command in one direction alone up to which all are met: {_envelope(result)}.",
         ),
         figure(
             "Pushes",

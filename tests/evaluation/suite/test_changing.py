@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -181,6 +182,21 @@ class TestTransients:
         stuck = synthetic_rollout(len(TIME), 1, velocity=np.stack([forward, np.full_like(turning, 0.5)], axis=-1))
         result = changing.step_measures(stuck, change, TRANSIENTS)
         assert (result["followed"]["mean"], result["score"]) == (0.0, 0.0)
+
+    def test_every_episode_gets_the_command_of_its_change_and_counts(self):
+        part, commands = replace(TRANSIENTS, num_seeds=3), {}
+
+        def run(first, seeds, seconds, progress, before_step, reached):
+            control = SimpleNamespace(config=SimpleNamespace(timestep=DT))
+            set_command = lambda ids, then: commands.update(dict.fromkeys(ids, then))  # noqa: E731
+            task = SimpleNamespace(control=control, set_command=set_command)
+            for step in range(len(TIME)):
+                before_step(task, step)
+            return synthetic_rollout(len(TIME), 3 * len(first))
+
+        result = changing.run_transients(part, SimpleNamespace(run=run))
+        assert commands == {3 * i + k: change.then for i, change in enumerate(part.changes) for k in range(3)}
+        assert {entry["followed"]["count"] for entry in result.values()} == {3}
 
 
 def pushed_rollout(part, velocity, **changes):
