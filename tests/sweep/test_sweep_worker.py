@@ -118,7 +118,7 @@ def test_score_of_the_zero_action_is_that_of_the_failed_task_or_of_the_sweeps(tm
     assert measured[1] == measured[2] == ("residual", measured[1][1])
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("number", [signal.SIGTERM, pytest.param(signal.SIGINT, marks=pytest.mark.slow)])
 def test_signal_ends_a_worker_with_the_line_that_goes_on_and_its_trial_goes_on_from_the_checkpoint(
     tmp_path, monkeypatch, number
 ):
