@@ -35,8 +35,17 @@ SERVO_ERRORS: Final = ("target_step", "backlash", "dead_band")
 """Fields of `JointMotor` that keep a position servo from following its target exactly; see `servo_target`."""
 
 
+class _MotorFields(Fields, path="motor"):
+    """Fields in which a whole number stays one: the SHA-256 of robots that older versions stored tells 10 from 10.0."""
+
+    def __post_init__(self) -> None:
+        given = {**vars(self)}
+        super().__post_init__()
+        vars(self).update({name: value for name, value in given.items() if type(value) is int})
+
+
 @dataclass(frozen=True)
-class JointMotor(Fields, path="motor"):
+class JointMotor(_MotorFields):
     """A motor and the joint that it turns. The defaults are the built-in robot's."""
 
     stall_torque: Annotated[float, Parameter.positive("N m")] = 10.0
@@ -59,12 +68,6 @@ class JointMotor(Fields, path="motor"):
     """Play of the gears, rad: after a reversal the target moves this far before the joint follows."""
     dead_band: Annotated[float, Parameter("rad", 0.0)] = 0.0
     """Error of the position, to either side, up to which the servo does not pull, rad."""
-
-    def __post_init__(self) -> None:
-        given = {**vars(self)}
-        super().__post_init__()
-        # A whole number stays one: the SHA-256 of robots that older versions stored tells 10 from 10.0.
-        vars(self).update({name: value for name, value in given.items() if type(value) is int})
 
     @classmethod
     def hobby_servo(
@@ -122,7 +125,7 @@ class JointMotor(Fields, path="motor"):
 
 
 @dataclass(frozen=True)
-class MotorConfig(Fields, path="motor"):
+class MotorConfig(_MotorFields):
     """All motors of a robot, of two kinds; the robot says which joint has which (`Robot.joint_kinds`)."""
 
     hip: JointMotor = field(default_factory=JointMotor)

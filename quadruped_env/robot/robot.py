@@ -25,10 +25,9 @@ from quadruped_env.robot.model_completion import (
     parsed,
     read_model,
 )
-from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
+from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.skeleton import Pose, Skeleton
 from quadruped_env.utils.arrays import Floats, frozen
-from quadruped_env.utils.fields import with_values
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
 
@@ -470,9 +469,10 @@ class Robot:
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
             for name, value in values.items()
         }
+        motors = values["motors"]
         if made.get("assets") is not None:
             made["assets"] = {name: base64.b64decode(text) for name, text in made["assets"].items()}
-        made["motors"] = with_values(MotorConfig(), values["motors"], "robot.motors")
+        made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
         return cls(**made)
 
     @property

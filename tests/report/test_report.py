@@ -112,6 +112,10 @@ def test_table_has_a_row_for_every_motion(comparison):
     lines = summary_table(comparison).splitlines()
     assert [line.split(":")[0].split()[0] for line in lines[1:6]] == ["Falls", *(m.capitalize() for m in MOTIONS)]
     assert lines[-1] == "undisturbed, on the task's own ground: 2 starts of each command, 3 s"
+    number = r"([\d.]+)(?: %)?"
+    found = re.findall(rf"{number} \[{number}, {number}\]", "\n".join(lines))
+    assert len(found) > 20
+    assert all(float(low) <= float(mean) <= float(high) for mean, low, high in found)
 
 
 # --- the learning curve

@@ -1,6 +1,7 @@
 """Position servos that do not follow their targets exactly: closed forms of steps, backlash and dead band."""
 
 import dataclasses
+import json
 import math
 
 import gymnasium
@@ -130,6 +131,19 @@ def test_preset_is_the_data_sheet_and_stands_under_a_small_robot(tmp_path):
         motor.target_step / 2 + motor.backlash / 2 + motor.dead_band + (abs(torque) + motor.friction_loss) / motor.kp
     )
     assert (abs(MINI_QUADRUPED.stance - position) <= allowed).all()
+
+
+def test_robot_with_whole_numbers_in_its_motors_keeps_its_identity():
+    """Older versions stored them as they were given, and the SHA-256 tells 7 from 7.0."""
+    motors = MotorConfig(JointMotor(stall_torque=7, kd=1), delay=0)
+    robot = dataclasses.replace(HALF_WITH_SERVOS, motors=motors).robot()
+    stored = json.loads(json.dumps(robot.to_dict()))
+    assert (
+        {type(stored["motors"]["hip"][name]) for name in ("stall_torque", "kd")}
+        == {int}
+        == {type(stored["motors"]["delay"])}
+    )
+    assert Robot.from_dict(stored).sha256 == robot.sha256
 
 
 def test_robot_without_servo_errors_keeps_its_identity():
