@@ -1,6 +1,7 @@
 """The command `sweep`, and workers as processes: of one machine, of two, and of a Ray cluster."""
 
 import json
+import os
 import re
 import signal
 import socket
@@ -21,6 +22,8 @@ from quadruped_env.training.resume import Parent
 
 LOOPBACK = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
 """Variables with which all of Ray's processes listen on loopback alone."""
+TURNS = int(os.environ.get("SWEEP_TURNS", "3"))
+"""Random moments of a signal that are tried; one takes about a minute."""
 TINY = ("--timesteps", "96", "--num-envs", "4", "--n-steps", "8", "--batch-size", "16", "--hidden", "8")
 
 
@@ -119,7 +122,7 @@ def test_signal_to_the_command_stops_its_workers_with_their_checkpoints(tmp_path
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("turn", range(20))
+@pytest.mark.parametrize("turn", range(TURNS))
 def test_two_machines_and_a_signal_do_each_trial_once_with_the_bits_of_its_checkpoint(tmp_path, turn):
     sweep = make_sweep(tmp_path, training={"timesteps": 32 * 100, "checkpoint_seconds": 0.2}, seeds=3)
     with start_worker(sweep, "a") as stopped, start_worker(sweep, "b") as other:
