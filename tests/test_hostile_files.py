@@ -18,7 +18,6 @@ from quadruped_env.errors import MAX_MESSAGE
 from quadruped_env.policies.files import read_policy, shipped_directory
 from quadruped_env.policies.policy_data import CARD_FILE, TENSORS_FILE
 from quadruped_env.replay.motors_file import read_motors
-from quadruped_env.sweep.search_space import read_space
 from quadruped_env.task import TaskConfig
 from quadruped_env.trajectory import ColumnMap, JointMap
 
@@ -72,7 +71,6 @@ def read_task(path):
 MOTORS = json.dumps({"motor": TaskConfig().to_dict()["motor"]})
 COLUMNS = '[columns]\nstamp = "t"\nstamp_unit = "s"\npositions = ["a", "b"]\nmissing = [-1]\n'
 JOINTS = '[joints.LF_hip_joint]\nsource = "a"\nscale = 2.0\noffset = 0.1\nunit = "deg"\n'
-SPACE = "[learning_rate]\nlow = 1e-4\nhigh = 1e-2\nlog = true\n[task.reward.weights.foot_slip]\nchoices = [-1.0, 0.0]\n"
 TASK = json.dumps({"decimation": 4, "reward": {"weights": {"upright": -1.0}}, "command": {"yaw_rate": [-0.4, 0.4]}})
 TABLE = "t,q\n0.0,1.5\n0.1,1.25\n"
 
@@ -80,7 +78,6 @@ READERS = {
     "policy": Reader(CARD_FILE, lambda path: read_policy(path.parent), prepare_policy),
     "motors": Reader("motors.json", read_motors, sound=MOTORS),
     "task": Reader("task.json", read_task, sound=TASK),
-    "space": Reader("space.toml", lambda path: read_space(path, TaskConfig().to_dict()), sound=SPACE),
     "columns": Reader("columns.toml", ColumnMap.load, sound=COLUMNS),
     "joints": Reader("joints.toml", JointMap.load, sound=JOINTS),
     "recording": Reader("recording", JointTrajectory.load, sound=ECHO + ECHO.replace("sec: 1", "sec: 2")),
@@ -94,7 +91,7 @@ BINARY = ("tensors", "storage")
 """Readers of binary files; tests/trajectory/test_formats_fuzz.py mutates bags."""
 
 JSON = ("policy", "motors")
-TOML = ("columns", "joints", "space")
+TOML = ("columns", "joints")
 
 
 def tensors(**header):

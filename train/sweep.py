@@ -1,4 +1,4 @@
-"""Train many policies at once on Ray Tune: `mini-quadruped sweep`, from a checkout."""
+"""Train many policies at once: `mini-quadruped sweep`, from a checkout."""
 
 import sys
 from pathlib import Path

@@ -1,274 +1,192 @@
-"""Train many policies at once on Ray Tune: seeds of one config, or a search over its settings.
+"""Train many policies at once: seeds of one config, or a search over its settings.
 
 mini-quadruped sweep --seeds 8                       eight seeds of one config, side by side on all cores
 mini-quadruped sweep --seeds 8 --recipe rough        with any option of 'train'
 mini-quadruped sweep --vary learning_rate=1e-4..1e-2:log --vary hidden=64x64,128x128 --trials 20
 mini-quadruped sweep --vary task.reward.weights.foot_slip=-1..0 --trials 20 --seeds 3
-mini-quadruped sweep --space space.toml --trials 40 --search optuna --scheduler asha
-mini-quadruped sweep --seeds 8 --address 10.0.0.5:6379     on a running Ray cluster, in a trusted network
-mini-quadruped sweep --resume sweeps/<name>          go on after an interruption
+mini-quadruped sweep --work sweeps/<name>            do trials of it until none is left, on any machine that sees it
+mini-quadruped sweep --ray auto sweeps/<name>        workers on a running Ray cluster
+mini-quadruped sweep --report sweeps/<name>          its results so far
 
-Each trial is one training, as of 'train', with its run directory in sweeps/<name>/trials/. docs/scaling.md says more.
+Each trial is one training, as of 'train', with its run directory in sweeps/<name>/trials/. A worker that is stopped or
+lost leaves its trial to the next one, which goes on from its checkpoint. docs/scaling.md has Slurm, Ray and Kubernetes.
 """
 
 import argparse
 import math
-import os
-import signal
-from collections.abc import Mapping
-from functools import partial
+import sys
+import time
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
-from quadruped_env.cli.common_options import add_output
+from quadruped_env.cli.common_options import add_output, add_trust_task
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.cli.train import add_settings, typed_settings
-from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.sweep.search_space import Dimension, parse_dimension, read_space
-from quadruped_env.sweep.sweep_definition import SCHEDULERS, SCORES, SEARCHES, MakeConfig, SweepConfig, sha256_of
-from quadruped_env.sweep.sweep_records import SweepFolder
+from quadruped_env.envs.arguments import task_config
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.space import parse_dimension
 from quadruped_env.training import TrainConfig
-from quadruped_env.training.recipes import check_used, with_recipe
+from quadruped_env.utils.files import free_path
 from quadruped_env.utils.interpreter import program_command
-from quadruped_env.utils.plain import plain
-from quadruped_env.utils.program import Extras, on_stop, stopped_status
+from quadruped_env.utils.program import CLEAR_LINE, Extras
+from quadruped_env.utils.progress import ProgressLine
+from quadruped_env.utils.provenance import cores
 
 SWEEPS: Final = Path("sweeps")
 """Default directory of the sweeps."""
+_BESIDE_A_SWEEP: Final = (
+    *("work", "ray", "report", "workers", "output", "retry_failed", "trust_task"),
+    *("command", "in_options"),  # of the parser
+)
+"""Arguments next to the directory of a sweep; those that define a sweep are None, or missing, if they are not typed."""
+UNFINISHED_STATUS: Final = 1
+"""Exit status while a trial has failed, or is open."""
 DEFAULT_TRIALS: Final = 20
-"""Settings of a search without --trials."""
-_OPTIONS: Final = {
-    "seeds": "--seeds",
-    "trials": "--trials",
-    "search": "--search",
-    "scheduler": "--scheduler",
-    "reduction": "--reduction",
-    "rungs": "--rungs",
-    "score": "--score",
-    "cores_per_trial": "--cores-per-trial",
-}
-"""Options of the definition, which a resumed sweep keeps."""
+"""Settings of a search without --trials in a space of more."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the options of a training, and those of the sweep."""
+    """Add the options of the sweep, and the settings of a training."""
     group = parser.add_argument_group("sweep")
-    default = SweepConfig()
-    group.add_argument(
-        "--seeds",
-        type=int,
-        metavar="N",
-        help="seeds of each setting, --seed and those after it (default: 1)",
-    )
+    group.add_argument("--seeds", type=int, metavar="N", help="seeds of each setting, from --seed on (default: 1)")
     group.add_argument(
         "--vary",
         action="append",
-        default=[],
         metavar="FIELD=VALUES",
         help="a field that varies: FIELD=LOW..HIGH, FIELD=LOW..HIGH:log or FIELD=CHOICE,CHOICE; a field of the "
         "training as its option without dashes in front and with _ for -, or a field of the task's config such as "
         "task.reward.weights.foot_slip; may be given again",
     )
-    group.add_argument("--space", type=Path, metavar="FILE", help="TOML or JSON file of fields that vary")
     group.add_argument(
         "--trials",
         type=int,
         metavar="N",
-        help=f"settings to try, each with every seed (default: {DEFAULT_TRIALS}; all of a grid)",
+        help=f"settings to try, each with every seed (default: all, of ranges {DEFAULT_TRIALS}). Optuna chooses them",
     )
+    add_output(group, "DIR", f"directory of the sweeps (default: {SWEEPS})", SWEEPS)  # type: ignore[arg-type]
     group.add_argument(
-        "--search", choices=SEARCHES, help=f"choice of the settings (default: {default.search}; optuna: TPE)"
+        "--workers", type=int, metavar="N", help="worker processes (default: one per core; with --work: 1); 0: none yet"
     )
+    place = group.add_mutually_exclusive_group()
+    place.add_argument("--work", type=Path, metavar="SWEEP", help="do trials of a sweep until none is left")
+    place.add_argument(
+        "--ray", nargs=2, metavar=("ADDRESS", "SWEEP"), help="do them on a running Ray cluster; ADDRESS may be 'auto'"
+    )
+    place.add_argument("--report", type=Path, metavar="SWEEP", help="write the report of a sweep as it is now")
     group.add_argument(
-        "--scheduler",
-        choices=SCHEDULERS,
-        help="asha: stop the worse trials early, by the suite's score (default: none)",
+        "--retry-failed", action="store_true", help="with --work or --ray: also train the failed trials again"
     )
-    group.add_argument(
-        "--reduction", type=int, metavar="N", help=f"asha goes on with one in N (default: {default.reduction})"
-    )
-    group.add_argument(
-        "--rungs", type=int, metavar="N", help=f"times at which asha compares the trials (default: {default.rungs})"
-    )
-    group.add_argument(
-        "--score",
-        choices=SCORES,
-        help=f"score of a finished trial: the quick suite, the full one (minutes), or none (default: {default.score})",
-    )
-    group.add_argument(
-        "--cores-per-trial",
-        type=int,
-        metavar="N",
-        help="cores and threads of each trial; more trials run side by side with fewer (default: 1)",
-    )
-    group.add_argument("--cores", type=int, metavar="N", help="cores of this machine to use (default: all)")
-    group.add_argument(
-        "--address",
-        metavar="HOST:PORT",
-        help="running Ray cluster, of which this machine is a node (default: Ray starts here, on loopback)",
-    )
-    group.add_argument(
-        "--resume", type=Path, metavar="SWEEP", help="directory of a sweep to go on with; finished trials stay"
-    )
-    add_output(group, "DIR", f"directory of the sweeps, which all nodes share (default: {SWEEPS})", SWEEPS)  # type: ignore[arg-type]
+    add_trust_task(group, "with --work or --ray: execute the sweep's copy of its task file")
     add_settings(parser)
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
-    """Run the sweep, write its results and its report, and print where they are."""
-    from quadruped_env.sweep.ray_connection import check_answers, check_installed
-    from quadruped_env.sweep.sweep_results import collect, table, write
-
-    here = _cores() if arguments.cores is None else arguments.cores
-    if here < 1:
-        raise QuadrupedError(f"--cores: expected 1 or more; found {here}")
-    if arguments.address is not None and arguments.cores is not None:
-        raise QuadrupedError("--cores: found with --address; the cluster's nodes have their own number of cores")
-    config, make = definition(arguments)
-    if arguments.address is None and config.cores_per_trial > here:
-        raise QuadrupedError(f"--cores-per-trial: found {config.cores_per_trial}; this machine has {here}; lower it")
-    check_installed("A sweep")
-    if arguments.address is not None:
-        check_answers(arguments.address)
-    if arguments.resume is None:
-        config.check(make)
-        name = config.training.get("name", config.training.get("algo", TrainConfig.name))
-        folder = SweepFolder.create(arguments.output, name, config, invocation.line)
+    """Make a sweep, or go on with one; print its results."""
+    place = arguments.report or arguments.work or (arguments.ray and Path(arguments.ray[1]))
+    if (arguments.workers or 0) < 0:
+        raise QuadrupedError(f"--workers: expected 0 or more; found {arguments.workers}")
+    if place is None:
+        sweep = make(arguments, invocation.line)
+        print(f"{sweep} -> {sweep.path}", flush=True)
     else:
-        folder = SweepFolder.open(arguments.resume)
-    print(f"{describe(config)} -> {folder.path}", flush=True)
-
-    from quadruped_env.sweep.sweep_driver import run_sweep
-
-    received: list[int] = []
-    with on_stop(partial(_stop, received)):
-        complete = run_sweep(folder, make, arguments.address, here, lambda line: print(line, flush=True))
-    results = collect(folder, invocation.line)
-    numbers, rows = write(folder, results)
-    scores = table(results)
-    heading = "score: mean over the seeds [95 % interval]\n"
-    print(f"\n{heading + scores if scores else 'no trial has a score'}\n")
-    extras = _write_report(folder, results)
-    print(f"results: {rows} and {numbers}")
-    best = results["best"]
-    task = [] if config.task_file is None else ["--task", config.task_file]
-    if best is not None:
-        print(f"best:    trial {best['trial']}, score {best['score']:.3f} -> {folder.path / best['run']}")
-        print(f"see it walk:  {program_command('view', folder.path / best['run'], *task)}")
-    if not complete:
-        print(f"interrupted; go on with:  {program_command('sweep', '--resume', folder.path, *task)}")
-        return stopped_status(*received[:1])
-    failed = results["states"].get("failed", 0)
-    if failed:
-        print(f"{failed} of {len(config)} trials failed; {rows} has their errors")
-    return extras.status if failed < len(config) else 1
+        sweep = Sweep.open(place)
+        check_no_definition(arguments)
+    again = program_command("sweep", "--work", sweep.path, *["--trust-task"] * (sweep.task_file is not None))
+    if arguments.workers == 0:
+        print(f"a worker, on any machine that sees this directory:  {again}")
+        return 0
+    if arguments.report is None:
+        if arguments.retry_failed:
+            sweep.retry_failed()
+        try:
+            errors = do_trials(sweep, arguments, arguments.trust_task or place is None)
+        except (QuadrupedError, OSError, MemoryError, ImportError) as error:
+            errors = [f"mini-quadruped sweep: error: {error}"]
+        except KeyboardInterrupt:
+            print(f"stopped; go on with:  {again}", flush=True)
+            raise
+        for line in errors:
+            print(line, file=sys.stderr)
+        if sweep.open_trials():
+            print(f"{len(sweep.open_trials())} trials are open; go on with:  {again}")
+            return UNFINISHED_STATUS
+    return print_results(sweep)
 
 
-def definition(arguments: argparse.Namespace) -> tuple[SweepConfig, MakeConfig]:
-    """The requested sweep, or the one that is resumed, and the function that makes its trainings' settings.
+def do_trials(sweep: Sweep, arguments: argparse.Namespace, trusted: bool) -> list[str]:
+    """Do the open trials of a sweep, here or by workers; the errors that ended workers."""
+    # Torch takes seconds to import.
+    from quadruped_env.sweep.worker import work
+    from quadruped_env.sweep.workers import run_here, run_on_ray
+
+    if arguments.ray is not None:
+        return run_on_ray(sweep, arguments.workers, trusted, arguments.ray[0], Progress(sweep))
+    if arguments.work is not None and arguments.workers in (None, 1):
+        work(sweep, trusted, lambda line: print(line, flush=True))
+        return []
+    return run_here(sweep, min(arguments.workers or cores(), len(sweep)), trusted, Progress(sweep))
+
+
+def make(arguments: argparse.Namespace, command: str) -> Sweep:
+    """The sweep of the options that were typed.
 
     Raises:
-        QuadrupedError: if an option is not valid, or not that of the resumed sweep.
+        QuadrupedError: if an option is not valid.
     """
-    from quadruped_env.envs.arguments import task_config
-
-    typed, task_file, terms, whole = typed_settings(arguments)
-    stored = None if arguments.resume is None else SweepFolder.open(arguments.resume).config
-    if stored is not None and stored.task_file is not None and task_file is None:
-        raise QuadrupedError(
-            f"--resume: this sweep has terms from {short(Path(stored.task_file).name)}, which is not executed "
-            f"automatically: check the file, then name it with --task FILE"
-        )
-
-    def make(fields: Mapping[str, Any]) -> TrainConfig:
-        sections = whole if stored is None else stored.whole
-        return with_recipe(fields, terms.robot, sections)
-
-    # All fields that vary are those of the task as it is without them.
-    base = make(typed if stored is None else stored.training)
-    if not (stored is not None and arguments.vary == [] and arguments.space is None):
-        task = task_config(base.action_mode, base.task, task_file).to_dict()
-        space = [parse_dimension(text, task) for text in arguments.vary]
-        space += [] if arguments.space is None else read_space(arguments.space, task)
-    else:
-        space = []
-    check_used(base.algo, {**typed, **{d.field: None for d in space if not d.field.startswith("task.")}})
-    if stored is not None:
-        _check_kept(arguments, typed, space, task_file, stored)
-        return stored, make
-    asked = {name: value for name in _OPTIONS if (value := getattr(arguments, name)) is not None}
-    settings = asked.pop("trials", None)
-    if settings is None:
-        grid = math.prod(max(1, len(dimension.choices)) for dimension in space)
-        settings = grid if asked.get("search") == "grid" else DEFAULT_TRIALS if space else 1
-    return (
-        SweepConfig(
-            training=typed,
-            space=tuple(space),
-            settings=settings,
-            whole=tuple(sorted(whole)),
-            task_file=None if task_file is None else str(task_file.resolve()),
-            task_sha256=None if task_file is None else sha256_of(task_file),
-            **asked,
-        ),
-        make,
-    )
+    if arguments.retry_failed or arguments.trust_task:
+        raise QuadrupedError("--retry-failed, --trust-task: only with --work or --ray")
+    typed, task_file, definition, whole = typed_settings(arguments)
+    sections, name = tuple(sorted(whole)), typed.get("name", typed.get("algo", TrainConfig.name))
+    base = Sweep(Path(), typed, sections).config({}, 0, definition)
+    task = task_config(base.action_mode, base.task, task_file).to_dict()
+    space = [parse_dimension(text, task) for text in arguments.vary or ()]
+    if len(dict(space)) < len(space):
+        raise QuadrupedError(f"--vary: found {', '.join(field for field, _ in space)}; give each field once")
+    path = free_path(arguments.output / f"{time.strftime('%Y%m%d-%H%M%S')}-{name}")
+    sweep = Sweep(path, typed, sections, dict(space), seeds=1 if arguments.seeds is None else arguments.seeds)
+    settings = DEFAULT_TRIALS if math.isinf(sweep.size) else int(sweep.size)
+    sweep = replace(sweep, settings=settings if arguments.trials is None else arguments.trials)
+    sweep.check(definition)
+    return sweep.create(command, definition)
 
 
-def _check_kept(
-    arguments: argparse.Namespace,
-    typed: Mapping[str, Any],
-    space: list[Dimension],
-    task_file: Path | None,
-    stored: SweepConfig,
-) -> None:
-    """Refuse options that differ from the definition of the sweep that is resumed."""
-    found: list[tuple[str, Any, Any]] = []
-    for name, option in _OPTIONS.items():
-        value = getattr(arguments, name)
-        found.append((option, value, getattr(stored, "settings" if name == "trials" else name)))
-    for name, value in typed.items():
-        default = getattr(TrainConfig(), name)
-        found.append((f"--{name.replace('_', '-')}", value, stored.training.get(name, default)))
-    if space:
-        found.append(("--vary", [str(d) for d in space], [str(d) for d in stored.space]))
-    if task_file is not None:
-        found.append((f"--task {task_file}: SHA-256", sha256_of(task_file), stored.task_sha256))
-    for option, value, kept in found:
-        if value is not None and plain(value) != plain(kept):
-            raise QuadrupedError(
-                f"{option}: found {short(value)}; the sweep in {arguments.resume} has {short(kept)}, and a resumed "
-                f"sweep keeps its definition: leave the option out, or start a new sweep without --resume"
-            )
+def check_no_definition(arguments: argparse.Namespace) -> None:
+    """Refuse options that define a sweep next to the directory of one."""
+    for name, value in vars(arguments).items():
+        if value is not None and name not in _BESIDE_A_SWEEP:
+            raise QuadrupedError(f"--{name.replace('_', '-')}: a sweep keeps its own definition; leave the option out")
 
 
-def _cores() -> int:
-    """Number of cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+def print_results(sweep: Sweep) -> int:
+    """Write the report of a sweep, and print its results; the exit status: 1 if a trial failed."""
+    from quadruped_env.sweep.report import collect, headline, table, write_report
 
-
-def describe(config: SweepConfig) -> str:
-    """A sweep in words."""
-    seeds = f"{config.seeds} seed{'s' if config.seeds > 1 else ''}"
-    if not config.space:
-        return f"{seeds} of one config"
-    fields = ", ".join(map(str, config.space))
-    asha = f", stopped early by ASHA at {config.rungs} rungs" if config.scheduler == "asha" else ""
-    return f"{config.settings} settings ({config.search}) of {fields}, each with {seeds}{asha}"
-
-
-def _stop(received: list[int], number: int) -> None:
-    """Remember a signal, and end the sweep as Ctrl-C does, the one signal that Ray Tune handles."""
-    received.append(number)
-    if number == signal.SIGINT:
-        raise KeyboardInterrupt
-    signal.raise_signal(signal.SIGINT)
-
-
-def _write_report(folder: SweepFolder, results: Mapping[str, Any]) -> Extras:
-    extras = Extras()
+    found, extras = collect(sweep), Extras()
+    print(f"\n{table(found, sweep.seeds).text()}\n\n{headline(found)}")
     with extras.part("report.html"):
-        from quadruped_env.report.pages.sweep_report import write_sweep_report
+        print(f"report:  {write_report(sweep)}")
+    if found["best"] is not None:
+        task = ["--trust-task"] * (sweep.task_file is not None)
+        print(f"see it walk:  {program_command('view', sweep.path / found['best']['run'], *task)}")
+    return UNFINISHED_STATUS if found["states"]["failed"] else extras.status
 
-        print(f"report:  {write_sweep_report(folder.path, results)}")
-    return extras
+
+class Progress:
+    """Prints each new result of a sweep, and the progress of the whole, whenever it is called."""
+
+    def __init__(self, sweep: Sweep) -> None:
+        self._sweep, self._open, self._line = sweep, sweep.open_trials(), ProgressLine("sweep")
+
+    def __call__(self) -> None:
+        """Look at the files."""
+        from quadruped_env.sweep.worker import result_in_words, share_done
+
+        before, self._open = self._open, self._sweep.open_trials()
+        for number in before:
+            if (result := self._sweep.result(number)) is not None:
+                print(f"{CLEAR_LINE * sys.stderr.isatty()}{result_in_words(number, result)}", flush=True)
+        count, done = len(self._sweep), len(self._sweep) - len(self._open)
+        begun = sum(share_done(self._sweep.trial(number)) for number in self._open)
+        self._line((done + begun) / count, f", {done} of {count} trials done")

@@ -64,6 +64,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "they were",
     )
     add_output(parser, "DIR", f"directory of the run directories (default: {RUNS})", RUNS)
+    parser.add_argument(
+        "--track",
+        choices=("wandb", "mlflow", "trackio"),
+        help="also send the metrics to a service that tracks experiments, whose package is installed",
+    )
     add_trust_task(parser, "with --resume: execute the copy of the task file that the run keeps instead of --task FILE")
 
 
@@ -156,7 +161,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     # Torch takes seconds to import.
     from quadruped_env.training.train import train
 
-    directory, finished = train(config, runs, invocation.line, parent, task_file)
+    directory, finished = train(config, runs, invocation.line, parent, task_file, service=arguments.track)
     card = read_json(directory / CARD_FILE)["card"]
     steps, interrupted = card["timesteps"], card.get("interrupted")
     print(f"learned from {steps:,} steps in {card['seconds']:.0f} s")

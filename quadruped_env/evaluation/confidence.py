@@ -5,6 +5,7 @@ Implemented in NumPy so that a report does not need SciPy; the tests compare it 
 
 import math
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final
@@ -18,6 +19,14 @@ CONFIDENCE: Final = 0.95
 RESAMPLES: Final = 10_000
 _NORMAL_QUANTILE: Final = 1.959963984540054
 """Quantile of the standard normal distribution at (1 + CONFIDENCE) / 2."""
+
+_STUDENT_QUANTILES: Final = (
+    *(12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228),
+    *(2.201, 2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086),
+    *(2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042),
+)
+"""Quantiles of Student's t distribution at (1 + CONFIDENCE) / 2, for 1 to 30 degrees of freedom; the last one, which is
+too wide, stands for more. https://www.itl.nist.gov/div898/handbook/eda/section3/eda3672.htm"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +85,19 @@ def _resample_counts(conditions: int, size: int) -> Floats:
     generator = np.random.default_rng(0)
     counts = generator.multinomial(size, np.full(size, 1.0 / size), (RESAMPLES, conditions))
     return counts.reshape(RESAMPLES, conditions * size).astype(np.float64)
+
+
+def student_mean(values: Sequence[float]) -> Estimate:
+    """The mean of a few values of a normal distribution, with Student's interval, which a single value does not have.
+
+    The bootstrap's interval is too narrow for few values.
+    """
+    count, mean = len(values), float(np.mean(values))
+    if count < 2:
+        return Estimate(mean, math.nan, math.nan, count)
+    quantile = _STUDENT_QUANTILES[min(count - 1, len(_STUDENT_QUANTILES)) - 1]
+    half = quantile * float(np.std(values, ddof=1)) / math.sqrt(count)
+    return Estimate(mean, mean - half, mean + half, count)
 
 
 def proportion(events: ArrayLike) -> Estimate:

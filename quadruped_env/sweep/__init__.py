@@ -1,6 +1,4 @@
-"""Many trainings at once on Ray Tune: seeds of one config, and searches over the settings of task and training."""
+"""Many trainings at once: seeds of one config, and searches over the settings of task and training.
 
-from quadruped_env.sweep.search_space import Dimension
-from quadruped_env.sweep.sweep_definition import SweepConfig
-
-__all__ = ["Dimension", "SweepConfig"]
+A sweep is a directory. A worker is any process that sees it and does its trials, one after another.
+"""

@@ -1,104 +1,88 @@
-"""Choice of the settings of a sweep: one config, a grid, random draws, or Optuna's proposals."""
+"""Choice of a sweep's settings by Optuna, in a study that the workers share.
 
-import itertools
+The sampler is its tree-structured Parzen estimator: Bergstra et al. 2011,
+https://papers.nips.cc/paper/4443-algorithms-for-hyper-parameter-optimization.
+"""
+
 import json
-from collections.abc import Mapping
-from typing import Any
+import math
+import os
+from typing import Any, Final
 
-import numpy as np
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.sweep.folder import STORAGE, Sweep
+from quadruped_env.sweep.report import score_of
+from quadruped_env.sweep.space import optuna_module
 
-from quadruped_env.errors import MissingExtraError
-from quadruped_env.sweep.search_space import Dimension
-from quadruped_env.sweep.sweep_definition import SweepConfig
-from quadruped_env.utils.plain import plain
-
-
-class Proposals:
-    """Source of a sweep's settings. Those of a grid and random ones depend on their number alone.
-
-    Optuna's are those of its tree-structured Parzen estimator: Bergstra et al. 2011,
-    https://papers.nips.cc/paper/4443-algorithms-for-hyper-parameter-optimization.
-
-    Args:
-        config: the sweep.
-
-    Raises:
-        MissingExtraError: if Optuna is needed and not installed.
-    """
-
-    def __init__(self, config: SweepConfig) -> None:
-        self._search, self._space, self._seed = config.search, config.space, int(config.training.get("seed", 0))
-        if self._search == "optuna":
-            self._optuna = optuna_module()
-            self._study = self._optuna.create_study(direction="maximize")
-            self._asked: dict[int, Any] = {}
-
-    def values(self, setting: int) -> dict[str, Any]:
-        """Values of the fields that vary, of a setting that has not begun."""
-        if self._search == "grid":
-            grid = itertools.product(*(dimension.choices for dimension in self._space))
-            choices = next(itertools.islice(grid, setting, None))
-            return {dimension.field: choice for dimension, choice in zip(self._space, choices, strict=True)}
-        if self._search == "random":
-            generator = np.random.default_rng([self._seed, setting])
-            return {dimension.field: dimension.draw(generator) for dimension in self._space}
-        # A sampler of its own for each setting: a resumed sweep does not repeat the proposals of the first process.
-        self._study.sampler = self._optuna.samplers.TPESampler(seed=self._seed + 1000 * setting, constant_liar=True)
-        trial = self._asked[setting] = self._study.ask({d.field: distribution(d) for d in self._space})
-        return {
-            dimension.field: next(v for v in dimension.choices if parameter(dimension, v) == found)
-            if dimension.choices
-            else found
-            for dimension in self._space
-            for found in [trial.params[dimension.field]]
-        }
-
-    def tell(self, setting: int, values: Mapping[str, Any], score: float | None) -> None:
-        """Take note of the score of a setting that is complete; None if all of its trials failed."""
-        if self._search != "optuna":
-            return
-        state = self._optuna.trial.TrialState.FAIL if score is None else self._optuna.trial.TrialState.COMPLETE
-        if setting in self._asked:
-            self._study.tell(self._asked.pop(setting), score, state)
-        else:  # proposed by a process that has ended
-            add_trial(self._study, self._space, values, score, state)
+JOURNAL: Final = "optuna.log"
+"""The study, if it is in no database; `optuna-dashboard` shows it."""
+_SETTING: Final = "setting"
+"""Attribute of a trial of Optuna: number of the sweep's setting."""
 
 
-def optuna_module() -> Any:
-    """Optuna, without its messages about each trial.
+def setting_values(sweep: Sweep, setting: int) -> dict[str, Any]:
+    """Field -> value of a setting: Optuna's proposal, which the setting keeps, and which no other one has.
+
+    Before it asks, it tells the study the scores of all settings that are complete.
 
     Raises:
-        MissingExtraError: if it is not installed.
+        QuadrupedError: if the study cannot be read or written.
+        MissingExtraError: if Optuna is not installed.
     """
-    try:
-        import optuna
-    except ImportError as error:
-        raise MissingExtraError("--search optuna", "sweep") from error
-    optuna.logging.set_verbosity(optuna.logging.ERROR)
-    return optuna
+    if not sweep.space:
+        return {}
+    optuna = optuna_module()
+    states = optuna.trial.TrialState
+    with sweep.locked("search"):
+        try:
+            study = _study(sweep, setting)
+            known = {}
+            for trial in study.get_trials(deepcopy=False, states=(states.RUNNING, states.COMPLETE)):
+                number = trial.user_attrs.get(_SETTING)
+                if number is None:  # of a worker that was lost in between
+                    study.tell(trial.number, state=states.FAIL)
+                    continue
+                known[number] = _values(trial)
+                score = score_of([sweep.result(number * sweep.seeds + seed) for seed in range(sweep.seeds)]).mean
+                if trial.state == states.RUNNING and math.isfinite(score):
+                    study.tell(trial.number, score)
+            random = optuna.samplers.RandomSampler(seed=setting)
+            while setting not in known:
+                trial = study.ask(dict(sweep.space))
+                values = _values(trial)
+                if values in known.values():
+                    study.tell(trial, state=states.FAIL)
+                    study.sampler = random
+                else:
+                    trial.set_user_attr(_SETTING, setting)
+                    known[setting] = values
+        except Exception as error:  # of any database's client
+            place = f"the database of {STORAGE}" if sweep.in_database else str(sweep.path / JOURNAL)
+            raise QuadrupedError(f"{place}: cannot be used ({type(error).__name__}: {error})") from error
+    return known[setting]
 
 
-def add_trial(study: Any, space: tuple[Dimension, ...], values: Mapping[str, Any], score: Any, state: Any) -> None:
-    """Add a setting with its score to a study of Optuna."""
-    study.add_trial(
-        optuna_module().trial.create_trial(
-            state=state,
-            params={dimension.field: parameter(dimension, values[dimension.field]) for dimension in space},
-            distributions={dimension.field: distribution(dimension) for dimension in space},
-            value=score,
-        )
+def _study(sweep: Sweep, setting: int) -> Any:
+    optuna = optuna_module()
+    if sweep.in_database:
+        storage = os.environ[STORAGE]
+    else:
+        journal = sweep.path / JOURNAL
+        # Only the holder of the sweep's own lock writes. A lost one leaves Optuna's lock, and part of a line.
+        journal.with_name(f"{JOURNAL}.lock").unlink(missing_ok=True)
+        if journal.is_file():
+            os.truncate(journal, journal.read_bytes().rfind(b"\n") + 1)
+        storage = optuna.storages.JournalStorage(optuna.storages.journal.JournalFileBackend(str(journal)))
+    # A seed for each setting, whichever process asks: with one seed for all, each new process repeats its proposals.
+    sampler = optuna.samplers.TPESampler(seed=sweep.first_seed + 1000 * setting, constant_liar=True)
+    return optuna.create_study(
+        study_name=sweep.study, storage=storage, sampler=sampler, direction="maximize", load_if_exists=True
     )
 
 
-def distribution(dimension: Dimension) -> Any:
-    """Optuna's distribution of a field."""
-    distributions = optuna_module().distributions
-    if dimension.choices:
-        return distributions.CategoricalDistribution([parameter(dimension, choice) for choice in dimension.choices])
-    kind = distributions.IntDistribution if dimension.whole else distributions.FloatDistribution
-    return kind(dimension.low, dimension.high, log=dimension.log)
-
-
-def parameter(dimension: Dimension, value: Any) -> Any:
-    """A value as Optuna's parameter: choices, which may be lists, as JSON."""
-    return json.dumps(plain(value)) if dimension.choices else value
+def _values(trial: Any) -> dict[str, Any]:
+    """Field -> value, of one of Optuna's trials."""
+    return {
+        name: json.loads(trial.params[name]) if hasattr(found, "choices") else trial.params[name]
+        for name, found in trial.distributions.items()
+    }

@@ -14,7 +14,7 @@ from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import Run, check_latest
 from quadruped_env.training.train_config import TrainConfig
-from quadruped_env.training.training_recorder import Observer, Recorder, record
+from quadruped_env.training.training_recorder import Recorder, record
 from quadruped_env.utils.program import on_stop
 from quadruped_env.utils.seeds import check_training_seeds
 
@@ -25,8 +25,8 @@ def train(
     command: str,
     parent: Parent | None = None,
     task_file: Path | None = None,
-    observer: Observer | None = None,
     threads: int = 0,
+    service: str | None = None,
 ) -> tuple[Path, bool]:
     """Train a policy and leave a run directory.
 
@@ -36,8 +36,8 @@ def train(
         command: what the user typed, for the record.
         parent: a run or checkpoint to go on from, of which `config` is the result of `Parent.resumed`.
         task_file: a user's file of terms, which is executed.
-        observer: watches the training; the clock stands still meanwhile.
         threads: threads of the physics; 0: one per core.
+        service: one of `tracking.SERVICES`, to which the metrics go as well.
 
     Returns:
         The run directory, and whether the whole budget was used.
@@ -64,7 +64,7 @@ def train(
         go_on_from(model, parent)
     facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
     run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
-    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds, observer)
+    recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds)
 
     def learn() -> None:
         timesteps = config.timesteps if config.seconds is None else sys.maxsize // 2
@@ -72,7 +72,7 @@ def train(
             model.learn(timesteps, callback=recorder, reset_num_timesteps=parent is None)
 
     try:
-        record(run, model, recorder, learn)
+        record(run, model, recorder, learn, service)
     finally:
         env.close()
     return run.directory, not recorder.stopped

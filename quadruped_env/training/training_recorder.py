@@ -6,6 +6,7 @@ import socket
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
+from dataclasses import asdict
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, cast
@@ -26,6 +27,7 @@ from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.task import TaskConfig
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.schedules import Scheduled
+from quadruped_env.training.tracking import ServiceWriter
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.files import unwritable, whole, write_whole
 from quadruped_env.utils.progress import ProgressLine
@@ -39,8 +41,6 @@ _LOG_INTERVAL = 1.0
 """Interval of progress.csv and TensorBoard, s."""
 
 NO_FIELDS: Final[Mapping[str, Any]] = MappingProxyType({})
-Observer = Callable[[int, Callable[[], Policy]], None]
-"""Called after each rollout with the number of time steps and a function that makes the policy at this point."""
 
 
 class Recorder(Scheduled):
@@ -51,7 +51,6 @@ class Recorder(Scheduled):
         config: settings of the training.
         task: its task.
         seconds_before: wall clock of the training that it goes on from.
-        observer: called after each rollout.
     """
 
     def __init__(
@@ -60,11 +59,9 @@ class Recorder(Scheduled):
         config: TrainConfig,
         task: TaskConfig,
         seconds_before: float = 0.0,
-        observer: Observer | None = None,
     ) -> None:
         super().__init__()
-        self._observer = observer
-        self._run, self._config, self._task_config = run, config, task
+        self._run, self.config, self._task_config = run, config, task
         self._seconds_before = seconds_before
         self.elapsed = 0.0
         self.stopped = False
@@ -84,7 +81,7 @@ class Recorder(Scheduled):
         self._task = self._env.task
         self._clear()
         self._next_log = _LOG_INTERVAL
-        self._next_checkpoint = self._config.checkpoint_seconds
+        self._next_checkpoint = self.config.checkpoint_seconds
         self._state = ""
         self._first = self.model.num_timesteps
         self._line = ProgressLine("training")
@@ -109,8 +106,8 @@ class Recorder(Scheduled):
                 for env_id in np.flatnonzero(self.locals["dones"])
             )
         # Not only after a rollout, which on a slow machine takes seconds.
-        budget, learned = self._config.seconds, self.num_timesteps - self._first
-        share = learned / self._config.timesteps if budget is None else self.elapsed / budget
+        budget, learned = self.config.seconds, self.num_timesteps - self._first
+        share = learned / self.config.timesteps if budget is None else self.elapsed / budget
         speed = learned / max(self.elapsed, 1e-9)
         self._line(min(share, 0.99), f", {self.num_timesteps:,} steps, {speed:,.0f} steps/s{self._state}")
         return not (self.stopped or (budget is not None and self.elapsed >= budget))
@@ -121,17 +118,13 @@ class Recorder(Scheduled):
             self._next_log = self.elapsed + _LOG_INTERVAL
             self._log()
         if self.elapsed >= self._next_checkpoint:
-            self._next_checkpoint = self.elapsed + self._config.checkpoint_seconds
+            self._next_checkpoint = self.elapsed + self.config.checkpoint_seconds
             self._save_checkpoint(self._run.directory / CHECKPOINTS / f"{round(self.seconds):05d}s")
-        if self._observer is not None:
-            began = time.perf_counter()
-            self._observer(self.num_timesteps, self._policy)
-            self._start += time.perf_counter() - began
 
     def _log(self) -> None:
         errors = np.sqrt(self._squares / self._steps)
         # Robots that do not fall finish their episodes all at once and seldom: rates are known all the time.
-        episodes = self._steps * self._config.num_envs / MAX_EPISODE_STEPS
+        episodes = self._steps * self.config.num_envs / MAX_EPISODE_STEPS
         row = {
             "timesteps": self.num_timesteps,
             "seconds": round(self.seconds, 3),
@@ -192,9 +185,9 @@ class Recorder(Scheduled):
     def _policy(self, ending: Mapping[str, Any] = NO_FIELDS) -> Policy:
         card = {
             **self._run.facts,
-            "recipe": self._config.recipe,
-            "algo": self._config.algo,
-            "seed": self._config.seed,
+            "recipe": self.config.recipe,
+            "algo": self.config.algo,
+            "seed": self.config.seed,
             "timesteps": int(self.model.num_timesteps),
             "seconds": round(self.seconds, 1),
             "budget_left": self.schedule.left_after(self.model.num_timesteps),
@@ -210,7 +203,7 @@ class Recorder(Scheduled):
             self._line.close()
 
 
-def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None]) -> None:
+def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None], service: str | None = None) -> None:
     """Train a model, and leave what it learned in the run directory, also after an error.
 
     Args:
@@ -218,6 +211,7 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
         model: the model, with SB3's `set_logger`.
         recorder: its recorder.
         learning: the training.
+        service: one of `tracking.SERVICES`, to which the metrics go as well.
 
     Raises:
         QuadrupedError: the error of the training or of its files, with the run directory.
@@ -228,6 +222,10 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
             stack.callback(run.close)
             with _nameless_host():
                 model.set_logger(configure(str(run.directory / "tensorboard"), ["tensorboard"]))
+            if service is not None:
+                writer = ServiceWriter(service, run.directory.name, asdict(recorder.config))
+                stack.callback(writer.close)
+                model.logger.output_formats.append(writer)
             stack.callback(recorder.finish)
             stack.push(recorder.save_after)
             learning()

@@ -9,7 +9,7 @@ from typing import Final
 
 CPU_TORCH: Final = "torch --index-url https://download.pytorch.org/whl/cpu"
 """Arguments of pip and uv: PyPI's build for Linux would bring 2.7 GB of CUDA."""
-CPU_TORCH_EXTRAS: Final = ("train", "contrib", "sweep", "test", "dev")
+CPU_TORCH_EXTRAS: Final = ("train", "contrib", "sweep", "ray", "test", "dev")
 """Extras that need torch."""
 COMMAND: Final = "mini-quadruped"
 """The installed command, and the name of the distribution."""

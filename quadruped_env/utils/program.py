@@ -44,8 +44,8 @@ class ArgumentParser(argparse.ArgumentParser):
         return found, unknown
 
     def in_options(self, message: str) -> str:
-        """Return a message with the name of an option where it begins with the field of a training, if there is one."""
-        begin = re.match(r"training\.(\w+)", message)
+        """Return a message in which an option stands for the field of a training or a sweep that it begins with."""
+        begin = re.match(r"(?:training|sweep)\.(\w+)", message)
         option = f"--{begin[1].replace('_', '-')}" if begin else ""
         return f"{option}{message[begin.end() :]}" if begin and option in self._option_string_actions else message
 

@@ -1,6 +1,7 @@
 """Where numbers come from: the machine, the libraries' versions, the commit of the checkout, a user's files."""
 
 import datetime
+import hashlib
 import os
 import platform
 import subprocess
@@ -50,6 +51,14 @@ def versions() -> dict[str, str]:
     return found
 
 
+def package_hash(*files: Path) -> str:
+    """Hash of this package's code, and of further files, on which numbers depend between versions."""
+    found = hashlib.sha256()
+    for file in (*sorted(Path(__file__).parents[1].rglob("*.py")), *files):
+        found.update(file.name.encode() + file.read_bytes())
+    return found.hexdigest()[:16]
+
+
 def machine() -> str:
     """Return the processor, the number of cores that this process may use, and the operating system."""
     try:
@@ -58,8 +67,12 @@ def machine() -> str:
         lines = []
     models = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
     processor = models[0] if models else platform.processor() or "unknown processor"
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    return f"{processor}, {platform.machine()}, {cores} cores, {platform.system()}"
+    return f"{processor}, {platform.machine()}, {cores()} cores, {platform.system()}"
+
+
+def cores() -> int:
+    """Number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def git_commit() -> str:

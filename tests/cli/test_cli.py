@@ -44,7 +44,7 @@ BAD = {
     "export": ("nowhere",),
     "check-export": ("nowhere",),
     "import-policy": ("nowhere.zip",),
-    "sweep": ("--resume", "nowhere"),
+    "sweep": ("--work", "nowhere"),
 }
 """Command -> arguments that this package refuses, not argparse."""
 SCRIPTS = {

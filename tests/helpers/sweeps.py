@@ -1,137 +1,96 @@
-"""Small sweeps run by the program, and the processes that Ray starts for them."""
+"""Small sweeps, workers whose trainings or scores are stubs, and workers in processes of their own.
 
-import contextlib
-import csv
+As a program: a worker of a sweep. `python sweeps.py DIR HOST` has another host name, and a score without the suite.
+"""
+
 import json
+import socket
 import subprocess
 import sys
+from dataclasses import replace
+from pathlib import Path
 
-import psutil
-from paths import ROOT, importing
-from waiting import DEADLINE, wait_until
+from paths import importing
+from trainings import SMALL
 
-SCRIPT = ROOT / "train" / "sweep.py"
-TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
-LONG = ("--timesteps", "40000", *TINY[2:])
-"""Trainings that last several seconds on any machine."""
-ONE_MACHINE = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
-"""Environment variables with which all of Ray's processes listen on loopback alone."""
+from quadruped_env.evaluation.results import COMPONENTS
+from quadruped_env.sweep import worker
+from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.space import parse_dimension
+from quadruped_env.task import TaskConfig
 
-
-def command(*arguments):
-    return [sys.executable, str(SCRIPT), *map(str, arguments)]
+TASK = TaskConfig().to_dict()
 
 
-def run(*arguments, status=0, **environment):
-    """Run the program to its end; its output."""
-    done = subprocess.run(
-        command(*arguments),
-        capture_output=True,
+def score(total):
+    return {"total": total, "components": dict.fromkeys(COMPONENTS, total)}
+
+
+def make_sweep(parent, *vary, training=None, **definition):
+    """A sweep in `parent/s`, with fields that vary as typed."""
+    space = dict(parse_dimension(text, TASK) for text in vary)
+    sweep = Sweep(parent / "s", {**SMALL, "timesteps": 96, **(training or {})}, space=space, **definition)
+    if "settings" not in definition and space:
+        sweep = replace(sweep, settings=int(sweep.size))
+    return sweep.create("sweep")
+
+
+def finish(sweep, number, total, values=None, **facts):
+    """Write a result; a score of None is a failed training's, with 0.1 of the zero action."""
+    failed = {"state": "failed", "error": "diverged", "score": score(0.1)}
+    result = failed if total is None else {"state": "finished", "score": score(total), "run": f"trials/{number:04d}/r"}
+    sweep.finish(number, {"values": values or {}, "seconds": 1.0, "starts": 1, "node": "here", **result, **facts})
+
+
+def stub_score(monkeypatch, value=0.5):
+    """Score all policies without the suite."""
+    monkeypatch.setattr(worker, "score_of_run", lambda run, task_file: {"score": score(value)})
+    monkeypatch.setattr(worker, "score_of_zero_action", lambda config, base, task_file: score(0.1))
+
+
+def stub_training(monkeypatch, train):
+    """Call `train(config, directory)` for a training; its run directory has a card alone."""
+
+    def stub(config, directory, command, parent, task_file):
+        train(config, directory)
+        run = directory / "run"
+        run.mkdir()
+        (run / "policy.json").write_text(json.dumps({"card": {"timesteps": config.timesteps}}))
+        return run
+
+    monkeypatch.setattr(worker, "_train", stub)
+    stub_score(monkeypatch)
+    monkeypatch.setattr(worker, "write_report", lambda sweep: None)
+
+
+def work(sweep, trusted=False):
+    """Do the open trials in this process; the lines that the worker says."""
+    said = []
+    worker.work(sweep, trusted, said.append)
+    return said
+
+
+def start_worker(sweep, host="a", **options):
+    """A worker process, with scores that are stubs."""
+    return subprocess.Popen(
+        [sys.executable, __file__, str(sweep.path), host],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
         text=True,
-        check=False,
-        timeout=4 * DEADLINE,
-        env={**importing(), **environment},
-    )
-    assert done.returncode == status, done.stdout + done.stderr
-    return done.stdout
-
-
-@contextlib.contextmanager
-def started(*arguments, output, **environment):
-    """The program, running; in the end it and every process of its Ray have ended."""
-    with output.open("w") as file:
-        process = subprocess.Popen(
-            command(*arguments), stdout=file, stderr=subprocess.STDOUT, text=True, env={**importing(), **environment}
-        )
-        seen = Family(process.pid)
-        try:
-            yield process, seen
-        finally:
-            seen.update()
-            process.kill()
-            process.wait()
-            seen.kill()
-
-
-class Family:
-    """A process and all of its descendants, also those whose parent has ended."""
-
-    def __init__(self, pid):
-        self.root = psutil.Process(pid)
-        self.members = {self.root}
-
-    def update(self):
-        with contextlib.suppress(psutil.NoSuchProcess):
-            self.members.update(self.root.children(recursive=True))
-        return self.members
-
-    def listening(self):
-        """Addresses on which any of them listens."""
-        found = set()
-        for member in self.update():
-            with contextlib.suppress(psutil.NoSuchProcess):
-                found.update(c.laddr.ip for c in member.net_connections("inet") if c.status == psutil.CONN_LISTEN)
-        return found
-
-    def trials(self):
-        """Processes that run trials."""
-        return [member for member in self.members if name_of(member).startswith("ray::ImplicitFunc")]
-
-    def kill(self):
-        """End all of them that still run."""
-        for member in self.members:
-            with contextlib.suppress(psutil.NoSuchProcess):
-                member.kill()
-        wait_until(lambda: not any(alive(member) for member in self.members), "the end of Ray's processes")
-
-
-def alive(process):
-    with contextlib.suppress(psutil.NoSuchProcess):
-        return process.is_running() and process.status() != psutil.STATUS_ZOMBIE
-    return False
-
-
-def name_of(process):
-    with contextlib.suppress(psutil.NoSuchProcess, psutil.ZombieProcess):
-        return " ".join(process.cmdline())
-    return ""
-
-
-def only(directory):
-    """The one sweep in a directory of sweeps; None before there is one."""
-    found = [file.parent for file in directory.glob("*/sweep.json")]
-    assert len(found) < 2
-    return found[0] if found else None
-
-
-def rows(folder):
-    """Rows of results.csv."""
-    with (folder / "results.csv").open() as file:
-        return list(csv.DictReader(file))
-
-
-def result(folder, number):
-    """result.json of a trial; None without one."""
-    path = folder / "trials" / f"{number:04d}" / "result.json"
-    return json.loads(path.read_text()) if path.is_file() else None
-
-
-def runs_of(folder, number):
-    """Run directories of a trial; none before the sweep exists."""
-    return (
-        []
-        if folder is None
-        else sorted(path.parent for path in (folder / "trials" / f"{number:04d}").glob("2*/progress.csv"))
+        env=importing(),
+        **options,
     )
 
 
-def assert_each_finished_once(folder, count):
-    """Check that every trial is finished, in one row of the results, with a whole policy."""
-    from quadruped_env.policies import load_policy
+def policies(sweep, number):
+    """Policies of a trial's runs: name of the run -> bytes."""
+    found = sorted(sweep.trial(number).glob("2*/policy.safetensors"))
+    return {path.parent.name: path.read_bytes() for path in found}
 
-    table = rows(folder)
-    assert [row["trial"] for row in table] == [str(number) for number in range(count)]
-    assert {row["state"] for row in table} == {"finished"}
-    for row in table:
-        assert load_policy(folder / row["run"]).card["seed"] == int(row["seed"])
-        assert row["run"].endswith(result(folder, int(row["trial"]))["run"])
+
+if __name__ == "__main__":
+    from quadruped_env.cli.main import main
+
+    socket.gethostname = lambda: sys.argv[2]
+    worker.score_of_run = lambda run, task_file: {"score": score(0.5)}
+    sys.exit(main(["sweep", "--work", str(Path(sys.argv[1]))]))

@@ -1,136 +1,208 @@
-"""The program's errors before any trial, its resume, and the wait for a cluster that does not answer."""
+"""The command `sweep`, and workers as processes: of one machine, of two, and of a Ray cluster."""
 
+import json
+import os
 import re
+import signal
 import socket
 import subprocess
 import sys
-import time
-from types import SimpleNamespace
 
+import numpy as np
+import psutil
 import pytest
-from waiting import DEADLINE
+from paths import ROOT, importing
+from sweeps import finish, make_sweep, policies, start_worker
+from trainings import learn
+from waiting import DEADLINE, output_of, status_of, wait_until
 
-from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
-from quadruped_env.errors import MissingExtraError
-from quadruped_env.sweep import SweepConfig, ray_connection
-from quadruped_env.sweep.sweep_definition import sha256_of
-from quadruped_env.sweep.sweep_records import SweepFolder
+from quadruped_env.sweep.folder import Sweep
+from quadruped_env.training.resume import Parent
 
-TINY = ("--timesteps", "2048", "--num-envs", "16", "--n-steps", "16", "--batch-size", "64")
+LOOPBACK = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
+"""Variables with which all of Ray's processes listen on loopback alone."""
+TURNS = int(os.environ.get("SWEEP_TURNS", "3"))
+"""Random moments of a signal that are tried; one takes about a minute."""
+TINY = ("--timesteps", "96", "--num-envs", "4", "--n-steps", "8", "--batch-size", "16", "--hidden", "8")
 
 
-@pytest.fixture
-def fails(tmp_path, capsys):
-    """Function that runs the program with arguments that it refuses; its message. No sweep begins."""
-    pytest.importorskip("ray")
+def command(*arguments):
+    return [sys.executable, str(ROOT / "train" / "sweep.py"), *map(str, arguments)]
 
-    def run(*arguments):
-        capsys.readouterr()
-        before = sorted(tmp_path.rglob("*"))
-        assert main(["sweep", "-o", str(tmp_path), *map(str, arguments)]) == 2
-        said = capsys.readouterr()
-        assert said.err.startswith("mini-quadruped sweep: error: ")
-        assert said.err.count("\n") == 1
-        assert sorted(tmp_path.rglob("*")) == before
-        return said.err
 
-    return run
+def made(directory, *arguments):
+    """The sweep that the command makes, without workers."""
+    assert main(["sweep", *map(str, arguments), *TINY, "--workers", "0", "-o", str(directory)]) == 0
+    (path,) = directory.iterdir()
+    return Sweep.open(path)
+
+
+def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
+    sweep = made(tmp_path / "a", "--seeds", "2", "--vary", "gamma=0.9,0.95", "--vary", "n_epochs=1..3")
+    assert (sweep.settings, sweep.seeds, sweep.training["timesteps"]) == (6, 2, 96)
+    assert f"sweep --work {sweep.path}\n" in capsys.readouterr().out
+    assert made(tmp_path / "b", "--vary", "gamma=0.9..1").settings == 20
+    assert made(tmp_path / "c", "--vary", "gamma=0.9..1", "--trials", "3").settings == 3
+    assert made(tmp_path / "d", "--recipe", "rough", "--terrain", "slope").whole == ("terrain",)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "message"),
+    ("arguments", "error"),
     [
-        (
-            ("--vary", "learning_rat=1..2"),
-            "--vary learning_rat: unknown field 'learning_rat'; similar fields: learning_rate",
-        ),
-        (("--vary", "learning_rate=1e-2..1e-4"), "swap the ends: 0.0001..0.01"),
-        (("--vary", "tau=0.1..0.2"), "tau: ppo does not use it"),
-        (("--seeds", 0), "--seeds: expected 1 or more, and at most 1000000000; found 0"),
-        (("--trials", 5), "--trials: found 5 without a field that varies"),
-        (("--scheduler", "asha"), "--scheduler: asha compares trials"),
-        (("--cores", 0), "--cores: expected 1 or more; found 0"),
-        (("--cores-per-trial", 5000), "--cores-per-trial: found 5000; this machine has "),
-        (("--cores", 1, "--address", "a:1"), "--cores: found with --address"),
-        (("--num-envs", 0), "--num-envs: expected 1 or more, and at most 1000000; found 0"),
-        (("--space", "nowhere.toml"), "nowhere.toml: there is no such file"),
-        (("--resume", "nowhere"), "--resume: nowhere: there is no such directory"),
-        (("--address", "ray://a:10001"), "--address: expected host:port"),
-        (("--level", 3), "--level: found 3 without --terrain"),
+        (("--work", "DIR", "--seeds", "3"), "--seeds: a sweep keeps its own definition"),
+        (("--report", "DIR", "--timesteps", "3"), "--timesteps: a sweep keeps its own definition"),
+        (("--work", "DIR", "--task", "mine.py"), "--task: "),
+        (("--retry-failed",), "--retry-failed, --trust-task: only with --work or --ray"),
+        (("--workers", "-1"), "--workers: expected 0 or more"),
+        (("--work", "DIR", "--workers", "-1"), "--workers: expected 0 or more"),
+        (("--vary", "gamma=0.9,0.95", "--vary", "gamma=0.8,0.85"), "--vary: found gamma, gamma; give each field once"),
+        (("--vary", "gamma=0.9,2"), "--vary gamma=2"),
+        (("--vary", "gamma=0.9,0.95", "--trials", "3"), "--trials: found 3, and each of the 2 different settings"),
+        (("--work", "nowhere"), "has no sweep.json; name a directory that 'sweep' made"),
+        (("--ray", "127.0.0.1:1", "DIR"), "ray"),
     ],
 )
-def test_bad_option_is_an_error_before_any_file(fails, arguments, message):
-    assert message in fails(*arguments)
+def test_options_that_do_not_fit_are_one_line(tmp_path, monkeypatch, capsys, arguments, error):
+    monkeypatch.chdir(tmp_path)
+    path = make_sweep(tmp_path).path
+    monkeypatch.setitem(sys.modules, "ray", None)
+    assert main(["sweep", *(str(path) if word == "DIR" else word for word in arguments)]) in (1, 2)
+    (line,) = capsys.readouterr().err.splitlines()
+    assert error in line
+    assert list(tmp_path.iterdir()) == [path]
 
 
-def test_resumed_sweep_keeps_its_definition(fails, tmp_path):
-    folder = SweepFolder.create(tmp_path, "ppo", SweepConfig({"timesteps": 2048}, seeds=8), "sweep").path
-    for option, value, found in (
-        ("--seeds", 4, f"4; the sweep in {folder} has 8, and a resumed sweep keeps its definition"),
-        ("--timesteps", 4096, "4096"),
-        ("--gamma", 0.9, "0.9"),
-        ("--vary", "gamma=0.9..0.99", "['gamma=0.9..0.99']"),
-        ("--scheduler", "asha", "'asha'"),
-    ):
-        assert f"{option}: found {found}" in fails("--resume", folder, option, value)
+def test_report_of_a_sweep_so_far(tmp_path, capsys):
+    sweep = make_sweep(tmp_path, seeds=2)
+    finish(sweep, 0, None)
+    assert main(["sweep", "--report", str(sweep.path)]) == 1
+    out = capsys.readouterr().out
+    assert "0 of 2 trials finished, 1 failed, 1 open." in out
+    assert f"report:  {sweep.path}/report.html" in out
 
 
-def test_task_file_that_only_a_sweep_names_is_not_executed(fails, tmp_path):
-    file = tmp_path / "terms.py"
-    file.write_text("raise RuntimeError('executed')\n")
-    config = SweepConfig({"timesteps": 2048}, seeds=8, task_file=str(file), task_sha256=sha256_of(file))
-    folder = SweepFolder.create(tmp_path, "ppo", config, "sweep").path
-    message = fails("--resume", folder)
-    assert "--resume: this sweep has terms from 'terms.py', which is not executed automatically: check" in message
-    assert "executed" in fails("--resume", folder, "--task", file), "told to"
-    file.write_text("from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context): ...\n")
-    message = fails("--resume", folder, "--task", file)
-    assert f"--task {file}: SHA-256: found '{sha256_of(file)[:8]}" in message
-    assert f"has '{config.task_sha256[:8]}" in message
+@pytest.mark.slow
+def test_sweep_whose_worker_is_killed_finishes_each_trial_once_and_reports(tmp_path):
+    with subprocess.Popen(
+        command("--seeds", 4, "--workers", 2, *TINY, "-o", tmp_path),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=importing(),
+    ) as process:
+        wait_until(lambda: list(tmp_path.glob("*/trials/*/2*/config.json")), alive=process)
+        next(child for child in psutil.Process(process.pid).children() if "--work" in child.cmdline()).kill()
+        out, err = output_of(process)
+    assert process.returncode == 0, out + err
+    assert "a worker was ended by signal 9" in err
+    (path,) = tmp_path.iterdir()
+    assert sorted(map(int, re.findall(r"^trial (\d): finished", out, re.MULTILINE))) == [0, 1, 2, 3]
+    assert (path / "report.html").is_file()
+    assert "4 of 4 trials finished" in out
 
 
-def test_address_without_a_listener_is_an_error_that_says_what_to_check(fails):
+@pytest.mark.slow
+def test_signal_to_the_command_stops_its_workers_with_their_checkpoints(tmp_path):
+    with subprocess.Popen(
+        command("--seeds", 2, "--workers", 2, *TINY, "--timesteps", 10**9, "-o", tmp_path),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=importing(),
+    ) as process:
+        wait_until(lambda: len(list(tmp_path.glob("*/trials/*/2*/progress.csv"))) == 2, alive=process)
+        process.send_signal(signal.SIGINT)
+        out, err = output_of(process)
+    assert process.returncode == 130, err
+    (path,) = tmp_path.iterdir()
+    assert "stopped; go on with:  " in out
+    assert str(path) in out
+    assert not (path / "report.html").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("turn", range(TURNS))
+def test_two_machines_and_a_signal_do_each_trial_once_with_the_bits_of_its_checkpoint(tmp_path, turn):
+    sweep = make_sweep(tmp_path, training={"timesteps": 32 * 100, "checkpoint_seconds": 0.2}, seeds=3)
+    with start_worker(sweep, "a") as stopped, start_worker(sweep, "b") as other:
+        wait_until(lambda: list(sweep.path.glob("trials/*/2*")), alive=stopped)
+        try:
+            stopped.wait(np.random.default_rng(turn).uniform(0.0, 3.0))
+        except subprocess.TimeoutExpired:
+            stopped.send_signal(signal.SIGTERM)
+        output_of(stopped)
+        _, err = output_of(other)
+    assert stopped.returncode in (0, 143)
+    assert other.returncode == 0, err
+    assert sweep.open_trials() == []
+    for number in range(3):
+        last, bits = list(policies(sweep, number).items())[-1]
+        assert sweep.result(number)["run"].endswith(last)
+        before = json.loads((sweep.trial(number) / last / "config.json").read_text()).get("resumed_from")
+        parent, config = None, sweep.config({}, number)
+        if before is not None:
+            parent = Parent.load(sweep.trial(number) / before["run"])
+            config = parent.resumed({"timesteps": config.timesteps - parent.timesteps})
+        undisturbed = learn(tmp_path / str(number), config, parent)
+        assert (undisturbed / "policy.safetensors").read_bytes() == bits
+
+
+@pytest.mark.slow
+def test_full_disk_leaves_open_trials_and_with_more_room_they_are_done(tmp_path):
+    place = tmp_path / "small"
+    place.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", "size=1500k", "tmpfs", str(place)]
+    if subprocess.run(mount, capture_output=True, check=False).returncode:
+        pytest.skip("only root can mount a file system of 1.5 MB")
+    try:
+        sweep = make_sweep(place, seeds=4, training={"hidden": (128, 128)})
+        worker = start_worker(sweep)
+        _, err = output_of(worker)
+        assert worker.returncode == 1
+        assert "No space left on device" in err.splitlines()[-1]
+        left = sweep.open_trials()
+        assert 0 < len(left) < 4
+        assert not any((sweep.trial(number) / "result.json").exists() for number in left)
+        subprocess.run(["mount", "-o", "remount,size=50m", str(place)], check=True)
+        worker = start_worker(sweep)
+        _, err = output_of(worker)
+        assert worker.returncode == 0, err
+        assert sweep.open_trials() == []
+    finally:
+        subprocess.run(["umount", str(place)], check=True)
+
+
+@pytest.mark.slow
+def test_two_nodes_of_ray_do_the_trials_after_a_sweep_of_this_machine(tmp_path):
+    pytest.importorskip("ray", reason="Ray is not installed")
+    home = {**importing(), **LOOPBACK, "HOME": str(tmp_path)}
+
+    def run(*arguments):
+        done = subprocess.run(arguments, capture_output=True, text=True, check=False, env=home, timeout=4 * DEADLINE)
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    ray = (sys.executable, "-m", "ray.scripts.scripts")
+    run(*command("--seeds", 1, *TINY, "-o", tmp_path / "a"))
+    sweep = made(tmp_path / "b", "--seeds", 3)
+    run(*ray, "get-auth-token", "--generate")
+    home["RAY_AUTH_MODE"] = "token"
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         address = f"127.0.0.1:{free.getsockname()[1]}"
-    assert re.search(
-        f"--address: {address} does not answer .*`ray start --head` runs there", fails("--address", address)
-    )
-
-
-def test_listener_that_is_no_ray_ends_in_an_error_after_a_bounded_wait():
-    pytest.importorskip("ray")
-    with socket.socket() as silent:
-        silent.bind(("127.0.0.1", 0))
-        silent.listen()
-        address = f"127.0.0.1:{silent.getsockname()[1]}"
-        began = time.monotonic()
-        with pytest.raises(QuadrupedError, match=rf"no Ray cluster can be used at {address}.*`ray status --address"):
-            ray_connection.check_answers(address, seconds=2.0)
-        assert time.monotonic() - began < DEADLINE
-
-
-def test_missing_ray_names_its_extra(monkeypatch):
-    monkeypatch.setattr(ray_connection.importlib.util, "find_spec", lambda name: None)
-    with pytest.raises(MissingExtraError, match=r"A sweep needs the 'sweep' extra"):
-        ray_connection.check_installed("A sweep")
-
-
-def test_ray_that_would_listen_on_a_network_is_refused_and_ended(monkeypatch):
-    ended = []
-    ray = SimpleNamespace(
-        init=lambda **options: None,
-        shutdown=lambda: ended.append(True),
-        util=SimpleNamespace(get_node_ip_address=lambda: "192.0.2.7"),
-    )
-    monkeypatch.setitem(sys.modules, "ray", ray)
-    with pytest.raises(QuadrupedError, match=r"Ray would listen on 192\.0\.2\.7"), ray_connection.connected(None):
-        pass
-    assert ended
-
-
-def test_program_and_package_do_not_import_ray():
-    code = "import sys, quadruped_env, quadruped_env.cli.sweep; print({'ray', 'optuna', 'torch'} & set(sys.modules))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout == "set()\n"
+    start = (*ray, "start", "--block", "--node-ip-address=127.0.0.1", "--num-cpus=1")
+    head = (*start, "--head", f"--port={address.partition(':')[2]}", "--include-dashboard=false")
+    nodes = [subprocess.Popen(head, env=home, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)]
+    try:
+        status = (*ray, "status", f"--address={address}")
+        wait_until(
+            lambda: not subprocess.run(status, env=home, capture_output=True, check=False).returncode, alive=nodes[0]
+        )
+        node = (*start, f"--address={address}")
+        nodes.append(subprocess.Popen(node, env=home, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
+        assert "3 of 3 trials finished" in run(*command("--ray", address, sweep.path))
+    finally:
+        for process in reversed(nodes):
+            process.terminate()
+            status_of(process)

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from quadruped_env.report.palette import BLUE, GREY
 from quadruped_env.report.plots.canvas import draw_figure
-from quadruped_env.report.plots.sweep_plots import median_curve
 
 _SEED: Final = {"color": GREY, "linewidth": 0.7, "alpha": 0.7}
 _MEDIAN: Final = {"color": BLUE, "linewidth": 1.6}
@@ -53,3 +52,16 @@ def smoothed(
     x, y = x[known], y[known]
     parts = np.array_split(np.arange(len(x)), min(points, len(x))) if len(x) else []
     return np.array([x[part].mean() for part in parts]), np.array([y[part].mean() for part in parts])
+
+
+def median_curve(
+    curves: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Median over curves (x, y) at points of x which more than half of them cover."""
+    curves = [(x, y) for x, y in curves if len(x) > 1]
+    if not curves:
+        return np.zeros(0), np.zeros(0)
+    grid = np.linspace(min(x[0] for x, _ in curves), max(x[-1] for x, _ in curves), _POINTS)
+    values = np.array([np.interp(grid, x, y, left=np.nan, right=np.nan) for x, y in curves])
+    covered = np.isfinite(values).sum(axis=0) * 2 > len(curves)
+    return grid[covered], np.nanmedian(values[:, covered], axis=0)

@@ -1,0 +1,186 @@
+"""A worker: takes an open trial, trains it from where it was left, scores it, writes its result, and takes the next."""
+
+import contextlib
+import signal
+import socket
+import time
+import traceback
+import warnings
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+from quadruped_env.control.task_file import KEPT_FILE
+from quadruped_env.envs.arguments import task_config
+from quadruped_env.errors import MissingExtraError, QuadrupedError, QuadrupedWarning
+from quadruped_env.evaluation.evaluated_policy import find_policy
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.suite import run_suite
+from quadruped_env.evaluation.suite.suite_definition import quick_suite
+from quadruped_env.policies import ZeroController
+from quadruped_env.policies.policy_data import CARD_FILE
+from quadruped_env.report.pages.suite_section import write_results
+from quadruped_env.report.plots.learning_plots import read_progress
+from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.report import write_report
+from quadruped_env.sweep.search import setting_values
+from quadruped_env.sweep.space import in_words
+from quadruped_env.task import TaskDefinition
+from quadruped_env.training import TrainConfig
+from quadruped_env.training.resume import Parent
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE
+from quadruped_env.utils.documents import read_json
+
+Say = Callable[[str], None]
+_TRAINING_SHARE: Final = 0.9
+"""Share of a trial that is done before its score, at most."""
+_ROUNDING: Final = 0.1
+"""Time that the rounding in a policy's card may hide, s."""
+
+
+def work(sweep: Sweep, trusted: bool, say: Say) -> None:
+    """Do trials of a sweep until none is open.
+
+    Args:
+        sweep: the sweep.
+        trusted: True to execute the sweep's copy of the user's task file.
+        say: prints a line.
+
+    Raises:
+        QuadrupedError, OSError, MemoryError, ImportError: if this worker cannot go on; its trial stays open.
+        KeyboardInterrupt: after a signal; its trial stays open, with a checkpoint.
+    """
+    sweep.join()
+    definition = sweep.definition(trusted)
+    with contextlib.closing(sweep.take_trials()) as numbers:
+        for number in numbers:
+            values = setting_values(sweep, sweep.setting(number))
+            result = _attempt(sweep, number, values, definition, say)
+            sweep.finish(number, result)
+            say(result_in_words(number, result))
+    with contextlib.suppress(MissingExtraError):
+        write_report(sweep)
+
+
+def result_in_words(number: int, result: Mapping[str, Any]) -> str:
+    """A trial and its result in a line."""
+    name = f"trial {number}{', ' * bool(result['values'])}{in_words(result['values'])}"
+    if result["state"] == "failed":
+        return f"{name}: failed: {result['error']}"
+    score = f"no score ({result['error']})" if result["score"] is None else f"score {result['score']['total']:.3f}"
+    starts = f" and {result['starts']} starts" if result["starts"] > 1 else ""
+    return f"{name}: finished after {result['seconds']:.0f} s{starts}, {score}"
+
+
+def _attempt(
+    sweep: Sweep, number: int, values: Mapping[str, Any], definition: TaskDefinition, say: Say
+) -> dict[str, Any]:
+    """Result of a trial; errors of the training, and only they, are a result."""
+    directory, seed = sweep.trial(number), sweep.seed(number)
+    task_file = None if sweep.task_file is None else sweep.path / KEPT_FILE
+    began, before, config = time.monotonic(), 0.0, None
+    directory.mkdir(parents=True, exist_ok=True)
+    try:
+        config = sweep.config(values, seed, definition)
+        parent = _checkpoint(directory, definition)
+        before = 0.0 if parent is None else parent.seconds
+        if parent is not None:
+            say(f"trial {number}: goes on from its checkpoint at {parent.timesteps:,} steps")
+        run = _train(config, directory, f"mini-quadruped sweep: trial {number}", parent, task_file)
+        timesteps = read_json(run / CARD_FILE)["card"]["timesteps"]
+        result = {"state": "finished", "run": str(run.relative_to(sweep.path)), "timesteps": timesteps}
+        result |= score_of_run(run, task_file)
+    except Exception as error:  # every library fails in its own way, and a sweep goes on without the trial
+        _raise_if_of_the_machine(error)
+        message = str(error) if isinstance(error, QuadrupedError) else f"{type(error).__name__}: {error}"
+        base = sweep.config({}, seed, definition)
+        score = score_of_zero_action(config, base, task_file)
+        result = {"state": "failed", "error": message[:500], "traceback": traceback.format_exc(), "score": score}
+    seconds = round(before + time.monotonic() - began, 1)
+    facts = {"starts": len(runs_of(directory)), "seconds": seconds, "node": socket.gethostname()}
+    return {"values": dict(values), **result, **facts}
+
+
+def runs_of(directory: Path) -> list[Path]:
+    """Run directories of a trial, the newest last."""
+    found = (path.parent for path in directory.glob(f"*/{CONFIG_FILE}"))
+    return sorted(path for path in found if not path.is_symlink())
+
+
+def share_done(directory: Path) -> float:
+    """Share of its budget that an open trial has used, in [0, 1]."""
+    runs = runs_of(directory)
+    if not runs or not len((columns := read_progress(runs[-1] / PROGRESS_FILE))["timesteps"]):
+        return 0.0
+    budget = read_json(runs[0] / CONFIG_FILE)["training"]
+    name = "timesteps" if budget["seconds"] is None else "seconds"
+    return min(_TRAINING_SHARE, float(columns[name][-1]) / budget[name])
+
+
+def _checkpoint(directory: Path, definition: TaskDefinition) -> Parent | None:
+    """The newest run of a trial, or its last checkpoint; None if there is nothing to go on from."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", QuadrupedWarning)  # a checkpoint is used
+        for run in reversed(runs_of(directory)):
+            with contextlib.suppress(QuadrupedError):
+                return Parent.load(run, definition)
+    return None
+
+
+def _train(config: TrainConfig, directory: Path, command: str, parent: Parent | None, task_file: Path | None) -> Path:
+    """Train to the end of the budget, from a checkpoint if there is one; the run directory.
+
+    Raises:
+        KeyboardInterrupt: after a signal; what was learned is saved.
+    """
+    from quadruped_env.training.train import train
+
+    if parent is not None:
+        left: dict[str, float] = {"timesteps": config.timesteps - parent.timesteps}
+        if config.seconds is not None:
+            left = {"seconds": config.seconds - parent.seconds - _ROUNDING}
+        if min(left.values()) <= 0:
+            return parent.directory
+        config = parent.resumed(left)
+    run, whole = train(config, directory, command, parent, task_file, threads=1)
+    if not whole:
+        raise KeyboardInterrupt(signal.Signals[read_json(run / CARD_FILE)["card"]["interrupted"]])
+    return run
+
+
+def score_of_run(run: Path, task_file: Path | None) -> dict[str, Any]:
+    """Score of a policy in the quick suite, whose results are then in the run's `evaluation/`.
+
+    Returns:
+        `score`, with `total` and `components`; or None, and the reason as `error`, if the suite cannot run the policy.
+    """
+    try:
+        evaluated = find_policy(str(run), None, task_file)
+        found = run_suite(Candidate.of_policy(evaluated.policy, evaluated.name), quick_suite())
+        write_results(evaluated, found, "mini-quadruped sweep")
+    except QuadrupedError as error:
+        _raise_if_of_the_machine(error)
+        return {"score": None, "error": str(error)}
+    return {"score": found["score"]}
+
+
+def score_of_zero_action(config: TrainConfig | None, base: TrainConfig, task_file: Path | None) -> Any:
+    """Score of the zero action in the task of a failed training, or of the sweep if that task is not possible."""
+    for candidate in filter(None, (config, base)):
+        with contextlib.suppress(QuadrupedError):
+            task = task_config(candidate.action_mode, candidate.task, task_file)
+            zero = Candidate("zero action", ZeroController(candidate.action_mode), task)
+            return run_suite(zero, quick_suite())["score"]
+    return None
+
+
+def _raise_if_of_the_machine(error: BaseException) -> None:
+    """Raise an error again whose cause is a disk, the memory or the installation, and not what was trained."""
+    cause: BaseException | None = error
+    while cause is not None:
+        # Torch's error of a failed allocation has no type of its own.
+        if isinstance(cause, RuntimeError) and "allocate" in str(cause):
+            raise MemoryError(str(cause).splitlines()[0]) from error
+        if isinstance(cause, OSError | MemoryError | ImportError):
+            raise error
+        cause = cause.__cause__ or (None if cause.__suppress_context__ else cause.__context__)
