@@ -72,7 +72,7 @@ def write_walking_page(app: Sphinx) -> None:
 
 
 def embed_walking_page(app: Sphinx, page: str, source: list[str]) -> None:
-    """Show the page that walks in place of the first page's picture, which is for GitHub."""
+    """Show the page that walks where the first page has a picture for GitHub."""
     if page == root_doc:
         assert PICTURE in source[0], f"{root_doc}.md: PICTURE of conf.py is not there"
         source[0] = source[0].replace(PICTURE, EMBEDDED)

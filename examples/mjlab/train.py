@@ -3,7 +3,7 @@
     python examples/mjlab/train.py Mini-Quadruped --env.scene.num-envs 4096 --agent.max-iterations 500
     python examples/mjlab/train.py Mini-Quadruped --gpu-ids None --env.scene.num-envs 64    # on the CPU
 
-The arguments are those of mjlab's own `train`. README.md says how the policy comes back into this package.
+It takes the arguments of mjlab's own `train`. README.md says how the policy comes back into this package.
 """
 
 import math
@@ -72,7 +72,7 @@ def robot_spec() -> mujoco.MjSpec:
     spec = mujoco.MjSpec.from_string(ElementTree.tostring(root, encoding="unicode"))
     for geom in spec.geoms:
         if geom.name.endswith("_collision"):
-            geom.priority = 1  # its friction counts, not that of mjlab's ground
+            geom.priority = 1  # its friction counts, not the ground's in mjlab
     return spec
 
 

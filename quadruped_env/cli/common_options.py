@@ -175,7 +175,7 @@ def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str)
         help="length of an episode, s (default: %(default)g)",
     )
     add_task_file(parser)
-    add_terrain(parser, "that of the policy's task")
+    add_terrain(parser, "the policy's own")
     add_randomization(parser, "none")
     add_output(parser, "DIR", f"directory of the report (default: {default_output})")
 

@@ -19,10 +19,8 @@ from numpy.typing import ArrayLike, NDArray
 from quadruped_env.evaluation.rollout import PhysicsSamples, Rollout
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.rotations import up_in_body
-
-Mask = NDArray[np.bool_]
 
 GRAVITY: Final = 9.81
 START_UP: Final = 1.0
@@ -201,7 +199,7 @@ def gait_measures(rollout: Rollout) -> dict[str, Floats]:
 
 def meets(
     achieved: ArrayLike, command: ArrayLike, still: ArrayLike, fallen: ArrayLike, tolerance: tuple[float, float]
-) -> Mask:
+) -> Bools:
     """Return True for each episode, or stretch of one, that meets its command (...).
 
     Without a fall, the mean velocities (..., 2) must be within `tolerance` of the command (..., 2), m/s and rad/s, and
@@ -212,7 +210,7 @@ def meets(
     return np.asarray(close & ~np.asarray(fallen) & (np.asarray(still) | command.any(axis=-1)))
 
 
-def commands_met(rollout: Rollout, tolerance: tuple[float, float]) -> Mask:
+def commands_met(rollout: Rollout, tolerance: tuple[float, float]) -> Bools:
     """Return True for each command that was met, robot by robot, (S,).
 
     A command holds until it changes, the robot falls or the time is over, and counts from `START_UP` after its
@@ -250,20 +248,20 @@ def is_still(joint_velocity: NDArray[Any], robot: Robot) -> bool:
     return math.sqrt(square) < _STILL * scale_of("rad/s", robot)
 
 
-def stands_still(rollout: Rollout, counted: Mask) -> Mask:
+def stands_still(rollout: Rollout, counted: Bools) -> Bools:
     """Return True for each episode (N,) whose joints are nearly at rest over the counted samples (T, N)."""
     squared = masked_mean(rollout.joint_velocity.astype(np.float64) ** 2, counted).mean(axis=-1)
     return np.asarray(np.sqrt(squared) < _STILL * scale_of("rad/s", rollout.robot))
 
 
-def counted_samples(rollout: Rollout) -> Mask:
+def counted_samples(rollout: Rollout) -> Bools:
     """Return a mask of the samples after the start-up and before a fall, (T, N)."""
     counted = rollout.valid.copy()
     counted[: round(START_UP / rollout.timestep)] = False
     return counted
 
 
-def masked_mean(values: NDArray[Any], mask: Mask) -> Floats:
+def masked_mean(values: NDArray[Any], mask: Bools) -> Floats:
     """Return the mean over time of values (T, N, ...) where mask (T, N) is True, shape (N, ...)."""
     mask = mask.reshape(mask.shape + (1,) * (values.ndim - mask.ndim))
     return _ratio(np.where(mask, values, 0).sum(axis=0, dtype=np.float64), mask.sum(axis=0))
@@ -275,7 +273,7 @@ def _ratio(numerator: NDArray[Any], denominator: NDArray[Any]) -> Floats:
     return np.divide(numerator, denominator, out=np.full(shape, np.nan), where=np.asarray(denominator) != 0)
 
 
-def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats, Mask]:
+def window_means(values: NDArray[Any], counted: Bools, dt: float) -> tuple[Floats, Bools]:
     """Return means of values (T, N, ...) over every `WINDOW` seconds, and a mask.
 
     Element i of the means (M, N, ...) is over samples i to i + window; the mask (M, N) is True if all of those samples
@@ -288,7 +286,7 @@ def window_means(values: NDArray[Any], counted: Mask, dt: float) -> tuple[Floats
     return (total[window:] - total[:-window]) / window, counted[: len(counted) - window + 1] & counted[window - 1 :]
 
 
-def tracking_error(velocity: NDArray[Any], command: Floats, counted: Mask, dt: float) -> Floats:
+def tracking_error(velocity: NDArray[Any], command: Floats, counted: Bools, dt: float) -> Floats:
     """Return the RMS error between a velocity (T, N) and its command (N,), in the unit of the velocity, (N,).
 
     sqrt(mean over windows of (mean of the velocity over `WINDOW` - command)^2). The oscillation of a legged robot
@@ -298,7 +296,7 @@ def tracking_error(velocity: NDArray[Any], command: Floats, counted: Mask, dt: f
     return np.sqrt(masked_mean((means - command) ** 2, whole))
 
 
-def distance(forward_velocity: NDArray[Any], valid: Mask, dt: float) -> Floats:
+def distance(forward_velocity: NDArray[Any], valid: Bools, dt: float) -> Floats:
     """Integrate the forward velocity (T, N) in m/s until the end or the fall, m, (N,); negative backwards."""
     return np.where(valid, forward_velocity, 0).sum(axis=0, dtype=np.float64) * dt
 
@@ -314,37 +312,37 @@ def cost_of_transport(power: Floats, speed: Floats, mass: float) -> Floats:
     return _ratio(power, np.where(travels, mass * GRAVITY * np.abs(speed), 0.0))
 
 
-def peak(values: NDArray[Any], counted: Mask) -> Floats:
+def peak(values: NDArray[Any], counted: Bools) -> Floats:
     """Return the largest absolute value over time and joints, in the unit of values (T, N, J), (N,)."""
     largest = np.where(counted, np.abs(values).max(axis=-1), 0.0).max(axis=0).astype(np.float64)
     return np.where(counted.any(axis=0), largest, np.nan)
 
 
-def rms_rate(values: NDArray[Any], counted: Mask, dt: float) -> Floats:
+def rms_rate(values: NDArray[Any], counted: Bools, dt: float) -> Floats:
     """Return the RMS over time and joints of the change between samples per time (N,), for values (T, N, J)."""
     change = np.diff(values.astype(np.float64), axis=0) / dt
     return np.sqrt(masked_mean((change**2).mean(axis=-1), counted[1:] & counted[:-1]))
 
 
-def joint_limit_share(joint_position: NDArray[Any], counted: Mask, robot: Robot) -> Floats:
+def joint_limit_share(joint_position: NDArray[Any], counted: Bools, robot: Robot) -> Floats:
     """Return the fraction of time with any joint (T, N, J) within `LIMIT_MARGIN` of its limits, in [0, 1], (N,)."""
     low, high = robot.joint_position_low + LIMIT_MARGIN, robot.joint_position_high - LIMIT_MARGIN
     at_limit = (joint_position < low) | (joint_position > high)
     return masked_mean(np.any(at_limit, axis=-1) * 1.0, counted)
 
 
-def speed_limit_share(joint_velocity: NDArray[Any], counted: Mask, limit: Floats) -> Floats:
+def speed_limit_share(joint_velocity: NDArray[Any], counted: Bools, limit: Floats) -> Floats:
     """Return the share of time with any joint (T, N, J) faster than its limit (J,) in rad/s, (N,)."""
     return masked_mean(np.any(np.abs(joint_velocity) > limit, axis=-1) * 1.0, counted)
 
 
-def slip_of_feet(slip_speed: NDArray[Any], contact: Mask, counted: Mask) -> Floats:
+def slip_of_feet(slip_speed: NDArray[Any], contact: Bools, counted: Bools) -> Floats:
     """Return the mean sliding speed (T, N, L) of each foot while it is on the ground (T, N, L), m/s, (N, L)."""
     stance = contact & counted[..., None]
     return _ratio(np.where(stance, slip_speed, 0).sum(axis=0, dtype=np.float64), stance.sum(axis=0))
 
 
-def stride_frequency(hip_position: NDArray[Any], counted: Mask, dt: float) -> Floats:
+def stride_frequency(hip_position: NDArray[Any], counted: Bools, dt: float) -> Floats:
     """Return the strides per second, Hz, (N,): the strongest frequency of the swing of the hips (T, N, hips).
 
     The peak of the power spectrum (Hann window, summed over the hips), refined by a parabola through its neighbours.
@@ -379,7 +377,7 @@ class Flights(NamedTuple):
     """Number of times in the air within a stance in which the sole rises high enough for a bounce."""
 
 
-def flights_of(height: NDArray[Any], rise: NDArray[Any], contact: Mask, shortest: int, bounce: float) -> Flights:
+def flights_of(height: NDArray[Any], rise: NDArray[Any], contact: Bools, shortest: int, bounce: float) -> Flights:
     """Find the flights of one foot from height (m), upward velocity (m/s) and contact of its sole in every step (K,).
 
     A flight of `shortest` steps or more is a swing. A shorter one is within a stance, and a bounce if the sole rises
@@ -401,7 +399,7 @@ def flights_of(height: NDArray[Any], rise: NDArray[Any], contact: Mask, shortest
 
 
 def feet(
-    physics: PhysicsSamples, contact: Mask, counted: Mask, frequency: Floats, dt: float, bounce: float
+    physics: PhysicsSamples, contact: Bools, counted: Bools, frequency: Floats, dt: float, bounce: float
 ) -> dict[str, Floats]:
     """Return the clearance, swings and bounces per stride, and landing speed of each foot: name -> (N, L).
 
@@ -434,6 +432,6 @@ def feet(
     return result
 
 
-def root_mean_square(values: Floats, counted: Mask) -> Floats:
+def root_mean_square(values: Floats, counted: Bools) -> Floats:
     """Return the root mean square over time (N,), for values (T, N)."""
     return np.sqrt(masked_mean(values**2, counted))

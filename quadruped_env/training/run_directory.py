@@ -26,7 +26,7 @@ RESUME_FILE: Final = "sb3_model.zip"
 RESUMED_FROM: Final = "resumed_from"
 """Field of a resumed run's config and of its policy's card"""
 PROGRESS_COLUMNS: Final = ("timesteps", "seconds", "return", "fall_rate", "forward_velocity_error", "yaw_rate_error")
-"""First columns of progress.csv: environment steps and s, with those of the run that was resumed; and since the row
+"""First columns of progress.csv: environment steps and s, counted on from a resumed run; and since the row
 before: reward of a whole episode at the present rate; falls in the time of a whole episode; velocity errors in m/s and
 rad/s, root mean square, with the exploration's noise. Runs of earlier versions have these alone."""
 TERM_COLUMN: Final = "reward_"

@@ -5,9 +5,9 @@ messages and SciPy order a quaternion xyzw.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:

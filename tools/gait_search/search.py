@@ -13,12 +13,13 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from gait_search.styles import HIGH_STEPS, STYLES, Steps
-from gait_search.trial import Achieved, Floats, Scale, Targets, draw_starts, measure, new_starts
+from gait_search.trial import Achieved, Scale, Targets, draw_starts, measure, new_starts
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
 from quadruped_env.gait.gait_presets import TUNED_FOR_ONE_SPEED, TUNED_ON
 from quadruped_env.robot import Robot
 from quadruped_env.robot.corners import corners
+from quadruped_env.utils.arrays import Floats
 
 CANDIDATES: Final = 32
 """Of each generation, next to its mean."""

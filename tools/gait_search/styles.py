@@ -8,7 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from gait_search.trial import Achieved, Floats
+from gait_search.trial import Achieved
+from quadruped_env.utils.arrays import Floats
 
 
 @dataclass(frozen=True)

@@ -21,8 +21,8 @@ from quadruped_env.task.quantities import (
     mechanical_power,
     sliding_squared,
 )
+from quadruped_env.utils.arrays import Floats
 
-Floats = NDArray[np.float64]
 Targets = Callable[[float], Floats]
 """Joint targets (N, J) in rad of N gaits as a function of the gait clock in rad."""
 

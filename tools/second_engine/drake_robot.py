@@ -3,15 +3,13 @@
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from pydrake.multibody.math import SpatialForce
 from pydrake.multibody.plant import ExternallyAppliedSpatialForce
 from pydrake.systems.analysis import Simulator
 
 from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import Floats
 from second_engine.drake_model import DrakeModel, errors_only
-
-Floats = NDArray[np.float64]
 
 
 class BodyState(NamedTuple):

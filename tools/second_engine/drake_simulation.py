@@ -11,14 +11,12 @@ from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.simulation.simulation_interface import SimulationState
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import EnvIds, Floats
 from second_engine.drake_model import DrakeModel
 from second_engine.drake_robot import DrakeRobot
 from second_engine.engines import Contact
 from second_engine.servos import Servos
 from second_engine.sites import Site
-
-Floats = NDArray[np.float64]
-EnvIds = NDArray[np.intp]
 
 _GRAVITY: Final = np.array([0.0, 0.0, -9.81])
 

@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.robot.motors import MotorConfig
-
-Floats = NDArray[np.float64]
+from quadruped_env.utils.arrays import Floats
 
 
 class Servos:

@@ -5,13 +5,11 @@ from typing import Final, Self
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.utils import rotations
+from quadruped_env.utils.arrays import Floats
 from second_engine.drake_robot import BodyState, DrakeRobot
-
-Floats = NDArray[np.float64]
 
 _SPHERE: Final = int(mujoco.mjtGeom.mjGEOM_SPHERE)
 _BOX: Final = int(mujoco.mjtGeom.mjGEOM_BOX)

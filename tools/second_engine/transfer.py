@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
@@ -16,11 +15,11 @@ from quadruped_env.evaluation.confidence import bootstrap_mean
 from quadruped_env.evaluation.measures import START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import Controller, GaitController, Policy, PolicyController, ZeroController
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
 from second_engine.engines import Drake, MuJoCo
 
-Floats = NDArray[np.float64]
 Engine = MuJoCo | Drake
 
 COMMANDS: Final[tuple[Command, ...]] = (

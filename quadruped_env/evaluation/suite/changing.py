@@ -11,10 +11,8 @@ from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite_definition import Change, Joystick, Pushes, Transients
 from quadruped_env.task import Task
-from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.progress import Progress, part_of
-
-Mask = NDArray[np.bool_]
 
 _SECONDS_PER_HOUR: Final = 3600.0
 
@@ -88,7 +86,7 @@ def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict
     }
 
 
-def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Mask, part: Joystick, dt: float) -> Floats:
+def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Bools, part: Joystick, dt: float) -> Floats:
     """Return the error of the mean velocity over the stretch of one command that each sample belongs to (T, N, 2).
 
     A stretch begins `allowance` after a change of the command, and ends at the next change or a fall. NaN outside
@@ -108,7 +106,7 @@ def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Mask, part: J
     return error
 
 
-def met_windows(error: Floats, valid: Mask, part: Joystick, dt: float) -> Mask:
+def met_windows(error: Floats, valid: Bools, part: Joystick, dt: float) -> Bools:
     """Return True for each whole window without a fall and with mean absolute errors in the tolerance (windows, N).
 
     A window without a counted sample is not met.
@@ -172,7 +170,7 @@ def step_measures(rollout: Rollout, change: Change, part: Transients) -> dict[st
 
 def step_response(
     velocity: NDArray[Any], wanted: float, part: Transients, dt: float, narrowest: float = 0.0
-) -> tuple[Floats, Mask]:
+) -> tuple[Floats, Bools]:
     """Return the settling time (s) of a velocity (T, N) after a commanded change, and True where it followed, (N,).
 
     The settling time is from the change until the velocity stays in the band around its final value. The velocity is

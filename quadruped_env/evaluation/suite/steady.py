@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from quadruped_env.evaluation.confidence import mean_of, number, proportion
 from quadruped_env.evaluation.measures import (
@@ -23,11 +23,9 @@ from quadruped_env.simulation import TERRAINS, Tiles, find_terrain, flat
 from quadruped_env.simulation.terrain import Grid, terrain
 from quadruped_env.task import Task
 from quadruped_env.utils import rotations
-from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.progress import Progress, part_of
-
-Mask = NDArray[np.bool_]
 
 _GAIT_MEASURES: Final = ("joint_limit_share", "speed_limit_share", "electrical_power", "electrical_cost_of_transport")
 """Measures of the gait that need no physics steps."""
@@ -57,7 +55,7 @@ def run_command_map(part: CommandMap, candidate: Candidate, progress: Progress |
     }
 
 
-def summary(commands: ArrayLike, achieved: Floats, fallen: Mask, met: Mask) -> dict[str, Any]:
+def summary(commands: ArrayLike, achieved: Floats, fallen: Bools, met: Bools) -> dict[str, Any]:
     """Summarize K commands from mean velocities (K, S, 2), falls and the result of `meets` (K, S)."""
     error = achieved - np.asarray(commands, dtype=np.float64)[:, None]
     result: dict[str, Any] = {"met": proportion(met).to_dict(), "falls": proportion(fallen).to_dict()}
@@ -72,7 +70,7 @@ def summary(commands: ArrayLike, achieved: Floats, fallen: Mask, met: Mask) -> d
     return result
 
 
-def envelope(part: CommandMap, met: Mask) -> dict[str, float]:
+def envelope(part: CommandMap, met: Bools) -> dict[str, float]:
     """Return the largest command in each direction up to which every episode meets its command; 0 if none does.
 
     Forwards and backwards in m/s, left and right in rad/s. `met` (commands of all axes, S) is the result of `meets`.
@@ -215,7 +213,7 @@ def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
     }
 
 
-def keeps(part: Regulation, achieved: ArrayLike, fallen: Mask) -> Mask:
+def keeps(part: Regulation, achieved: ArrayLike, fallen: Bools) -> Bools:
     """Return True for each of S episodes that keeps both velocities of its command without a fall (K, S).
 
     `achieved` are mean velocities (K, S, 2), NaN if unknown.
@@ -259,7 +257,7 @@ def run_terrain(part: TerrainPart, candidate: Candidate, progress: Progress | No
 
 def crossings(
     part: TerrainPart, candidate: Candidate, kinds: Sequence[str], level: int, progress: Progress | None = None
-) -> dict[str, Mask]:
+) -> dict[str, Bools]:
     """Return True for each episode that leaves its tile on its feet and in time: kind -> (worlds, S).
 
     Episodes start in the middle of the tile with a random heading, and walk straight ahead.
