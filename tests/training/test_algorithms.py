@@ -234,7 +234,7 @@ def test_training_leaves_a_complete_run_that_can_be_resumed_and_walks_in_its_env
     assert json.loads((run / CONFIG_FILE).read_text())["training"]["algo"] == name
     parent = Parent.load(run)
     # A learning rate so low that the network stays as the first run left it.
-    again = learn(tmp_path, dataclasses.replace(parent.config, timesteps=256, learning_rate=1e-12), parent)
+    again = learn(tmp_path, dataclasses.replace(parent.config, timesteps=256, learning_rate=1e-9), parent)
     resumed = assert_complete(again)
     assert resumed.card["timesteps"] == 768
     assert [int(row["timesteps"]) for row in progress(again)][: len(parent.curve)] == [

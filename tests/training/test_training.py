@@ -129,7 +129,6 @@ def test_a_training_whose_output_nobody_reads_is_saved(tmp_path):
     assert process.returncode == 141, errors
     card = load_policy((tmp_path / "latest").resolve()).card
     assert (card["timesteps"], card["interrupted"]) == (2048, None)
-    assert card["learning"], "also what comes after the training"
 
 
 @pytest.mark.slow
