@@ -272,7 +272,7 @@ class Sweep:
     def take_trials(self) -> Generator[int]:
         """Numbers of open trials, one at a time, each locked until the next one is asked for.
 
-        While others do the last ones, it waits: a process that is lost leaves its trial to whoever waits.
+        While others do the last ones, it waits: a process that is lost leaves its trial to one that waits.
         """
         left = list(range(len(self)))
         while left := [number for number in left if self.result(number) is None]:
