@@ -88,7 +88,7 @@ def _resample_counts(conditions: int, size: int) -> Floats:
 
 
 def student_mean(values: Sequence[float]) -> Estimate:
-    """The mean of a few values of a normal distribution, with Student's interval, which a single value does not have.
+    """Return the mean of a few normally distributed values, with Student's interval; a single value has none.
 
     The bootstrap's interval is too narrow for few values.
     """

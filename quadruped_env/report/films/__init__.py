@@ -1,1 +1,1 @@
-"""Films and stills of a robot, and what is drawn into them."""
+"""Films of a robot, and what is drawn into them."""
