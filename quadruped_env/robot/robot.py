@@ -26,7 +26,7 @@ from quadruped_env.robot.model_completion import (
     read_model,
 )
 from quadruped_env.robot.model_structure import add_sites, foot_places
-from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
+from quadruped_env.robot.motors import MOTOR_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.skeleton import Pose, Skeleton
 from quadruped_env.robot.written_urdf import written_urdf
 from quadruped_env.utils.arrays import Floats, frozen
@@ -230,7 +230,7 @@ class Robot:
                     f"sensors must be a dict of field -> names of the model's sensors; found {short(self.sensors)}"
                 ) from error
         for name, length, allowed in (
-            ("motor_kinds", self.num_joints, JOINT_KINDS),
+            ("motor_kinds", self.num_joints, MOTOR_KINDS),
             ("mirror_signs", self.num_joints, (1, -1)),
             ("leg_corners", self.num_legs, (0, 1, 2, 3)),
         ):
@@ -324,16 +324,24 @@ class Robot:
     def joint_kinds(self) -> tuple[str, ...]:
         """Kind of each joint (J,), which is its motor in a `MotorConfig`: `motor_kinds`, or by its place in the leg.
 
-        The last joint of a leg of two or more is a knee, and every other joint is a hip.
+        The last joint of a leg of two or more is a knee. Of the others in a leg of three or more, those whose axis in
+        the stance is closer to the base's x axis than to its y axis are abductions; all others are hips.
         """
         if self.motor_kinds is not None:
             return self.motor_kinds
-        knees = {joints[-1] for joints in self.leg_joints if len(joints) > 1}
-        return tuple(JOINT_KINDS[joint in knees] for joint in range(self.num_joints))
+        kinds = ["hip"] * self.num_joints
+        axes = np.abs(self._skeleton.joint_axes(self.stance)[0])
+        for joints in self.leg_joints:
+            for joint in joints[:-1] if len(joints) > 2 else ():
+                if axes[joint, 0] > axes[joint, 1]:
+                    kinds[joint] = "abduction"
+            if len(joints) > 1:
+                kinds[joints[-1]] = "knee"
+        return tuple(kinds)
 
     @functools.cached_property
     def joints_by_kind(self) -> Mapping[str, list[int]]:
-        """Indices of the joints of each kind (`hip`, `knee`), which have the same motors, in order of appearance."""
+        """Indices of the joints of each kind (of `MOTOR_KINDS`), which have the same motors, in order of appearance."""
         kinds: dict[str, list[int]] = {}
         for joint, kind in enumerate(self.joint_kinds):
             kinds.setdefault(kind, []).append(joint)
@@ -535,10 +543,13 @@ class Robot:
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
             for name, value in values.items()
         }
-        motors = values["motors"]
         if made.get("assets") is not None:
             made["assets"] = {name: base64.b64decode(text) for name, text in made["assets"].items()}
-        made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
+        motors: dict[str, Any] = {
+            name: JointMotor(**value) if isinstance(value, Mapping) else value
+            for name, value in values["motors"].items()
+        }
+        made["motors"] = MotorConfig(**motors)
         return cls(**made)
 
     @property
