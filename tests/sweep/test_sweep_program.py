@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import psutil
@@ -18,6 +19,7 @@ from waiting import DEADLINE, output_of, status_of, wait_until
 
 from quadruped_env.cli.main import main
 from quadruped_env.sweep.folder import Sweep
+from quadruped_env.training import run_directory
 from quadruped_env.training.resume import Parent
 
 LOOPBACK = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
@@ -33,8 +35,9 @@ def command(*arguments):
 
 def made(directory, *arguments):
     """The sweep that the command makes, without workers."""
+    before = set(directory.glob("*"))
     assert main(["sweep", *map(str, arguments), *TINY, "--workers", "0", "-o", str(directory)]) == 0
-    (path,) = directory.iterdir()
+    (path,) = set(directory.iterdir()) - before
     return Sweep.open(path)
 
 
@@ -45,6 +48,14 @@ def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
     assert made(tmp_path / "b", "--vary", "gamma=0.9..1").settings == 20
     assert made(tmp_path / "c", "--vary", "gamma=0.9..1", "--trials", "3").settings == 3
     assert made(tmp_path / "d", "--recipe", "rough", "--terrain", "slope").whole == ("terrain",)
+
+
+def test_sweeps_of_one_second_have_directories_of_their_own(tmp_path, monkeypatch):
+    monkeypatch.setattr(run_directory.time, "strftime", lambda form: "now")
+    # As two processes see it, of which each looks before the other writes.
+    monkeypatch.setattr(Path, "exists", lambda path, **named: False)
+    assert [made(tmp_path, "--seeds", count).seeds for count in (1, 2)] == [1, 2]
+    assert {path.name for path in tmp_path.iterdir()} == {"now-ppo", "now-ppo-2"}
 
 
 @pytest.mark.parametrize(
@@ -58,7 +69,10 @@ def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
         (("--work", "DIR", "--workers", "-1"), "--workers: expected 0 or more"),
         (("--vary", "gamma=0.9,0.95", "--vary", "gamma=0.8,0.85"), "--vary: found gamma, gamma; give each field once"),
         (("--vary", "gamma=0.9,2"), "--vary gamma=2"),
-        (("--vary", "gamma=0.9,0.95", "--trials", "3"), "--trials: found 3, and each of the 2 different settings"),
+        (
+            ("--vary", "gamma=0.9,0.95", "--trials", "3"),
+            "--trials: found 3, but a setting is tried once",
+        ),
         (("--work", "nowhere"), "has no sweep.json; name a directory that 'sweep' made"),
         (("--ray", "127.0.0.1:1", "DIR"), "ray"),
     ],
