@@ -62,6 +62,19 @@ def test_worker_waits_for_the_trials_of_others(tmp_path, monkeypatch):
     assert len(waits) == 1
 
 
+def test_trial_that_another_worker_ends_before_the_lock_is_taken_is_not_done_again(tmp_path, monkeypatch):
+    sweep = make_sweep(tmp_path, seeds=2)
+    locked = Sweep.locked
+
+    def late(self, name, wait=True):
+        if name == "0000":
+            finish(sweep, 0, 0.5)
+        return locked(self, name, wait)
+
+    monkeypatch.setattr(Sweep, "locked", late)
+    assert next(sweep.take_trials()) == 1
+
+
 def test_definition_comes_back_from_its_file(tmp_path):
     sweep = make_sweep(
         tmp_path, "gamma=0.9..1", "hidden=[8],[16,8]", training={"seed": 7, "task": {"reward": {}}}, settings=3, seeds=2
@@ -162,6 +175,16 @@ def test_worker_with_another_package_is_refused_in_a_line(tmp_path, monkeypatch)
     first = json.loads((sweep.path / "worker.json").read_text())
     monkeypatch.setattr(folder, "package_hash", lambda *files: "another")
     with pytest.raises(QuadrupedError, match=rf"worker.json: .* has package {first['package']} \(here another\), so"):
+        sweep.join()
+
+
+@pytest.mark.parametrize("name", ["python", "torch", "mujoco"])
+def test_worker_with_another_library_is_refused(tmp_path, name):
+    sweep = make_sweep(tmp_path)
+    sweep.join()
+    path = sweep.path / "worker.json"
+    path.write_text(json.dumps({**json.loads(path.read_text()), name: "0.1"}))
+    with pytest.raises(QuadrupedError, match=rf"worker.json: the sweep's first worker has {name} 0.1 \(here"):
         sweep.join()
 
 

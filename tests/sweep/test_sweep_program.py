@@ -19,6 +19,7 @@ from waiting import DEADLINE, output_of, status_of, wait_until
 
 from quadruped_env.cli.main import main
 from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.workers import run_here
 from quadruped_env.training import run_directory
 from quadruped_env.training.resume import Parent
 
@@ -94,6 +95,17 @@ def test_report_of_a_sweep_so_far(tmp_path, capsys):
     out = capsys.readouterr().out
     assert "0 of 2 trials finished, 1 failed, 1 open." in out
     assert f"report:  {sweep.path}/report.html" in out
+
+
+def test_local_workers_say_once_why_they_ended_and_trust_the_task_file_that_their_parent_trusts(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    term = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    return context.base_height\n"
+    (tmp_path / "mine.py").write_text(term)
+    sweep = made(tmp_path / "a", "--task", "mine.py")
+    (line,) = run_here(sweep, 2, False, lambda: None)
+    assert "task.py: this sweep has terms from 'mine.py', which is not executed automatically" in line
+    finish(sweep, 0, None)
+    assert run_here(sweep, 1, True, lambda: None) == []
 
 
 @pytest.mark.slow
