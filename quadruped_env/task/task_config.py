@@ -11,7 +11,15 @@ from typing import Final, Self
 
 import mujoco
 
-from quadruped_env.control.control_config import ClockFrequency, Command, ControlConfig, LoopConfig, clock_frequency
+from quadruped_env.control.control_config import (
+    ACCELERATIONS,
+    ClockFrequency,
+    Command,
+    ControlConfig,
+    LoopConfig,
+    clock_frequency,
+    commands_for,
+)
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import MOTOR_PRESETS, MotorConfig
@@ -153,13 +161,14 @@ class TaskConfig(LoopConfig):
     @property
     def control(self) -> ControlConfig:
         """Part of the config that training and a real robot share."""
-        rate = self.command.forward_acceleration, self.command.yaw_acceleration
-        return ControlConfig.of(self, rate, self.commands)
+        rates = tuple(self.command[name] for name in ACCELERATIONS if name in self.command)
+        return ControlConfig.of(self, rates, self.commands)
 
     @property
     def commands(self) -> tuple[Command, ...]:
         """Components of the command, the velocities first."""
-        return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in self.definition.commands)
+        own = commands_for(self.robot, self.definition.commands)
+        return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in own)
 
     def to_dict(self) -> dict[str, Plain]:
         """Return nested plain values for `from_dict` and JSON, with the name and SHA-256 of files and robots."""
@@ -217,7 +226,11 @@ def _motor(values: Plain, robot: Robot) -> MotorConfig:
     if isinstance(values, dict) and PRESET in values:
         base = MOTOR_PRESETS[one_of(values[PRESET], MOTOR_PRESETS, "config.motor.preset")]
         values = {field: value for field, value in values.items() if field != PRESET}
-    return with_values(base, values, "config.motor")
+    motors = with_values(base, values, "config.motor")
+    if motors.abduction is not None and "abduction" not in robot.joint_kinds:
+        kinds = ", ".join(robot.joints_by_kind)
+        raise QuadrupedError(f"config.motor.abduction: {robot.name!r} has joints of the kinds {kinds}; remove it")
+    return motors
 
 
 def _terrain_names(section: Plain) -> list[Plain]:
