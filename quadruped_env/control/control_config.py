@@ -67,6 +67,8 @@ COMMANDS: Final = (
     Command("yaw_rate", "rad/s", (-0.8, 0.8)),
 )
 """The velocity command, which every task has."""
+VELOCITIES: Final = (*COMMANDS, Command("lateral_velocity", "m/s", (-0.2, 0.2)))
+"""The same, and the velocity to the left of robots that move sideways."""
 
 
 def clock_frequency(robot: Robot) -> float:
@@ -74,19 +76,26 @@ def clock_frequency(robot: Robot) -> float:
     return float(scaled(CLOCK_FREQUENCY, scale_of("Hz", robot)))
 
 
-def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> tuple[Command, ...]:
-    """Commands of a robot; the ranges of the built-in ones follow its size."""
+def commands_for(robot: Robot, commands: Sequence[Command]) -> tuple[Command, ...]:
+    """Return a task's commands that a robot has; the ranges of the built-in ones follow its size."""
     return tuple(
         replace(entry, range=scaled(entry.range, scale_of(entry.unit, robot)))
-        if any(entry is other for other in COMMANDS)
+        if any(entry is other for other in VELOCITIES)
         else entry
         for entry in commands
+        if robot.moves_sideways or entry is not VELOCITIES[-1]
     )
 
 
-COMMAND_RATE: Final = (1.0, 4.0)
-"""Largest rate of change of the commanded forward velocity and yaw rate, m/s^2 and rad/s^2, for the built-in robot."""
-COMMAND_RATE_UNITS: Final = ("m/s^2", "rad/s^2")
+def velocity_commands(robot: Robot) -> tuple[Command, ...]:
+    """Return the velocity command of a robot: the `VELOCITIES` that it has."""
+    return commands_for(robot, VELOCITIES)
+
+
+COMMAND_RATE: Final = (1.0, 4.0, 1.0)
+"""Largest rate of change of each of the `VELOCITIES`, m/s^2 and rad/s^2, for the built-in robot."""
+ACCELERATIONS: Final = ("forward_acceleration", "yaw_acceleration", "lateral_acceleration")
+"""Fields of `config["command"]` with these rates."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -97,11 +106,17 @@ class CommandRate(Fields, path="config.command"):
     yaw_acceleration: Annotated[float, Parameter.positive("rad/s^2")] = COMMAND_RATE[1]
 
 
-def command_rate(robot: Robot) -> tuple[float, float]:
-    """Default of the largest rate of change of a robot's forward velocity and yaw rate commands, m/s^2 and rad/s^2."""
-    rates = zip(COMMAND_RATE, COMMAND_RATE_UNITS, strict=True)
-    forward, turn = (float(scaled(rate, scale_of(unit, robot))) for rate, unit in rates)
-    return forward, turn
+@dataclass(frozen=True, eq=False, kw_only=True)
+class SidewaysRate(CommandRate, path="config.command"):
+    """The same fields for robots that move sideways."""
+
+    lateral_acceleration: Annotated[float, Parameter.positive("m/s^2")] = COMMAND_RATE[2]
+
+
+def command_rate(robot: Robot) -> tuple[float, ...]:
+    """Return the default of the largest rate of change of each of a robot's `velocity_commands`, m/s^2 and rad/s^2."""
+    rates = zip(velocity_commands(robot), COMMAND_RATE, strict=False)
+    return tuple(float(scaled(rate, scale_of(f"{entry.unit}^2", robot))) for entry, rate in rates)
 
 
 ClockFrequency = Annotated[float, Parameter.positive("Hz")]
@@ -138,13 +153,18 @@ class ControlConfig:
     observation_history: int = 3
     """Control steps whose observations a policy gets at once."""
     action: ActionConfig = field(default_factory=ActionConfig)
-    command_rate: tuple[float, float] = COMMAND_RATE
-    """Largest rate at which the commanded forward velocity (m/s^2) and yaw rate (rad/s^2) change."""
+    command_rate: tuple[float, ...] = COMMAND_RATE[:2]
+    """Largest rate at which each commanded velocity changes, m/s^2 or rad/s^2."""
     commands: tuple[Command, ...] = COMMANDS
     """Components of the command, the velocity command first."""
 
+    @property
+    def num_velocities(self) -> int:
+        """Number of velocities, which come first in the command: 2, or 3 for a robot that moves sideways."""
+        return len(self.command_rate)
+
     @classmethod
-    def of(cls, loop: LoopConfig, rate: tuple[float, float], commands: Sequence[Command]) -> Self:
+    def of(cls, loop: LoopConfig, rate: tuple[float, ...], commands: Sequence[Command]) -> Self:
         """The part of a task's config that control needs."""
         history, timestep = loop.observation_history, loop.control_timestep
         return cls(timestep, loop.clock_frequency, history, loop.action, rate, tuple(commands))
@@ -153,15 +173,16 @@ class ControlConfig:
     def of_robot(cls, robot: Robot) -> Self:
         """The defaults for a robot."""
         return cls(
-            clock_frequency=clock_frequency(robot), command_rate=command_rate(robot), commands=commands_for(robot)
+            clock_frequency=clock_frequency(robot), command_rate=command_rate(robot), commands=velocity_commands(robot)
         )
 
     @classmethod
-    def of_task(cls, values: Plain, commands: Sequence[Command] = COMMANDS) -> Self:
+    def of_task(cls, values: Plain, robot: Robot, commands: Sequence[Command] = VELOCITIES) -> Self:
         """Create a config from the plain values of a task's config, as stored in a policy's file.
 
         Args:
             values: result of `TaskConfig.to_dict`.
+            robot: robot of the task.
             commands: components of the command; their ranges are replaced by those in `values`.
 
         Raises:
@@ -171,9 +192,10 @@ class ControlConfig:
         if not isinstance(section, dict):
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(section)}")
         loop = with_values(LoopConfig(), _own(values, LoopConfig), "config")
-        rate = with_values(CommandRate(), _own(section, CommandRate), "config.command")
-        own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands]
-        return cls.of(loop, (rate.forward_acceleration, rate.yaw_acceleration), own)
+        kind = SidewaysRate if robot.moves_sideways else CommandRate
+        rate = with_values(kind(), _own(section, kind), "config.command")
+        own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands_for(robot, commands)]
+        return cls.of(loop, tuple(vars(rate).values()), own)
 
 
 def _own(values: Mapping[str, Plain], kind: type) -> dict[str, Plain]:

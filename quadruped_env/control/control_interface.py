@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField, ObservationLayout
-from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
-from quadruped_env.gait import joint_phases, wave_positions
+from quadruped_env.control.velocity_command import moving_threshold
+from quadruped_env.gait import joint_phases, leg_phases, wave_positions
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
@@ -47,12 +47,12 @@ class ControlInterface:
         """Latest action in [-1, 1], (N, J); zero for controllers without actions."""
         self.previous_action: Floats = memory.zeros("previous_action", robot.num_joints)
         """Action of the step before, (N, J)."""
-        self.commands: Floats = memory.zeros("commands", max(len(config.commands), VELOCITY))
+        self.commands: Floats = memory.zeros("commands", max(len(config.commands), config.num_velocities))
         """All components of the command, in the order of `config.commands`, (N, C)."""
-        self.requested: Floats = memory.zeros("requested", VELOCITY)
-        """Requested forward velocity and yaw rate, which `command` approaches at a limited rate, (N, 2)."""
-        self.command: Floats = self.commands[:, :VELOCITY]
-        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
+        self.requested: Floats = memory.zeros("requested", config.num_velocities)
+        """Requested velocities, which `command` approaches at a limited rate, (N, V)."""
+        self.command: Floats = self.commands[:, : config.num_velocities]
+        """Commanded forward velocity (m/s), yaw rate (rad/s) and any lateral velocity (m/s), (N, V)."""
         self.moving: Floats = memory.zeros("moving")
         """1.0 where a motion is commanded, else 0.0, (N,)."""
         self.phase: Floats = memory.zeros("phase")
@@ -74,7 +74,7 @@ class ControlInterface:
         self._largest_change = config.timestep * np.array(config.command_rate)
         self._gait, self._scale = config.action.scripted_gait(robot, config.clock_frequency), config.action.scale
         self._joint_phases = joint_phases(robot)
-        self._leg_phases = self._joint_phases[:: robot.num_joints // robot.num_legs]
+        self._leg_phases = leg_phases(robot)
         self._moving_threshold = moving_threshold(robot)
         self.stance: Floats = robot.stance[None]
         """Joint positions of the stance (1, J), rad."""
@@ -90,7 +90,7 @@ class ControlInterface:
 
     def __setstate__(self, state: dict[str, object]) -> None:
         self.__dict__.update(state)
-        self.command = self.commands[:, :VELOCITY]
+        self.command = self.commands[:, : self.config.num_velocities]
 
     def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0, command: Floats | None = None) -> None:
         """Reset some envs (R,): zero actions, the gait clock at a phase (R,) in rad, commands (R, C); None: zero.
@@ -100,19 +100,20 @@ class ControlInterface:
         self.memory.clear(env_ids)
         self.phase[env_ids] = phase
         if command is None:
-            command = np.zeros((len(env_ids), VELOCITY))
+            command = np.zeros((len(env_ids), self.config.num_velocities))
         self.set_command(env_ids, command)
         # Also for zero: the scripted gait follows the command.
-        self._set_velocity(env_ids, command[:, :VELOCITY])
+        self._set_velocity(env_ids, command[:, : self.config.num_velocities])
 
     def set_command(self, env_ids: NDArray[np.intp], command: Floats) -> None:
-        """Set the commands (R, C) of some envs (R,); with (R, 2), only the velocities change.
+        """Set the commands (R, C) of some envs (R,); with (R, V), only the velocities change.
 
         The velocities approach the requested ones at the rate of `ControlConfig.command_rate`, as `approach_requested`
         is called.
         """
-        self.requested[env_ids] = command[:, :VELOCITY]
-        self.commands[env_ids, VELOCITY : command.shape[1]] = command[:, VELOCITY:]
+        velocities = self.config.num_velocities
+        self.requested[env_ids] = command[:, :velocities]
+        self.commands[env_ids, velocities : command.shape[1]] = command[:, velocities:]
 
     def approach_requested(self) -> None:
         """Change the velocity commands towards the requested ones, by at most what a control step allows.
@@ -128,10 +129,9 @@ class ControlInterface:
         self._set_velocity(env_ids, velocity[env_ids])
 
     def _set_velocity(self, env_ids: NDArray[np.intp], velocity: Floats) -> None:
-        """Set the velocity commands (R, 2) of some envs (R,) at once."""
+        """Set the velocity commands (R, V) of some envs (R,) at once."""
         self.command[env_ids] = velocity
-        fast = np.abs(velocity) > self._moving_threshold
-        self.moving[env_ids] = fast[:, 0] | fast[:, 1]
+        self.moving[env_ids] = (np.abs(velocity) > self._moving_threshold).any(axis=1)
         if self._gait is not None:
             self._sine[env_ids], self._cosine[env_ids], self._offset[env_ids] = self._gait.waves(velocity)
 

@@ -29,7 +29,7 @@ from quadruped_env.control.joint_command import LIMP, MAX_MEASURED, Target, Targ
 from quadruped_env.control.observations import OBSERVATIONS
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.timestamp_filter import TimestampFilter
-from quadruped_env.control.velocity_command import VELOCITY, out_of_range
+from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings
@@ -163,7 +163,7 @@ class LiveController:
         self.needs_velocities = policy is not None and self._observes_velocities()
         """True if the policy observes joint velocities."""
         self._check_observation()
-        self._commands = config.commands[:VELOCITY]
+        self._commands = config.commands[: config.num_velocities]
         self._defaults = np.array([entry.default for entry in config.commands])
         self.period = config.timestep
         """Time between commands, s."""
@@ -187,7 +187,7 @@ class LiveController:
         """Last times between two states, ns."""
         self._due: int | None = None
         """Timestamp of the next control tick, ns."""
-        self._command = np.zeros(2)
+        self._command = np.zeros(len(self._commands))
         self._last = robot.stance.copy()
         self._stand_up = StandUp.plan(robot, robot.stance, self.safety.ramp_speed, self.safety.min_ramp_time)
         self._stand_up_time = 0.0
@@ -204,7 +204,8 @@ class LiveController:
         Raises:
             QuadrupedError: if it is not finite; the previous command stays in effect until it expires.
         """
-        requested = np.array([forward_velocity, yaw_rate])
+        requested = np.zeros(len(self._commands))
+        requested[:2] = forward_velocity, yaw_rate
         if not np.isfinite(requested).all():
             raise QuadrupedError(f"/cmd_vel: {requested.tolist()} is not finite; send finite numbers")
         low, high = np.transpose([entry.range for entry in self._commands])
@@ -387,7 +388,7 @@ class LiveController:
             target = self._ramp()
         else:
             before = self._control.memory.get_state(0)
-            self._follow(self._command if self.moving(now) else np.zeros(VELOCITY))
+            self._follow(self._command if self.moving(now) else np.zeros(len(self._commands)))
             self._control.approach_requested()
             observation = self._control.observe(self._readings)
             self._control.advance()
@@ -403,9 +404,9 @@ class LiveController:
         return JointCommand(self._stamp, self._last)
 
     def _follow(self, velocity: Floats) -> None:
-        """Set a velocity command (2,), in m/s and rad/s, if it has changed."""
+        """Set a velocity command (V,), in m/s and rad/s, if it has changed."""
         if not np.array_equal(velocity, self._control.requested[0]):
-            command = np.concatenate([velocity, self._defaults[VELOCITY:]])
+            command = np.concatenate([velocity, self._defaults[len(velocity) :]])
             self._control.set_command(_ENV_IDS, command[None])
 
     def _check_measured(self, measurement: Measurement) -> None:
@@ -451,7 +452,7 @@ class LiveController:
         self._stand_up_time += self.period
         if self._stand_up_time >= self._stand_up.duration + self.safety.settle - _ROUNDING:
             self._control.reset(_ENV_IDS)
-            self._follow(np.zeros(VELOCITY))
+            self._follow(np.zeros(len(self._commands)))
             self._enter(Mode.WALKING, "")
         return self._stand_up.positions(self._stand_up_time)
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final, Literal
 
 import numpy as np
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
 Reader = Callable[..., Floats]
 PerRobot = float | Callable[[Robot], float | Floats]
 """Number, or function that computes it from the robot; as an array, one number per column."""
-MirrorRule = Literal["joints", "feet"] | tuple[float, ...]
+MirrorRule = Literal["joints", "feet", "velocities"] | tuple[float, ...]
+_VELOCITY_SIGNS: Final = (1.0, -1.0, -1.0)
+"""Effect of the left/right mirror on forward velocity, yaw rate and lateral velocity."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +37,7 @@ class Field:
     unit: str
     mirror: MirrorRule
     """Effect of the left/right mirror on the reading: `joints` or `feet` if its columns, one per joint or foot, swap
-    sides; else one sign per column."""
+    sides; `velocities` for one column per velocity of the robot's command; else one sign per column."""
     scale: PerRobot
     bound: PerRobot
     """Bound to which the scaled value is clipped, +-bound."""
@@ -53,7 +56,13 @@ class Field:
             return robot.num_joints
         if self.mirror == "feet":
             return robot.num_legs
-        return len(self.mirror)
+        return len(self.signs(robot))
+
+    def signs(self, robot: Robot) -> tuple[float, ...]:
+        """Sign of each column under the mirror, if they keep their places."""
+        if self.mirror == "velocities":
+            return _VELOCITY_SIGNS[: len(velocity_commands(robot))]
+        return tuple(map(float, self.mirror))
 
 
 class ObservationField(Field):
@@ -72,7 +81,7 @@ def observation(
     Args:
         unit: unit of the reading.
         mirror: `"joints"` for one column per joint, whose sign changes with the joint's (`Robot.joint_signs`), `"feet"`
-            for one per foot; else one sign per column.
+            for one per foot, `"velocities"` for one per velocity of the robot's command; else one sign per column.
         scale: factor from the reading to the observation.
         bound: the scaled value is clipped to +-bound.
         noise: amplitude of uniform noise on the reading, in its unit.
@@ -88,6 +97,11 @@ def per_unit(number: float, *units: str) -> Callable[[Robot], Floats]:
         units: unit of the reading; or one per column.
     """
     return lambda robot: np.array([number / scale_of(unit, robot) for unit in units])
+
+
+def per_velocity(number: float) -> Callable[[Robot], Floats]:
+    """Return the scale of a built-in field with the columns `velocities`; see `per_unit`."""
+    return lambda robot: per_unit(number, *(entry.unit for entry in velocity_commands(robot)))(robot)
 
 
 def _named(module: str, name: str) -> Field:
@@ -137,7 +151,7 @@ def last_action(readings: Readings, control: "ControlInterface") -> Floats:
     return control.action
 
 
-@observation(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=per_unit(4.0, "m/s", "rad/s"), bound=4.0)
+@observation(unit="m/s, rad/s", mirror="velocities", scale=per_velocity(4.0), bound=4.0)
 def command(readings: Readings, control: "ControlInterface") -> Floats:
     """Commanded forward velocity and yaw rate."""
     return control.command

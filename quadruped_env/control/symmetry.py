@@ -38,8 +38,8 @@ class MirrorMap:
         feet = np.array(robot.foot_mirror), np.ones(robot.num_legs)
         order, sign = [], []
         for field in layout.fields:
-            rule = field.mirror
-            columns = joints if rule == "joints" else feet if rule == "feet" else (np.arange(len(rule)), np.array(rule))
+            rule, width = field.mirror, field.width(robot)
+            columns = joints if rule == "joints" else feet if rule == "feet" else (np.arange(width), field.signs(robot))
             order.append(layout.slices[field.name].start + columns[0])
             sign.append(columns[1])
         steps = layout.width * np.arange(layout.history)[:, None]

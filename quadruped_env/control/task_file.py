@@ -12,7 +12,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar, Final, Self, TypeVar
 
-from quadruped_env.control.control_config import COMMANDS, Command
+from quadruped_env.control.control_config import VELOCITIES, Command
 from quadruped_env.control.observations import OBSERVATIONS, ObservationField
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.description import description_problem
@@ -40,7 +40,7 @@ class Terms:
     """Class of the terms in each list."""
 
     observations: tuple[ObservationField, ...] = OBSERVATIONS
-    commands: tuple[Command, ...] = COMMANDS
+    commands: tuple[Command, ...] = VELOCITIES
     robot: Robot = MINI_QUADRUPED
     file: TaskFile | None = None
     """File that defines what is not built in."""

@@ -16,7 +16,7 @@ from quadruped_env._version import __version__
 from quadruped_env.control import observations
 from quadruped_env.control.joint_command import INVALID_TIMEOUT
 from quadruped_env.control.live_controller import Safety
-from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
+from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
 
@@ -102,7 +102,7 @@ def _constants(interface: PolicyInterface, name: str) -> str:
         ("ROBOT", _text(robot.name), ""),
         ("MADE_BY", _text(f"mini-quadruped {__version__}"), ""),
         ("JOINTS", str(robot.num_joints), ""),
-        ("COMMANDS", str(VELOCITY), "forward velocity, m/s, and yaw rate, rad/s"),
+        ("COMMANDS", str(policy.control.num_velocities), "forward velocity, m/s, and yaw rate, rad/s"),
         ("TIMESTEP", _number(policy.control.timestep), "s"),
         ("HISTORY", str(interface.history_width), "numbers"),
         *((f"READS_{member.upper()}", str(entry.width), "numbers") for entry, member in _members(interface)),
@@ -123,7 +123,7 @@ def _tables(interface: PolicyInterface) -> str:
     """Return the tables and macros of the source."""
     policy, robot, layout = interface.policy, interface.policy.robot, interface.layout
     gait = interface.gait
-    low, high = np.transpose([entry.range for entry in policy.control.commands[:VELOCITY]])
+    low, high = np.transpose([entry.range for entry in policy.control.commands[: policy.control.num_velocities]])
     widths = [policy.weights[0].shape[0], *(len(bias) for bias in policy.biases)]
     macros: dict[str, str] = {
         "PRESENT": f"{layout.width} /* columns of the observation of this step */",

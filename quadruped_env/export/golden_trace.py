@@ -7,8 +7,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
-from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import FEEDBACK, OBSERVATION, REQUESTED, Input, PolicyInterface
 from quadruped_env.export.runtime import TOLERANCE, Arrays, expected_outputs, random_inputs
@@ -107,10 +107,14 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
     control = ControlInterface(robot, policy.control, 1, policy.fields)
     random = random_inputs(interface, RANDOM_STEPS)
     widths = {entry.name: entry.width for entry in interface.inputs if entry.name in FEEDBACK}
-    loop = Loop({**widths, graph_io.COMMAND: VELOCITY}, policy.control.command_rate, policy.control.timestep)
-    others = np.array([[entry.default for entry in policy.control.commands[VELOCITY:]]])
+    loop = Loop(
+        {**widths, graph_io.COMMAND: policy.control.num_velocities},
+        policy.control.command_rate,
+        policy.control.timestep,
+    )
+    others = np.array([[entry.default for entry in policy.control.commands[policy.control.num_velocities :]]])
     rows: dict[str, list[NDArray[np.float32]]] = {field.name: [] for field in trace_fields(interface)}
-    for step, requested in enumerate(_requests(policy.control.commands)):
+    for step, requested in enumerate(_requests(policy.control)):
         state = loop.begin(requested[None])
         phase = state[graph_io.GAIT_PHASE][:, 0].astype(float) if interface.has_clock else 0.0
         control.reset(_ROW, phase, np.concatenate([state[graph_io.COMMAND], others], axis=1))
@@ -134,10 +138,11 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
     return {name: np.array(values) for name, values in rows.items()}
 
 
-def _requests(commands: Sequence[Any]) -> NDArray[np.float32]:
-    """Return the requested forward velocity and yaw rate of every step (STEPS, 2)."""
-    low, high = np.array([entry.range for entry in commands[:VELOCITY]]).T
+def _requests(control: ControlConfig) -> NDArray[np.float32]:
+    """Return the requested velocities of every step (STEPS, V)."""
+    low, high = np.array([entry.range for entry in control.commands[:2]]).T
     parts = np.array([np.where(np.array(part) < 0.0, -low, high) * part for part in _REQUESTS])
+    parts = np.pad(parts, ((0, 0), (0, control.num_velocities - 2)))
     return np.repeat(parts, STEPS // len(parts), axis=0).astype(np.float32)
 
 

@@ -6,10 +6,9 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env._version import __version__
-from quadruped_env.control.control_config import COMMAND_RATE_UNITS
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.control.task_file import TASK_FILE
-from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
+from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.evaluation.results import CardResults
 from quadruped_env.export.golden_trace import trace_document
 from quadruped_env.export.onnx_graph import OPSET
@@ -161,15 +160,15 @@ def _observation(interface: PolicyInterface) -> dict[str, Any]:
 
 
 def _command(policy: Policy) -> dict[str, Any]:
-    rates = dict(enumerate(zip(policy.control.command_rate, COMMAND_RATE_UNITS, strict=True)))
+    rates = dict(enumerate(policy.control.command_rate))
     components = [
         {
             "name": entry.name,
             "unit": entry.unit,
             "low": entry.range[0],
             "high": entry.range[1],
-            "idle": 0.0 if i < VELOCITY else entry.default,
-            **({"largest_rate": rates[i][0], "rate_unit": rates[i][1]} if i < VELOCITY else {}),
+            "idle": 0.0 if i in rates else entry.default,
+            **({"largest_rate": rates[i], "rate_unit": f"{entry.unit}^2"} if i in rates else {}),
         }
         for i, entry in enumerate(policy.control.commands)
     ]

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env._version import __version__
 from quadruped_env.control import observations
-from quadruped_env.control.velocity_command import VELOCITY, moving_threshold
+from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import Input, PolicyInterface
@@ -58,7 +58,7 @@ def _clock(graph: "Graph", interface: PolicyInterface) -> tuple[str, str]:
         return "", ""
     threshold = graph.constant(moving_threshold(interface.policy.robot))
     fast = graph.add("Cast", graph.add("Greater", graph.add("Abs", graph_io.COMMAND), threshold), to=_FLOAT)
-    count = graph.add("MatMul", fast, graph.constant(np.ones((VELOCITY, 1))))
+    count = graph.add("MatMul", fast, graph.constant(np.ones((interface.policy.control.num_velocities, 1))))
     moving = graph.add("Min", count, graph.constant(1.0))
     both = graph.add("Concat", graph.add("Sin", graph_io.GAIT_PHASE), graph.add("Cos", graph_io.GAIT_PHASE), axis=1)
     later = graph.add("Add", graph_io.GAIT_PHASE, graph.constant(interface.phase_step))

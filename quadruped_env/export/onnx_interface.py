@@ -9,7 +9,6 @@ import numpy as np
 
 from quadruped_env.control import observations
 from quadruped_env.control.observations import Field, ObservationLayout
-from quadruped_env.control.velocity_command import VELOCITY
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait, joint_phases
 from quadruped_env.policies.policy import Policy
@@ -119,7 +118,7 @@ class PolicyInterface:
         ]
         if self.has_clock:
             if observations.command not in self.policy.fields:
-                found.append(Input(COMMAND, VELOCITY, observations.command.unit, _COMMAND))
+                found.append(Input(COMMAND, self.policy.control.num_velocities, observations.command.unit, _COMMAND))
             found.append(Input(GAIT_PHASE, 1, "rad", _PHASE))
         if self.history_width:
             found.append(Input(HISTORY, self.history_width, "1", _HISTORY))

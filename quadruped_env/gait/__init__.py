@@ -2,7 +2,7 @@
 
 from quadruped_env.gait.gait_presets import CLOCK_FREQUENCY, COMMANDED, LEG_PHASES, PRESETS, SINUSOID, LegTable
 from quadruped_env.gait.gaits import CommandedGait, SinusoidalGait, turn_size
-from quadruped_env.gait.waves import joint_phases, wave_positions
+from quadruped_env.gait.waves import joint_phases, leg_phases, wave_positions
 
 __all__ = [
     "CLOCK_FREQUENCY",
@@ -14,6 +14,7 @@ __all__ = [
     "LegTable",
     "SinusoidalGait",
     "joint_phases",
+    "leg_phases",
     "turn_size",
     "wave_positions",
 ]

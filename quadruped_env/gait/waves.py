@@ -24,8 +24,15 @@ _SAMPLES: Final = 12
 
 def joint_phases(robot: Robot, gait: str = "trot") -> Floats:
     """Phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
-    phases = np.array([LEG_PHASES[gait][corner] for corner in corners(robot)])
-    return np.repeat(phases * math.tau, 2)
+    phases = np.empty(robot.num_joints)
+    for joints, phase in zip(robot.leg_joints, leg_phases(robot, gait), strict=True):
+        phases[list(joints)] = phase
+    return phases
+
+
+def leg_phases(robot: Robot, gait: str = "trot") -> Floats:
+    """Phase of each leg in a gait of `LEG_PHASES` (L,), rad."""
+    return np.array([LEG_PHASES[gait][corner] for corner in corners(robot)]) * math.tau
 
 
 def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Waves:

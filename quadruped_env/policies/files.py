@@ -187,7 +187,7 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> PolicyData:
             _check_built_in(document, terms, file)
         # Files without the field are of the built-in robot.
         check_same_robot(document.get("robot", MINI_QUADRUPED.identity), terms.robot)
-        control = ControlConfig.of_task(task, terms.commands)
+        control = ControlConfig.of_task(task, terms.robot, terms.commands)
     except QuadrupedError as error:
         raise unusable(path, error) from error
     robot, layout = terms.robot, ObservationLayout(terms.robot, terms.observations)

@@ -27,12 +27,13 @@ def corners(robot: Robot) -> tuple[int, ...]:
     """`Robot.corners` of a robot with one leg in each.
 
     Raises:
-        QuadrupedError: if the robot has not one leg with two joints in each corner.
+        QuadrupedError: if the robot has not one leg in each corner, all with two or all with three joints.
     """
-    if sorted(robot.corners) != [0, 1, 2, 3] or robot.num_joints != 2 * robot.num_legs:
+    of_legs = {len(joints) for joints in robot.leg_joints}
+    if sorted(robot.corners) != [0, 1, 2, 3] or of_legs not in ({2}, {3}) or robot.num_joints != 4 * max(of_legs):
         raise QuadrupedError(
-            f"gait: the scripted gaits and the gait clock are for robots with one leg in each corner, with a hip and a "
-            f"knee; {robot.name!r} has {robot.num_legs} legs with {robot.num_joints} joints"
+            f"gait: the scripted gaits and the gait clock are for robots with one leg in each corner, all with two or "
+            f"all with three joints; {robot.name!r} has {robot.num_legs} legs with {robot.num_joints} joints"
         )
     return robot.corners
 

@@ -48,6 +48,8 @@ _MIRROR_TOLERANCE = 1e-3
 """Difference between an axis and its mirror image, as 1 - |cosine|, about 2.5 degrees."""
 _FOOTPRINT = 4.0 / 3.0
 """Footprint as a multiple of the distance of the farthest foot in the stance; at a start the legs deviate from it."""
+_SIDEWAYS = 0.25
+"""Least motion of a foot sideways per rad, as a multiple of the stance's height, by a joint that rolls its leg."""
 _SIX_DIGITS = 5e-6
 """Tolerance between a value of the robot and its model's, relative from 1 up: MuJoCo writes six digits."""
 ROBOT_FILE = "mini_quadruped.xml"
@@ -267,6 +269,14 @@ class Robot:
     def leg_joints(self) -> tuple[tuple[int, ...], ...]:
         """Indices of the joints of each leg, from the base to the foot."""
         return self._skeleton.leg_joints
+
+    @functools.cached_property
+    def moves_sideways(self) -> bool:
+        """True if legs of three joints move each foot to the side in the stance, so that a robot can walk sideways."""
+        if min(map(len, self.leg_joints)) < 3:
+            return False
+        sideways = np.abs(self.skeleton.foot_jacobians(self.stance)[:, 1]).max(axis=-1)
+        return bool((sideways > _SIDEWAYS * self.stance_height).all())
 
     @functools.cached_property
     def joint_kinds(self) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ from dataclasses import fields
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import MotorConfig
@@ -64,12 +65,12 @@ class TaskContext:
         """Arrays of the terms: zero after a reset, and saved with the env."""
         self.timestep = control.config.timestep
         """Time between actions, s."""
-        self.velocity: Floats = np.zeros((n, 2))
-        """Forward velocity (m/s) and yaw rate (rad/s) in the body frame, (N, 2)."""
-        self.smooth_velocity: Floats = self.memory.zeros("smooth_velocity", 2)
-        """Average of `velocity` over about one gait cycle, (N, 2)."""
-        self.tracking_error: Floats = np.zeros((n, 2))
-        """`smooth_velocity` minus the command in force during the step, (N, 2)."""
+        self.velocity: Floats = np.zeros(control.command.shape)
+        """Velocities of the base in its own frame in the order of the command, (N, V)."""
+        self.smooth_velocity: Floats = self.memory.zeros("smooth_velocity", control.config.num_velocities)
+        """Average of `velocity` over about one gait cycle, (N, V)."""
+        self.tracking_error: Floats = np.zeros(control.command.shape)
+        """`smooth_velocity` minus the command in force during the step, (N, V)."""
         self.fallen: Floats = np.zeros(n)
         """1.0 where the episode ends in a fall in this step, else 0.0, (N,)."""
         self.landing_speed: Floats = np.zeros((n, self.robot.num_legs))
@@ -79,8 +80,8 @@ class TaskContext:
         self._airborne: Floats = self.memory.zeros("airborne", self.robot.num_legs)
         self.contact_threshold = contact_threshold
         """Normal force above which a foot is in contact, N."""
-        self.velocity_unit = np.array([scale_of(unit, self.robot) for unit in ("m/s", "rad/s")])
-        """Size of a velocity and of a rate for the robot relative to the built-in one, (2,)."""
+        self.velocity_unit = np.array([scale_of(entry.unit, self.robot) for entry in velocity_commands(self.robot)])
+        """Size of a velocity and of a rate for the robot relative to the built-in one, (V,)."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
         self.bind(readings, control)
@@ -95,7 +96,7 @@ class TaskContext:
         self.previous_action = control.previous_action
         """Action of the step before, (N, J)."""
         self.command = control.command
-        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2)."""
+        """Commanded velocities (N, V); see `ControlInterface.command`."""
         self.moving = control.moving
         """1.0 where a motion is commanded, else 0.0, (N,)."""
         self.substeps = Readings(**{field.name: getattr(readings, field.name)[None] for field in fields(Readings)})
@@ -107,6 +108,7 @@ class TaskContext:
         self._contacts()
         self.velocity[:, 0] = self.readings.linear_velocity_b[:, 0]
         self.velocity[:, 1] = self.readings.angular_velocity_b[:, 2]
+        self.velocity[:, 2:] = self.readings.linear_velocity_b[:, 1 : self.velocity.shape[1] - 1]
         self.smooth_velocity += self._smoothing * (self.velocity - self.smooth_velocity)
         np.subtract(self.smooth_velocity, self.command, out=self.tracking_error)
         self.read()

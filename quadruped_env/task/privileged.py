@@ -16,6 +16,7 @@ from quadruped_env.control.observations import (
     Reader,
     first_line,
     per_unit,
+    per_velocity,
 )
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation
@@ -68,7 +69,7 @@ def base_velocity(state: TrueState) -> Floats:
     return state.context.readings.linear_velocity_b
 
 
-@privileged(unit="m/s, rad/s", mirror=(1.0, -1.0), scale=per_unit(4.0, "m/s", "rad/s"), bound=4.0)
+@privileged(unit="m/s, rad/s", mirror="velocities", scale=per_velocity(4.0), bound=4.0)
 def smooth_velocity(state: TrueState) -> Floats:
     """Forward velocity and yaw rate, averaged as for the rewards of tracking and progress."""
     return state.context.smooth_velocity

@@ -39,7 +39,7 @@ class tracking:  # noqa: N801  named like the other terms
 
     def __call__(self, context: TaskContext) -> Floats:
         """Return the values (N, 2)."""
-        return np.exp(-((context.tracking_error / self._std) ** 2))
+        return np.exp(-((context.tracking_error[:, :2] / self._std) ** 2))
 
 
 @reward_group(forward_progress=9.0, turn_progress=9.0)
@@ -51,9 +51,10 @@ def progress(context: TaskContext) -> Floats:
     """
     # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
     # a peak at the command would else pull the median there, not the mean.
-    speed = np.abs(context.command)
-    size = np.maximum(speed, _SMALLEST_COMMAND * context.velocity_unit)
-    share, whole = context.smooth_velocity * (np.sign(context.command) / size), speed / size
+    command = context.command[:, :2]
+    speed = np.abs(command)
+    size = np.maximum(speed, _SMALLEST_COMMAND * context.velocity_unit[:2])
+    share, whole = context.smooth_velocity[:, :2] * (np.sign(command) / size), speed / size
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Annotated, Any, Final
 
-from quadruped_env.control.control_config import commands_for
+from quadruped_env.control.control_config import ACCELERATIONS, SidewaysRate, command_rate, commands_for
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled, scaled_values
@@ -81,10 +81,12 @@ def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
 def _types(definition: TaskDefinition) -> dict[type[Section], type[Section]]:
     """Return the dataclass of every section but `terrain`."""
     robot = definition.robot
-    command = [
+    command: list[Own] = [
         (entry.name, Annotated[Range, Parameter(entry.unit)], entry.range)
         for entry in commands_for(robot, definition.commands)
     ]
+    rates = list(zip(ACCELERATIONS, command_rate(robot), strict=False))[2:]
+    command += [(name, hints_of(SidewaysRate)[name], rate) for name, rate in rates]
     units = {name: term.unit for term in definition.rewards for name in term.names}
     weights = [
         (name, Annotated[float, Parameter("1" if units[name] == "1" else f"1/({units[name]})")], default)

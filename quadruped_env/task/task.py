@@ -91,7 +91,7 @@ class Task:
             self.draws,
             definition.randomizations,
             config.randomization,
-            CommandSampler(definition.commands, config.command),
+            CommandSampler(config.commands, config.command),
             config.motor,
         )
         terrain = config.terrain

@@ -137,6 +137,6 @@ def test_live_controller_approaches_its_command_at_the_policys_rates():
 @pytest.mark.parametrize("value", [0.0, -1.0, float("inf"), "fast"])
 def test_rate_that_is_not_positive_is_refused(value):
     for name in ("forward_acceleration", "yaw_acceleration"):
-        for make in (TaskConfig.from_dict, ControlConfig.of_task):
+        for make in (TaskConfig.from_dict, lambda values: ControlConfig.of_task(values, MINI_QUADRUPED)):
             with pytest.raises(QuadrupedError, match=name):
                 make({"command": {name: value}})

@@ -6,6 +6,7 @@ import pytest
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control.control_config import ActionConfig, Command, ControlConfig
+from quadruped_env.robot import MINI_QUADRUPED
 
 SMALLEST = 1e-9
 
@@ -40,7 +41,7 @@ def test_a_component_of_the_command_has_a_range_and_is_zero_if_left_out():
     ],
 )
 def test_time_between_actions_is_decimation_times_the_physics_timestep(values, timestep):
-    assert ControlConfig.of_task(values).timestep == pytest.approx(timestep, rel=1e-12)
+    assert ControlConfig.of_task(values, MINI_QUADRUPED).timestep == pytest.approx(timestep, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -57,10 +58,10 @@ def test_time_between_actions_is_decimation_times_the_physics_timestep(values, t
 )
 def test_values_of_a_policys_file_are_checked(values, message):
     with pytest.raises(QuadrupedError, match=message):
-        ControlConfig.of_task(values)
+        ControlConfig.of_task(values, MINI_QUADRUPED)
 
 
 def test_ranges_of_the_command_are_those_of_the_file():
-    config = ControlConfig.of_task({"command": {"yaw_rate": [-0.1, 0.2]}, "clock_frequency": 0.5})
+    config = ControlConfig.of_task({"command": {"yaw_rate": [-0.1, 0.2]}, "clock_frequency": 0.5}, MINI_QUADRUPED)
     assert [command.range for command in config.commands] == [(-0.3, 0.6), (-0.1, 0.2)]
     assert config.clock_frequency == 0.5

@@ -218,4 +218,4 @@ def test_bad_history_is_refused(value):
     with pytest.raises(QuadrupedError, match=r"observation_history"):
         TaskConfig.from_dict({"observation_history": value})
     with pytest.raises(QuadrupedError, match=r"observation_history must be a whole number from 1 to 1000; found"):
-        ControlConfig.of_task({"observation_history": value})
+        ControlConfig.of_task({"observation_history": value}, MINI_QUADRUPED)

@@ -8,6 +8,7 @@ from settings import CLOCK_FREQUENCY, REWARD_PARAMETERS, REWARD_WEIGHTS
 from tasks import LAYOUT, NOISE
 
 from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 
 CONFIG = {
@@ -102,7 +103,7 @@ def test_observation_is_that_of_version_0():
 
 
 def test_config_of_a_controller_without_fields_has_those_of_version_0():
-    config = ControlConfig.of_task({})
+    config = ControlConfig.of_task({}, MINI_QUADRUPED)
     assert config.timestep == pytest.approx(0.02)
     assert config.clock_frequency == CLOCK_FREQUENCY
-    assert ControlConfig.of_task({"decimation": 1, "physics_timestep": 0.002}).timestep == 0.002
+    assert ControlConfig.of_task({"decimation": 1, "physics_timestep": 0.002}, MINI_QUADRUPED).timestep == 0.002
