@@ -11,13 +11,13 @@ uses. Targets are joint positions; each holds until the next. Both recordings mu
     mini-quadruped identify log.csv --columns measured.toml --map measured.toml --commands-columns targets.toml
     mini-quadruped identify bench.csv --without RF_hip_joint RF_knee_joint    # which need not be in the file
 
-Estimated for hips and for knees: stall_torque, kp, kd, damping, friction_loss and armature; and one delay for all
-joints. A parameter that the recording does not determine keeps its value and is reported. A recording is good if the
-joints move fast and in both directions, sometimes up to the motors' limits, with the robot on a stand and its feet in
-the air. A recording on the ground is refused: its contact forces would appear as friction and inertia. Confidence
-intervals allow for residuals that are correlated over time, between signals and between joints. Estimates and intervals
-hold only if the parameters that are not fitted are right: with --fit kp, a wrong kd gives an interval that excludes the
-true kp.
+Estimated for each kind of joint (hips, knees, abductions): stall_torque, kp, kd, damping, friction_loss and armature;
+and one delay for all joints. A parameter that the recording does not determine keeps its value and is reported. A
+recording is good if the joints move fast and in both directions, sometimes up to the motors' limits, with the robot on
+a stand and its feet in the air. A recording on the ground is refused: its contact forces would appear as friction and
+inertia. Confidence intervals allow for residuals that are correlated over time, between signals and between joints.
+Estimates and intervals hold only if the parameters that are not fitted are right: with --fit kp, a wrong kd gives an
+interval that excludes the true kp.
 
 Results: motors.json, which the environment accepts as its config,
 

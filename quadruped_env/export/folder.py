@@ -90,7 +90,7 @@ def export_policy(
     difference = largest_difference(interface, graph)
     fields, trace = trace_fields(interface), golden_trace(interface)
     contents = {GRAPH_FILE: graph, TRACE_FILE: csv_text(fields, trace).encode(), **policy.files()}
-    contents |= {"robot.urdf": policy.robot.urdf.encode(), "robot.xml": policy.robot.simulated_mjcf.encode()}
+    contents |= {"robot.urdf": policy.robot.description.encode(), "robot.xml": policy.robot.simulated_mjcf.encode()}
     contents[CONTROLLERS_FILE] = controllers_yaml(policy.robot.joint_names, policy.robot.base_name).encode()
     if evaluated.progress_file is not None:
         contents[PROGRESS_FILE] = evaluated.progress_file.read_bytes()

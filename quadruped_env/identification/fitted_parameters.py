@@ -47,7 +47,7 @@ FITTED: Final = ("stall_torque", "kp", "kd", "damping", "friction_loss", "armatu
 
 
 def names_of(fitted: Sequence[str], robot: Robot) -> list[str]:
-    """Return names of the parameters of some quantities: one for each kind of joint (hips, knees), but only one delay.
+    """Return names of the parameters of some quantities: one for each kind of joint, but only one delay.
 
     Raises:
         QuadrupedError: if a quantity is unknown.
@@ -104,7 +104,7 @@ def _armature(name: str, values: Mapping[str, float]) -> float:
 def value_of(motors: MotorConfig, name: str) -> float:
     """Return the value of a parameter of some motors."""
     kind, _, field = name.rpartition(".")
-    return float(getattr(getattr(motors, kind) if kind else motors, field))
+    return float(getattr(motors.of_joints([kind])[0] if kind else motors, field))
 
 
 def with_values(motors: MotorConfig, values: Mapping[str, float]) -> MotorConfig:
@@ -112,5 +112,8 @@ def with_values(motors: MotorConfig, values: Mapping[str, float]) -> MotorConfig
     changes: dict[str, Any] = {}
     for name, value in values.items():
         kind, _, field = name.rpartition(".")
-        changes[kind or field] = replace(changes.get(kind, getattr(motors, kind)), **{field: value}) if kind else value
+        if kind:
+            changes[kind] = replace(changes.get(kind) or motors.of_joints([kind])[0], **{field: value})
+        else:
+            changes[field] = value
     return replace(motors, **changes)

@@ -2,7 +2,7 @@
 
 import importlib.util
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -139,7 +139,7 @@ class Identification:
 
     def config(self) -> dict[str, Any]:
         """Return the motors as a part of the environment's `config`."""
-        return {"motor": asdict(self.after)}
+        return {"motor": self.after.to_dict()}
 
     def tables(self) -> list[Table]:
         """Return the motors and errors before and after the fit, for a terminal and for a page."""

@@ -133,7 +133,7 @@ def half_widths(jacobian: Floats, left: Floats, times: Floats, joints: int, kind
         if len(sums) > size:
             widths.append(_clustered(inverse, sums.sum(axis=1), len(sums) - 1))
     moving = int(np.count_nonzero(np.abs(scores).sum(axis=(0, 2))))
-    # With two kinds, a parameter of one affects half of the joints.
+    # A parameter of one of two kinds affects half of the joints, of three a third.
     widths.append(_clustered(inverse, scores.sum(axis=0), max(moving // kinds - 1, 1)))
     newton = inverse @ (flat.T @ rest)
     return widths[0], np.max(widths, axis=0) + np.abs(newton)

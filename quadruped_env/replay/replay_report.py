@@ -1,6 +1,5 @@
 """The HTML report of a replay: tracking errors, motor limits, and figures of both."""
 
-import dataclasses
 from pathlib import Path
 from typing import Final
 
@@ -47,7 +46,7 @@ def write_replay_report(replay: Replay, directory: Path, command_line: str, comp
         "tables": replay.tables(compare),
         "figures": figures,
         "document": provenance(command_line),
-        "motors": dataclasses.asdict(replay.motors),
+        "motors": replay.motors.to_dict(),
     }
     write_html(directory / REPORT_FILE, "motion.html", context)
 

@@ -89,8 +89,8 @@ def parsed(text: str, assets: Mapping[str, bytes] | None, main: Mapping[str, str
     )
 
 
-def check_structure(spec: mujoco.MjSpec, joint_names: Sequence[str]) -> None:
-    """Check base, joints and actuators of a robot's specification.
+def check_structure(spec: mujoco.MjSpec, joint_names: Sequence[str] | None) -> None:
+    """Check base, joints and actuators of a robot's specification; None accepts the names and the order of its joints.
 
     Raises:
         QuadrupedError: if it has not one free joint, the first; has geoms that are fixed to the world; has other joints
@@ -108,8 +108,11 @@ def check_structure(spec: mujoco.MjSpec, joint_names: Sequence[str]) -> None:
             f"every contact; found a {fixed[0].type.name[7:].lower()} {fixed[0].name!r} fixed to the world: "
             f"remove it, and choose the ground with terrain=... or --terrain"
         )
+    joint_names = [joint.name for joint in joints[1:]] if joint_names is None else joint_names
     _check_order("joints", [joint.name for joint in joints[1:]], joint_names)
     for joint in joints[1:]:
+        if not joint.name:
+            raise QuadrupedError(f"a joint of the body {joint.parent.name!r} of its model has no name; name it")
         if not joint.range[0] < joint.range[1]:
             raise QuadrupedError(f"the joint {joint.name!r} of its model has no range; give its limits (range, rad)")
     for actuator in spec.actuators:

@@ -10,8 +10,9 @@ import mujoco
 import numpy as np
 
 from quadruped_env.utils.arrays import Floats
-from quadruped_env.utils.fields import Fields
+from quadruped_env.utils.fields import Fields, check, with_values
 from quadruped_env.utils.parameters import Parameter
+from quadruped_env.utils.plain import Plain
 
 VOLTAGE: Final = 24.0
 """Supply voltage, V; only torque and speed at this voltage matter (assets/mini_quadruped/README.md)."""
@@ -24,6 +25,8 @@ MAX_DELAY: Final = 0.5
 """Maximum delay, s."""
 
 JOINT_KINDS: Final = ("hip", "knee")
+"""Kinds of the joints in a leg of two."""
+MOTOR_KINDS: Final = (*JOINT_KINDS, "abduction")
 """Fields of `MotorConfig`, of which each joint of a robot has one as its motor."""
 
 _POSITION: Final = 1
@@ -124,9 +127,14 @@ class JointMotor(_MotorFields):
         return self.armature / GEAR_RATIO**2
 
 
+def _changes_or_motor(value: Plain, path: str) -> Plain:
+    check(value is None or isinstance(value, Mapping | JointMotor), path, value, "fields of a motor, or None")
+    return value
+
+
 @dataclass(frozen=True)
 class MotorConfig(_MotorFields):
-    """All motors of a robot, of two kinds; the robot says which joint has which (`Robot.joint_kinds`)."""
+    """All motors of a robot, by kind; the robot says which joint has which (`Robot.joint_kinds`)."""
 
     hip: JointMotor = field(default_factory=JointMotor)
     """Motor of the hips: by default of all joints but the knees."""
@@ -134,10 +142,23 @@ class MotorConfig(_MotorFields):
     """Motor of the knees: by default of each leg's last joint, if it is not the only one."""
     delay: Annotated[float, Parameter("s", 0.0, MAX_DELAY)] = 0.0
     """Delay from joint target to motor, s; interpolated between physics steps."""
+    abduction: Annotated[JointMotor | None, _changes_or_motor] = None
+    """Motor of the joints that move the feet sideways, in legs of three joints or more. None: the hips'; a dict has
+    the fields that differ from the hips'."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if isinstance(self.abduction, Mapping):
+            changed = with_values(self.hip, self.abduction, "config.motor.abduction")
+            object.__setattr__(self, "abduction", changed)
+
+    def to_dict(self) -> dict[str, Plain]:
+        """Return the nested plain values, without `abduction` where it is None."""
+        return {name: value for name, value in super().to_dict().items() if value is not None}
 
     def of_joints(self, kinds: Sequence[str]) -> list[JointMotor]:
         """The motor of each joint, for the kinds of the joints (`Robot.joint_kinds`)."""
-        return [getattr(self, kind) for kind in kinds]
+        return [getattr(self, kind) or self.hip for kind in kinds]
 
     def joule_coefficients(self, kinds: Sequence[str]) -> Floats:
         """Heat in each joint's winding per squared torque (J,), W/(N m)^2; `kinds` as in `of_joints`."""
@@ -150,7 +171,7 @@ class MotorConfig(_MotorFields):
     def content(self) -> dict[str, Any]:
         """Plain values, with the `SERVO_ERRORS` only of servos that have them: a part of a robot's identity."""
         values = self.to_dict()
-        for kind in JOINT_KINDS:
+        for kind in MOTOR_KINDS & values.keys():
             values[kind] = {k: v for k, v in values[kind].items() if v or k not in SERVO_ERRORS}
         return values
 
@@ -215,12 +236,12 @@ def servo_target(
 
 
 def fill_command_history(model: mujoco.MjModel, history: Floats, joint_target: Floats) -> None:
-    """Initialize the buffers of delayed motors as if the targets (N, 8) in rad had been constant before.
+    """Initialize the buffers of delayed motors as if the targets (N, J) in rad had been constant before.
 
     Args:
         model: the robot.
         history: MuJoCo's history buffers (N, model.nhistory), written in place.
-        joint_target: joint targets (N, 8), rad.
+        joint_target: joint targets (N, J), rad.
     """
     for actuator in range(model.nu):
         start, samples = model.actuator_historyadr[actuator], model.actuator_history[actuator, 0]

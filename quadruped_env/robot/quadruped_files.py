@@ -9,7 +9,7 @@ from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING, Final
 
-from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE
+from quadruped_env.robot.motors import GEAR_RATIO, JOINT_KINDS, VOLTAGE, JointMotor
 
 if TYPE_CHECKING:
     from quadruped_env.robot.quadruped_design import QuadrupedDesign
@@ -48,27 +48,39 @@ def mjcf(design: "QuadrupedDesign") -> str:
 def urdf(design: "QuadrupedDesign") -> str:
     """The robot for ROS and other simulators: links, joints, limits, inertia, collision, and its drives."""
     values = _values(design)
-    drives = [
-        {
-            "joint": name,
-            "low": values[f"{kind}_low"],
-            "high": values[f"{kind}_high"],
-            "kp": values[f"{kind}_kp"],
-            "kd": values[f"{kind}_kd"],
-            "rotor_inertia": numbers(design.motors.of_joints([kind])[0].rotor_inertia),
-            "gear_ratio": numbers(GEAR_RATIO),
-        }
-        for name in design.joint_names
-        for kind in (_kind(name),)
-    ]
+    motors = design.motors.of_joints([_kind(name) for name in design.joint_names])
+    ranges = [getattr(design, f"{_kind(name)}_range") for name in design.joint_names]
     return filled(
         "robot.urdf",
         values,
         legs=_legs("leg.urdf", design, values, "\n\n"),
-        transmissions=_join(filled("transmission.urdf", drive).rstrip() for drive in drives),
-        control_joints=_join(filled("control_joint.urdf", drive).rstrip() for drive in drives),
-        control_transmissions=_join(filled("control_transmission.urdf", drive).rstrip() for drive in drives),
+        drives=drives(design.name, design.joint_names, ranges, motors),
     )
+
+
+def drives(
+    name: str, joint_names: Sequence[str], ranges: Iterable[Sequence[float]], motors: Iterable[JointMotor]
+) -> str:
+    """A URDF's transmissions for Drake, and its system for ros2_control; ranges of the joints in rad."""
+    values = [
+        {
+            "joint": joint,
+            "low": numbers(low),
+            "high": numbers(high),
+            "kp": numbers(motor.kp),
+            "kd": numbers(motor.kd),
+            "rotor_inertia": numbers(motor.rotor_inertia),
+            "gear_ratio": numbers(GEAR_RATIO),
+        }
+        for joint, (low, high), motor in zip(joint_names, ranges, motors, strict=True)
+    ]
+    return filled(
+        "drives.urdf",
+        {"name": name},
+        transmissions=_join(filled("transmission.urdf", drive).rstrip() for drive in values),
+        control_joints=_join(filled("control_joint.urdf", drive).rstrip() for drive in values),
+        control_transmissions=_join(filled("control_transmission.urdf", drive).rstrip() for drive in values),
+    ).rstrip()
 
 
 def filled(name: str, values: Mapping[str, str], **more: str) -> str:

@@ -25,8 +25,10 @@ from quadruped_env.robot.model_completion import (
     parsed,
     read_model,
 )
-from quadruped_env.robot.motors import JOINT_KINDS, JointMotor, MotorConfig
+from quadruped_env.robot.model_structure import add_sites, foot_places
+from quadruped_env.robot.motors import MOTOR_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.skeleton import Pose, Skeleton
+from quadruped_env.robot.written_urdf import written_urdf
 from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
@@ -42,7 +44,7 @@ _RESTATED = (
     "stance_height",
 )
 """Fields that restate the model or the motors; in an order in which each follows from those before it."""
-_OPTIONAL = ("motor_kinds", "mirror_signs", "leg_corners", "gaits", "assets")
+_OPTIONAL = ("urdf", "motor_kinds", "mirror_signs", "leg_corners", "gaits", "assets")
 """Fields that may be None; then they are not part of the content, so that robots without them keep their identity."""
 _MIRROR_TOLERANCE = 1e-3
 """Difference between an axis and its mirror image, as 1 - |cosine|, about 2.5 degrees."""
@@ -52,6 +54,8 @@ _SIDEWAYS = 0.25
 """Least motion of a foot sideways per rad, as a multiple of the stance's height, by a joint that rolls its leg."""
 _SIX_DIGITS = 5e-6
 """Tolerance between a value of the robot and its model's, relative from 1 up: MuJoCo writes six digits."""
+CORNERS = ("LF", "RF", "LH", "RH")
+"""Names of the corners, and of a robot's legs by default: left (L) or right (R), fore (F) or hind (H)."""
 ROBOT_FILE = "mini_quadruped.xml"
 """File that a scene includes: a robot's MJCF takes its place."""
 _OF_THE_MODEL: Any = None
@@ -66,6 +70,8 @@ class Robot:
     kinematics are computed from the model, which is compiled when it is first needed. Two robots are equal if their
     content is; comments and layout of the model files do not count.
 
+        ROBOT = Robot(name="dog", mjcf=Path("dog.xml"), stance=[0.0, 0.8, -1.6] * 4, motors=MotorConfig(MOTOR, MOTOR))
+
     Fields with "None:" follow from the model or the motors where they are not given. A value that is given is compared
     with the model's value, to six digits.
 
@@ -74,9 +80,10 @@ class Robot:
     """
 
     name: str
-    leg_names: tuple[str, ...]
-    joint_names: tuple[str, ...]
-    """Names of the joints, and of their motors in the model's order."""
+    leg_names: tuple[str, ...] = _OF_THE_MODEL
+    """Names of the legs, in the order of `foot_sites`. None: LF, RF, LH and RH, by the legs' `corners`."""
+    joint_names: tuple[str, ...] = _OF_THE_MODEL
+    """Names of the joints, and of their motors in the model's order. None: the model's."""
     link_names: tuple[str, ...] = _OF_THE_MODEL
     """Names of the links, the base first. None: all bodies that are named, in the model's order."""
     joint_position_low: Floats = _OF_THE_MODEL
@@ -88,18 +95,21 @@ class Robot:
     effort_limit: Floats = _OF_THE_MODEL
     """Maximum joint torques at rest (J,), N m. None: by `motors`."""
     stance: Floats
-    """Joint positions with each foot under its hip (J,), rad."""
+    """Joint positions with each foot under its hip (J,), rad; also as a dict of joint -> position."""
     stance_height: float = _OF_THE_MODEL
     """Height of the base's centre in the stance, with the feet on the ground, m. None: by the feet."""
     foot_radius: float = _OF_THE_MODEL
     """Radius of the feet, which are balls, m. None: from `foot_sites` to the lowest point of their links' shapes in the
     stance."""
-    foot_sites: tuple[str, ...]
-    """Sites of the model at the centres of the feet, one per leg."""
-    joint_mirror: tuple[int, ...]
-    """Index of each joint's counterpart on the other side; `joint_signs` says which of them turn the other way."""
-    foot_mirror: tuple[int, ...]
-    """Index of each foot's counterpart on the other side."""
+    foot_sites: tuple[str, ...] = _OF_THE_MODEL
+    """Sites of the model at the centres of the feet, one per leg; also as a dict of link -> position (3,) in its frame,
+    m, of sites that the model gets. None: in each leg's last link the only site, or else the centre of the only ball
+    that collides."""
+    joint_mirror: tuple[int, ...] = _OF_THE_MODEL
+    """Index of each joint's counterpart on the other side; `joint_signs` says which of them turn the other way. None:
+    the joint at the same place in the leg of the other corner."""
+    foot_mirror: tuple[int, ...] = _OF_THE_MODEL
+    """Index of each foot's counterpart on the other side. None: the foot of the other corner."""
     sensors: Mapping[str, tuple[str, ...]] = _OF_THE_MODEL
     """Sensors of the model for each field of `quadruped_env.robot.readings.Readings`, in order. None: the model gets
     them, with the base's sensors at its origin."""
@@ -108,8 +118,8 @@ class Robot:
     mjcf: str
     """MuJoCo model of the robot alone, with a floating base and without ground: the text, or the path of a file, whose
     meshes are searched next to it."""
-    urdf: str
-    """Description for ROS (`robot_description`)."""
+    urdf: str | None = None
+    """Description for ROS and Drake. None: see `description`."""
     motor_kinds: tuple[str, ...] | None = None
     """Motor of each joint, a field of `MotorConfig` (J,). None: see `joint_kinds`."""
     mirror_signs: tuple[int, ...] | None = None
@@ -128,15 +138,17 @@ class Robot:
         if isinstance(self.mjcf, os.PathLike):
             text, assets = read_model(Path(self.mjcf))
             self._set(mjcf=text, assets={**assets, **(self.assets or {})} or None)
+        self._find_joints_and_feet()
         self._check_numbers()
+        self._check_given()
+        self._find_legs()
         for name, length, what in (
-            ("foot_sites", self.num_legs, "leg"),
+            ("leg_names", self.num_legs, "foot"),
             ("foot_mirror", self.num_legs, "leg"),
             ("joint_mirror", self.num_joints, "joint"),
         ):
             if len(getattr(self, name)) != length:
                 raise self._error(f"{name} must have {length} entries, one per {what}; found {getattr(self, name)!r}")
-        self._check_given()
         for names in (self.leg_names, self.joint_names, self.link_names or ()):
             if len(set(names)) < len(names):
                 raise self._error(f"names must differ; found {names!r}")
@@ -147,6 +159,46 @@ class Robot:
             raise self._error(
                 f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
             )
+
+    def _find_joints_and_feet(self) -> None:
+        """Fill `joint_names` and `foot_sites` where they are not given as names, and put `stance` in order."""
+        if self.joint_names is None:
+            self._set(joint_names=tuple(joint.name for joint in self._parsed().joints[1:]))
+        if self.foot_sites is None or isinstance(self.foot_sites, Mapping):
+            try:
+                places = self.foot_sites or foot_places(self._compiled(self._parsed()))
+                mjcf, sites = add_sites(self.mjcf, places)
+            except QuadrupedError as error:
+                raise self._error(str(error)) from error
+            self._set(mjcf=mjcf, foot_sites=sites)
+        stance: Any = self.stance
+        if isinstance(stance, Mapping):
+            if set(stance) != set(self.joint_names):
+                expected = ", ".join(self.joint_names)
+                raise self._error(f"stance must name the joints {expected}; found {', '.join(map(str, stance))}")
+            self._set(stance=[stance[name] for name in self.joint_names])
+
+    def _find_legs(self) -> None:
+        """Fill `leg_names`, `joint_mirror` and `foot_mirror` where they are not given, by the legs' corners."""
+        missing = [name for name in ("leg_names", "joint_mirror", "foot_mirror") if getattr(self, name) is None]
+        if not missing:
+            return
+        legs = self._skeleton.leg_joints
+        if sorted(self.corners) != [0, 1, 2, 3] or len({len(joints) for joints in legs}) > 1:
+            names = ", ".join(f"{site} {CORNERS[c]}" for site, c in zip(self.foot_sites, self.corners, strict=True))
+            raise self._error(
+                f"{', '.join(missing)} follow only for one leg in each corner, all of as many joints; found the feet "
+                f"{names} with {', '.join(str(len(joints)) for joints in legs)} joints; correct stance or foot_sites, "
+                f"or give {', '.join(missing)}"
+            )
+        others = [self.corners.index(corner ^ 1) for corner in self.corners]
+        joints = {joint: legs[others[leg]][place] for leg, of in enumerate(legs) for place, joint in enumerate(of)}
+        found = {
+            "leg_names": tuple(CORNERS[corner] for corner in self.corners),
+            "joint_mirror": tuple(joints.get(joint, joint) for joint in range(self.num_joints)),
+            "foot_mirror": tuple(others),
+        }
+        self._set(**{name: found[name] for name in missing})
 
     def _check_numbers(self) -> None:
         """Check the numbers that are given, and make the arrays read-only."""
@@ -180,7 +232,7 @@ class Robot:
                     f"sensors must be a dict of field -> names of the model's sensors; found {short(self.sensors)}"
                 ) from error
         for name, length, allowed in (
-            ("motor_kinds", self.num_joints, JOINT_KINDS),
+            ("motor_kinds", self.num_joints, MOTOR_KINDS),
             ("mirror_signs", self.num_joints, (1, -1)),
             ("leg_corners", self.num_legs, (0, 1, 2, 3)),
         ):
@@ -212,7 +264,7 @@ class Robot:
     @property
     def num_legs(self) -> int:
         """Number of legs, L."""
-        return len(self.leg_names)
+        return len(self.foot_sites)
 
     @property
     def num_positions(self) -> int:
@@ -252,7 +304,7 @@ class Robot:
         """
         if self.leg_corners is not None:
             return self.leg_corners
-        x, y = self.stance_feet[:, 0], self.stance_feet[:, 1]
+        x, y, _ = self._skeleton.foot_centres(self.stance).T
         return tuple((2 * (x <= 0.5 * (x.min() + x.max())) + (y <= 0.0)).tolist())
 
     @property
@@ -282,16 +334,24 @@ class Robot:
     def joint_kinds(self) -> tuple[str, ...]:
         """Kind of each joint (J,), which is its motor in a `MotorConfig`: `motor_kinds`, or by its place in the leg.
 
-        The last joint of a leg of two or more is a knee, and every other joint is a hip.
+        The last joint of a leg of two or more is a knee. Of the others in a leg of three or more, those whose axis in
+        the stance is closer to the base's x axis than to its y axis are abductions; all others are hips.
         """
         if self.motor_kinds is not None:
             return self.motor_kinds
-        knees = {joints[-1] for joints in self.leg_joints if len(joints) > 1}
-        return tuple(JOINT_KINDS[joint in knees] for joint in range(self.num_joints))
+        kinds = ["hip"] * self.num_joints
+        axes = np.abs(self._skeleton.joint_axes(self.stance)[0])
+        for joints in self.leg_joints:
+            for joint in joints[:-1] if len(joints) > 2 else ():
+                if axes[joint, 0] > axes[joint, 1]:
+                    kinds[joint] = "abduction"
+            if len(joints) > 1:
+                kinds[joints[-1]] = "knee"
+        return tuple(kinds)
 
     @functools.cached_property
     def joints_by_kind(self) -> Mapping[str, list[int]]:
-        """Indices of the joints of each kind (`hip`, `knee`), which have the same motors, in order of appearance."""
+        """Indices of the joints of each kind (of `MOTOR_KINDS`), which have the same motors, in order of appearance."""
         kinds: dict[str, list[int]] = {}
         for joint, kind in enumerate(self.joint_kinds):
             kinds.setdefault(kind, []).append(joint)
@@ -344,6 +404,20 @@ class Robot:
     def sensor_names(self) -> Mapping[str, tuple[str, ...]]:
         """`sensors`, or the names of those that the model gets."""
         return own_sensors(self.joint_names, self.leg_names) if self.sensors is None else self.sensors
+
+    @functools.cached_property
+    def description(self) -> str:
+        """The URDF for ROS (`robot_description`) and Drake: `urdf`, or written from the model and the motors.
+
+        Raises:
+            QuadrupedError: if a URDF cannot hold the model's joints.
+        """
+        if self.urdf is not None:
+            return self.urdf
+        try:
+            return written_urdf(self.name, self.model, self.motors.of_joints(self.joint_kinds))
+        except QuadrupedError as error:
+            raise self._error(str(error)) from error
 
     @property
     def simulated_mjcf(self) -> str:
@@ -479,10 +553,13 @@ class Robot:
             name: tuple(value) if isinstance(value, (list, tuple)) and name not in _PER_JOINT else value
             for name, value in values.items()
         }
-        motors = values["motors"]
         if made.get("assets") is not None:
             made["assets"] = {name: base64.b64decode(text) for name, text in made["assets"].items()}
-        made["motors"] = MotorConfig(JointMotor(**motors["hip"]), JointMotor(**motors["knee"]), motors["delay"])
+        motors: dict[str, Any] = {
+            name: JointMotor(**value) if isinstance(value, Mapping) else value
+            for name, value in values["motors"].items()
+        }
+        made["motors"] = MotorConfig(**motors)
         return cls(**made)
 
     @property
@@ -496,6 +573,8 @@ class Robot:
         values = self.to_dict()
         # A URDF's sensors change neither the robot's motion nor what a policy observes.
         for name, ignored in (("mjcf", ()), ("urdf", ("sensor",))):
+            if name not in values:
+                continue
             try:
                 values[name] = ElementTree.canonicalize(values[name], strip_text=True, exclude_tags=ignored)
             except ElementTree.ParseError as error:

@@ -226,7 +226,11 @@ def _motor(values: Plain, robot: Robot) -> MotorConfig:
     if isinstance(values, dict) and PRESET in values:
         base = MOTOR_PRESETS[one_of(values[PRESET], MOTOR_PRESETS, "config.motor.preset")]
         values = {field: value for field, value in values.items() if field != PRESET}
-    return with_values(base, values, "config.motor")
+    motors = with_values(base, values, "config.motor")
+    if motors.abduction is not None and "abduction" not in robot.joint_kinds:
+        kinds = ", ".join(robot.joints_by_kind)
+        raise QuadrupedError(f"config.motor.abduction: {robot.name!r} has joints of the kinds {kinds}; remove it")
+    return motors
 
 
 def _terrain_names(section: Plain) -> list[Plain]:

@@ -110,14 +110,18 @@ def test_solo8_has_hips_and_knees():
 
 def test_structure_of_another_robot_follows_from_its_axes_and_its_legs():
     robot = three_joints()
-    assert robot.joint_kinds == ("hip", "hip", "knee") * 4
-    assert robot.joints_by_kind == {"hip": [0, 1, 3, 4, 6, 7, 9, 10], "knee": [2, 5, 8, 11]}
+    assert robot.joint_kinds == ("abduction", "hip", "knee") * 4
+    assert robot.joints_by_kind == {"abduction": [0, 3, 6, 9], "hip": [1, 4, 7, 10], "knee": [2, 5, 8, 11]}
     assert robot.corners == (3, 0, 1, 2)
     assert robot.fore_legs.tolist() == [False, True, True, False]
     assert robot.left_legs.tolist() == [False, True, False, True]
     assert robot.joint_signs.tolist() == [-1.0] * 12
     check_mirror(robot)
     assert [motor.stall_torque for motor in robot.motors.of_joints(robot.joint_kinds)] == [3.0, 3.0, 2.0] * 4
+    motors = dataclasses.replace(MOTORS, abduction=JointMotor(stall_torque=1.0))
+    other = dataclasses.replace(robot, motors=motors, effort_limit=None)
+    assert other.effort_limit.tolist() == [1.0, 3.0, 2.0] * 4
+    assert Robot.from_dict(json.loads(json.dumps(other.to_dict()))) == other != robot
     mirror = MirrorMap.of(ObservationLayout(robot))
     seen = np.random.default_rng(0).normal(size=len(mirror.observation_order))
     np.testing.assert_array_equal(mirror.observation(mirror.observation(seen)), seen)
@@ -137,10 +141,10 @@ def test_structure_that_the_author_gives_counts():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"motor_kinds": ("hip", "ankle", "knee") * 4}, "motor_kinds must be 12 of hip, knee"),
+        ({"motor_kinds": ("hip", "ankle", "knee") * 4}, "motor_kinds must be 12 of hip, knee, abduction"),
         ({"mirror_signs": (1,) * 11}, "mirror_signs must be 12 of 1, -1"),
         ({"mirror_signs": 12}, "mirror_signs must be 12 of 1, -1"),
-        ({"motor_kinds": [["hip"]] * 12}, "motor_kinds must be 12 of hip, knee"),
+        ({"motor_kinds": [["hip"]] * 12}, "motor_kinds must be 12 of hip, knee, abduction"),
         ({"leg_corners": (0, 1, 2, 4)}, "leg_corners must be 4 of 0, 1, 2, 3"),
     ],
 )

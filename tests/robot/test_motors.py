@@ -1,17 +1,27 @@
 """Motors with other parameters than the model file's, as identified on a robot."""
 
 import copy
+import dataclasses
 
 import gymnasium
 import mujoco
 import numpy as np
 import pytest
 from built_in import STANCE, STANCE_HEIGHT
+from test_joint_structure import three_joints
 
 from quadruped_env import QuadrupedError
-from quadruped_env.robot import JOINT_KINDS, JOINT_NAMES, JointMotor, MotorConfig, asset_path
+from quadruped_env.robot import (
+    JOINT_KINDS,
+    JOINT_NAMES,
+    MINI_QUADRUPED,
+    MOTOR_PRESETS,
+    JointMotor,
+    MotorConfig,
+    asset_path,
+)
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
-from quadruped_env.task import TaskConfig
+from quadruped_env.task import BUILT_IN, TaskConfig
 
 OTHER = MotorConfig(
     hip=JointMotor(stall_torque=7.0, kp=30.0, kd=0.6, damping=0.2, friction_loss=0.15, armature=0.02),
@@ -133,10 +143,45 @@ def test_targets_that_are_still_delayed_belong_to_the_state():
         ({"hip": {"kp": -1.0}}, r"config\.motor\.hip\.kp must be at least 0 \(N m/rad\); found -1\.0"),
         ({"knee": {"armature": 0.0}}, r"armature must be positive \(kg m\^2\), 1e-09 or more; found 0\.0"),
         ({"hip": {"stall_torque": "strong"}}, r"config\.motor\.hip\.stall_torque: expected a number; found 'strong'"),
-        ({"ankle": {}}, "unknown field 'ankle'; valid fields are hip, knee, delay"),
+        ({"ankle": {}}, "unknown field 'ankle'; valid fields are hip, knee, delay, abduction"),
         ({"delay": 12.0}, r"delay must be in \[0, 0\.5\] \(s\); found 12\.0"),
     ],
 )
 def test_invalid_motors_are_refused(values, message):
     with pytest.raises(QuadrupedError, match=message):
         TaskConfig.from_dict({"motor": values})
+
+
+class TestAbduction:
+    KINDS = ("abduction", "hip", "knee")
+
+    def test_has_the_hips_motor_unless_it_is_given(self):
+        weak = JointMotor(stall_torque=3.0)
+        assert OTHER.of_joints(self.KINDS) == [OTHER.hip, OTHER.hip, OTHER.knee]
+        assert dataclasses.replace(OTHER, abduction=weak).of_joints(self.KINDS) == [weak, OTHER.hip, OTHER.knee]
+        changed = dataclasses.replace(OTHER, abduction={"kp": 9})
+        assert changed.abduction == dataclasses.replace(OTHER.hip, kp=9.0)
+        assert "abduction" not in OTHER.to_dict()
+        assert changed.to_dict()["abduction"]["kp"] == 9.0
+        assert "backlash" not in changed.content()["abduction"]
+
+    def test_is_set_by_a_config_in_part(self):
+        definition = BUILT_IN.with_robot(three_joints())
+        motor = TaskConfig.from_dict({"motor": {"abduction": {"kp": 9.0}}}, definition).motor
+        assert motor.abduction == dataclasses.replace(three_joints().motors.hip, kp=9.0)
+        assert TaskConfig.from_dict(TaskConfig(motor=motor, definition=definition).to_dict(), definition).motor == motor
+        preset = TaskConfig.from_dict({"motor": {"preset": "mg996r", "abduction": {"kd": 1.0}}}, definition).motor
+        assert preset.abduction == dataclasses.replace(MOTOR_PRESETS["mg996r"].hip, kd=1.0)
+
+    @pytest.mark.parametrize(
+        ("robot", "value", "message"),
+        [
+            (three_joints, {"kp": -1.0}, r"config\.motor\.abduction\.kp must be at least 0 \(N m/rad\); found -1"),
+            (three_joints, {"strength": 1.0}, r"config\.motor\.abduction: unknown field 'strength'"),
+            (three_joints, 3, r"config\.motor\.abduction must be fields of a motor, or None; found 3"),
+            (lambda: MINI_QUADRUPED, {"kp": 1.0}, r"abduction: 'mini_quadruped' has joints of the kinds hip, knee"),
+        ],
+    )
+    def test_invalid_one_is_refused(self, robot, value, message):
+        with pytest.raises(QuadrupedError, match=message):
+            TaskConfig.from_dict({"motor": {"abduction": value}}, BUILT_IN.with_robot(robot()))

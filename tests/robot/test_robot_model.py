@@ -63,7 +63,6 @@ def test_robot_of_the_docs_needs_only_what_its_model_does_not_say(tmp_path):
     for old, new in {"LF": "FL", "RF": "FR", "LH": "HL", "RH": "HR"}.items():
         text = text.replace(f"{old}_", f"{new}_")
     (tmp_path / "dog.xml").write_text(text.replace("_hip_joint", "_HFE").replace("_knee_joint", "_KFE"))
-    (tmp_path / "dog.urdf").write_text("<robot name='dog'/>")
     (tmp_path / "my_robot.py").write_text(example[1])
     env = gymnasium.make("MiniQuadruped-v0", task_file=tmp_path / "my_robot.py")
     env.reset(seed=0)

@@ -59,7 +59,7 @@ class DrakeModel:
         )
         with errors_only():
             try:
-                Parser(plant).AddModelsFromString(robot.urdf, "urdf")
+                Parser(plant).AddModelsFromString(robot.description, "urdf")
             except RuntimeError as error:
                 raise QuadrupedError(
                     f"robot {robot.name!r}: Drake cannot read its URDF ({short(str(error))}); give one that a ROS "

@@ -32,7 +32,7 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     driver = DriverJoints.load(arguments.map, robot, commands=False)
     reader = JointReader(driver, states=True)
     states = node.subscribe(JOINT_STATES, SENSOR_DATA_QOS, read=reader)
-    description.send(cdr.message(ROBOT_DESCRIPTION.type_name, data=robot.urdf))
+    description.send(cdr.message(ROBOT_DESCRIPTION.type_name, data=robot.description))
     fixed.send_bytes(next(transform_messages([time.time_ns()], robot.skeleton.fixed_transforms())))
     waiting_for = JOINT_STATES.name
     for _ in session.turns(drain=True):

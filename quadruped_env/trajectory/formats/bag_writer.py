@@ -148,7 +148,7 @@ def _transforms(stamps: NDArray[np.int64], positions: Floats, poses: Floats | No
 def _write_description(writer: Any, robot: Robot, stamp: int) -> None:
     """Write the robot's description and its fixed transforms."""
     description = connect(writer, "/robot_description", "std_msgs/msg/String", LATCHED_QOS)
-    writer.write(description, stamp, cdr.serialize(cdr.message("std_msgs/msg/String", data=robot.urdf)))
+    writer.write(description, stamp, cdr.serialize(cdr.message("std_msgs/msg/String", data=robot.description)))
     message = next(transform_messages([stamp], robot.skeleton.fixed_transforms()))
     writer.write(connect(writer, "/tf_static", "tf2_msgs/msg/TFMessage", LATCHED_QOS), stamp, message)
 

@@ -1,0 +1,177 @@
+"""A robot of which only name, model, stance and motors are given: the rest follows from the model."""
+
+import json
+import pickle
+import re
+
+import mujoco
+import numpy as np
+import pytest
+from test_joint_structure import three_joints
+from test_urdf_drives import drives_of
+
+from quadruped_env import QuadrupedError
+from quadruped_env.robot import MINI_QUADRUPED, JointMotor, QuadrupedDesign, Robot
+from quadruped_env.robot.skeleton import Skeleton
+from quadruped_env.robot.written_urdf import written_urdf
+
+BARE = re.sub(r"<sensor>.*?</sensor>|<keyframe>.*?</keyframe>", "", MINI_QUADRUPED.mjcf, flags=re.S)
+NO_SITES = re.sub(r"<site [^>]*/>", "", BARE)
+STRUCTURE = (
+    "leg_names",
+    "joint_names",
+    "link_names",
+    "foot_sites",
+    "joint_mirror",
+    "foot_mirror",
+    "corners",
+    "leg_joints",
+)
+FEET = {f"{leg}_leg": (0.0, 0.0, -0.14) for leg in MINI_QUADRUPED.leg_names}
+
+
+def minimal(mjcf=BARE, **fields):
+    return Robot(
+        **{"name": "dog", "stance": MINI_QUADRUPED.stance, "motors": MINI_QUADRUPED.motors, **fields}, mjcf=mjcf
+    )
+
+
+def with_balls(**attributes):
+    """MJCF without sites, in which a ball ends each leg."""
+    shape = " ".join(f'{key}="{value}"' for key, value in attributes.items())
+    ball = f'<geom class="collision" type="sphere" size="0.02" pos="0 0 -0.14" {shape}/>'
+    return re.sub(r'(<geom name="\w\w_leg_collision")', rf"{ball}\1", NO_SITES)
+
+
+def test_structure_follows_from_the_model():
+    robot = minimal()
+    for name in STRUCTURE:
+        assert getattr(robot, name) == getattr(MINI_QUADRUPED, name), name
+    assert (robot.foot_radius, robot.stance_height) == pytest.approx((0.02, MINI_QUADRUPED.stance_height), abs=1e-7)
+    assert robot.urdf is None
+    assert "urdf" not in robot.to_dict()
+    for again in (Robot.from_dict(json.loads(json.dumps(robot.to_dict()))), pickle.loads(pickle.dumps(robot))):  # noqa: S301
+        assert again == robot
+
+
+@pytest.mark.parametrize("legs", [("RH", "LF", "LH", "RF"), ("LH", "RH", "RF", "LF")])
+def test_legs_are_named_and_paired_by_their_corners(legs):
+    design = QuadrupedDesign(name="dog", leg_names=legs).robot()
+    robot = minimal(re.sub(r"<keyframe>.*?</keyframe>", "", design.mjcf, flags=re.S))
+    for name in STRUCTURE:
+        assert getattr(robot, name) == getattr(design, name), name
+    # A base whose frame is turned by half a turn: its fore legs are the hind ones.
+    assert minimal(leg_corners=(3, 2, 1, 0)).leg_names == ("RH", "LH", "RF", "LF")
+
+
+def test_three_joints_per_leg_are_paired_by_their_place():
+    given = three_joints()
+    robot = Robot(name="odd", mjcf=given.mjcf, stance=given.stance, motors=given.motors, foot_radius=0.02)
+    assert robot.leg_names == ("RH", "LF", "RF", "LH")
+    for name in ("joint_names", "link_names", "foot_sites", "joint_mirror", "foot_mirror", "corners"):
+        assert getattr(robot, name) == getattr(given, name), name
+    np.testing.assert_array_equal(robot.joint_signs, given.joint_signs)
+
+
+def test_stance_by_joint_is_put_in_order():
+    by_name = dict(zip(MINI_QUADRUPED.joint_names, MINI_QUADRUPED.stance.tolist(), strict=True))
+    assert minimal(stance=dict(reversed(by_name.items()))) == minimal()
+    with pytest.raises(
+        QuadrupedError, match=r"robot 'dog': stance must name the joints LF_hip_joint, .*; found LF_hip_"
+    ):
+        minimal(stance={**by_name, "tail": 0.0})
+
+
+def test_feet_are_the_balls_that_end_the_legs():
+    robot = minimal(with_balls())
+    assert robot.foot_sites == tuple(f"foot_of_{leg}_leg" for leg in MINI_QUADRUPED.leg_names)
+    np.testing.assert_allclose(robot.stance_feet, MINI_QUADRUPED.stance_feet, rtol=0, atol=1e-12)
+    assert robot.foot_radius == pytest.approx(0.02)
+    assert Robot.from_dict(robot.to_dict()) == robot
+    assert minimal(NO_SITES, foot_sites=FEET).stance_feet == pytest.approx(robot.stance_feet)
+
+
+def test_site_in_a_ball_of_a_fixed_link_is_not_the_foot():
+    """Touch sensors feel the contacts of their own link."""
+    ball = '<body name="\\2" pos="0 0 -0.14"><geom class="collision" type="sphere" size="0.02"/></body></body>'
+    mjcf = BARE
+    for leg in MINI_QUADRUPED.leg_names:
+        start = mjcf.index(f'<body name="{leg}_leg"')
+        end = mjcf.index("</body>", start)
+        mjcf = mjcf[:end] + ball.replace("\\2", f"{leg}_foot") + mjcf[end + len("</body>") :]
+    robot = minimal(mjcf)
+    assert robot.skeleton.feet[0][0] == "LF_foot"
+    assert robot.joint_mirror == MINI_QUADRUPED.joint_mirror
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"mjcf": NO_SITES}, r"'LF_leg', the last link of a leg, has 0 sites and 0 balls .*foot_sites=\{'LF_leg': \(x"),
+        ({"mjcf": with_balls(contype=0, conaffinity=0)}, "'LF_leg', the last link of a leg, has 0 sites and 0 balls"),
+        ({"mjcf": NO_SITES, "foot_sites": {"LF_shank": (0, 0, 0)}}, "foot_sites: its MJCF has no body 'LF_shank'"),
+        ({"mjcf": NO_SITES, "foot_sites": {"LF_leg": (0, 0)}}, "foot_sites of 'LF_leg' must be three finite numbers"),
+        ({"mjcf": NO_SITES, "foot_sites": dict([*FEET.items()][:3])}, "leg_names, joint_mirror, foot_mirror follow"),
+        ({"leg_corners": (0, 1, 2, 2)}, r"one leg in each corner.*LH_foot LH, RH_foot LH with 2, 2, 2, 2 j"),
+        ({"leg_names": ("a", "b", "c")}, r"leg_names must have 4 entries, one per foot; found \('a', 'b', 'c'\)"),
+        ({"mjcf": BARE.replace('name="LF_knee_joint" class', "class", 1)}, "joint of the body 'LF_leg' of its model"),
+        ({"stance": [0.6, -0.72] * 3}, "stance must be 8 finite numbers"),
+    ],
+)  # fmt: skip
+def test_what_does_not_follow_is_asked_for(change, message):
+    with pytest.raises(QuadrupedError, match=f"robot 'dog': .*{message}"):
+        minimal(**change)
+
+
+def turned():
+    """MJCF of a robot with three joints per leg, whose links, inertia and shapes have frames in every direction."""
+    spec, rng = mujoco.MjSpec.from_string(three_joints().mjcf), np.random.default_rng(0)
+    kinds = [getattr(mujoco.mjtGeom, f"mjGEOM_{name}") for name in ("BOX", "CAPSULE", "CYLINDER", "SPHERE")]
+    for body in spec.bodies[2:]:
+        for part in (body, body.add_geom(type=rng.choice(kinds), size=[0.01, 0.02, 0.03], pos=rng.normal(size=3) / 30)):
+            part.quat = rng.normal(size=4)
+        body.iquat = rng.normal(size=4)
+    spec.bodies[2].add_geom(type=kinds[1], size=[0.01, 0, 0], fromto=[0, 0, 0, 0.1, 0, 0])  # upright
+    spec.compile()
+    return spec.to_xml()
+
+
+class TestWrittenUrdf:
+    def test_has_the_drives_of_the_designs_urdf(self):
+        assert drives_of(minimal().description) == drives_of(MINI_QUADRUPED.urdf)
+        assert minimal(urdf="<robot/>").description == "<robot/>"
+
+    @pytest.mark.parametrize("mjcf", [BARE, turned()], ids=["two joints", "turned links"])
+    def test_is_the_same_robot(self, mjcf):
+        own = mujoco.MjSpec.from_string(mjcf)
+        for actuator in own.actuators:
+            own.delete(actuator)
+        model = own.compile()
+        text = written_urdf("dog", model, [JointMotor()] * (model.njnt - 1))
+        end = '<mujoco><compiler fusestatic="false" discardvisual="true"/></mujoco></robot>'
+        urdf = mujoco.MjSpec.from_string(text.replace("</robot>", end))
+        urdf.body(model.body(1).name).add_freejoint()
+        links = tuple(model.body(i).name for i in range(1, model.nbody))
+        joints = tuple(model.joint(i).name for i in range(1, model.njnt))
+        ranges = model.jnt_range[1:].T
+        skeletons = [Skeleton(spec, spec.compile(), joints, links, ()) for spec in (own, urdf)]
+        rng = np.random.default_rng(1)
+        for positions in rng.uniform(*ranges, (5, len(joints))):
+            inertia = []
+            for skeleton in skeletons:
+                data = mujoco.MjData(skeleton.model)
+                data.qpos[3], data.qpos[7:] = 1.0, positions
+                mujoco.mj_forward(skeleton.model, data)
+                inertia.append(np.zeros((skeleton.model.nv, skeleton.model.nv)))
+                mujoco.mj_fullM(skeleton.model, data, inertia[-1])
+            armature = np.diag(model.dof_armature)
+            np.testing.assert_allclose(inertia[1] + armature, inertia[0], rtol=0, atol=1e-12)
+            up = rng.normal(size=3)
+            up /= np.linalg.norm(up)
+            own_lowest, lowest = (skeleton.lowest(positions, up) for skeleton in skeletons)
+            assert lowest == pytest.approx(own_lowest, abs=1e-9)
+
+    def test_joint_off_the_origin_of_its_link_is_refused(self):
+        robot = minimal(BARE.replace('<joint name="LF_knee_joint"', '<joint name="LF_knee_joint" pos="0 0 0.01"'))
+        with pytest.raises(QuadrupedError, match=r"robot 'dog': a URDF cannot have the joint 'LF_knee_joint', .*urdf="):
+            _ = robot.description
