@@ -13,6 +13,7 @@ from quadruped_env.training.sb3_models import go_on_from, make_model
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import Run, check_latest
+from quadruped_env.training.tracking import service_module
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.training.training_recorder import Recorder, error_units, record
 from quadruped_env.utils.program import on_stop
@@ -47,6 +48,8 @@ def train(
             then what was saved before is kept.
     """
     check_latest(runs)
+    if service is not None:
+        service_module(service)  # before there is a run directory
     env = make_sb3_vec_env(
         config.num_envs,
         seed=config.seed,
