@@ -73,7 +73,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
     config, robot = policy.config, policy.robot
     reference, terrains = _reference(policy, config), _terrains(config)
     ranges = {entry.name: entry.range for entry in config.commands[:2]}
-    forward, turn = key_steps(robot)
+    forward, turn = key_steps(robot)[:2]
     return {
         "name": name,
         "versions": {"mini_quadruped": __version__, "mujoco": mujoco.__version__},

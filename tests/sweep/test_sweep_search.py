@@ -67,7 +67,7 @@ def test_each_combination_of_choices_is_tried_once(tmp_path):
 
 
 def test_more_trials_than_settings_is_an_error(tmp_path):
-    with pytest.raises(QuadrupedError, match="trials: found 5, and each of the 4 different settings is tried once"):
+    with pytest.raises(QuadrupedError, match="trials: found 5, but a setting is tried once, and there are 4"):
         make_sweep(tmp_path, "gamma=0.9,0.95", "n_epochs=1..2", settings=5)
 
 
