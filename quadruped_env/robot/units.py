@@ -44,7 +44,7 @@ def scale_of(unit: str, robot: Robot) -> float:
 
 
 def scaled(value: Plain, factor: float, digits: int = 6) -> Plain:
-    """Return a number, or each in a list or tuple, times a factor, rounded to some digits; unchanged by a factor of 1."""
+    """Return a number, or each in a list or tuple, times a factor, rounded to some digits; a factor of 1 keeps it."""
     if isinstance(value, (list, tuple)):
         return type(value)(scaled(entry, factor, digits) for entry in value)
     if factor == 1.0 or isinstance(value, bool) or not isinstance(value, (int, float)):
