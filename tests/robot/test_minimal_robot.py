@@ -1,5 +1,6 @@
 """A robot of which only name, model, stance and motors are given: the rest follows from the model."""
 
+import itertools
 import json
 import pickle
 import re
@@ -89,6 +90,8 @@ def test_feet_are_the_balls_that_end_the_legs():
     assert robot.foot_radius == pytest.approx(0.02)
     assert Robot.from_dict(robot.to_dict()) == robot
     assert minimal(NO_SITES, foot_sites=FEET).stance_feet == pytest.approx(robot.stance_feet)
+    given = minimal(NO_SITES, foot_sites=dict.fromkeys(FEET, (0.0012345678, 0.0, -0.14)))
+    assert given.skeleton.feet[0][1].tolist() == [0.0012345678, 0.0, -0.14]
 
 
 def test_site_in_a_ball_of_a_fixed_link_is_not_the_foot():
@@ -132,6 +135,9 @@ def turned():
             part.quat = rng.normal(size=4)
         body.iquat = rng.normal(size=4)
     spec.bodies[2].add_geom(type=kinds[1], size=[0.01, 0, 0], fromto=[0, 0, 0, 0.1, 0, 0])  # upright
+    corners = 0.02 * np.array(list(itertools.product([1, 4], [0, 2], [-3, 0])))
+    spec.add_mesh(name="brick", uservert=corners.ravel())
+    spec.bodies[3].add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname="brick", quat=rng.normal(size=4))
     spec.compile()
     return spec.to_xml()
 
