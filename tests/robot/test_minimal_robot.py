@@ -14,7 +14,7 @@ from test_urdf_drives import drives_of
 from quadruped_env import QuadrupedError
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, QuadrupedDesign, Robot
 from quadruped_env.robot.skeleton import Skeleton
-from quadruped_env.robot.written_urdf import written_urdf
+from quadruped_env.robot.written_urdf import _pose, written_urdf
 from quadruped_env.utils.rotations import from_roll_pitch_yaw
 
 BARE = re.sub(r"<sensor>.*?</sensor>|<keyframe>.*?</keyframe>", "", MINI_QUADRUPED.mjcf, flags=re.S)
@@ -191,6 +191,13 @@ class TestWrittenUrdf:
             up /= np.linalg.norm(up)
             assert both[1].lowest(positions, up) == pytest.approx(own.lowest(positions, up), abs=1e-9)
 
+    @pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2, 1.2])
+    def test_has_the_angles_of_any_pose(self, pitch):
+        for roll, yaw in np.random.default_rng(0).uniform(-3.0, 3.0, (50, 2)):
+            quaternion = from_roll_pitch_yaw([roll, pitch, yaw])
+            angles = np.array(_pose(np.zeros(3), quaternion)["rpy"].split(), dtype=float)
+            assert abs(from_roll_pitch_yaw(angles) @ quaternion) == pytest.approx(1.0, abs=1e-12)
+
     def test_mesh_is_within_its_box(self):
         spec = mujoco.MjSpec.from_string(BARE)
         spec.add_mesh(name="wedge", uservert=[0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.0])
@@ -200,13 +207,21 @@ class TestWrittenUrdf:
             assert -2.0 < urdf.lowest(np.zeros(8), up) - own.lowest(np.zeros(8), up) < 1e-9
 
     @pytest.mark.parametrize(
-        ("old", "new"),
+        "joint",
         [
-            ('<joint name="LF_knee_joint"', '<joint name="LF_knee_joint" pos="0 0 0.01"'),
-            ('<joint name="LF_knee_joint"', '<joint name="LF_knee_joint" type="slide"'),
+            '<joint name="LF_knee_joint" pos="0 0 0.01"',
+            '<joint name="LF_knee_joint" type="slide"',
+            '<joint name="LF_twist" class="knee" axis="0 0 1"/><joint name="LF_knee_joint"',
         ],
     )
-    def test_joint_off_the_origin_of_its_link_is_refused(self, old, new):
-        robot = minimal(BARE.replace(old, new), leg_corners=(0, 1, 2, 3), foot_radius=0.02, stance_height=None)
-        with pytest.raises(QuadrupedError, match=r"robot 'dog': a URDF cannot have the joint 'LF_knee_joint', .*urdf="):
+    def test_needs_hinges_alone_at_the_origins_of_their_links(self, joint):
+        mjcf = re.sub("<dcmotor.*/>", "", BARE).replace('<joint name="LF_knee_joint"', joint)
+        stance = [0.6, *[0.0] * mjcf.count("LF_twist"), *MINI_QUADRUPED.stance[1:]]
+        legs = {
+            "foot_mirror": (1, 0, 3, 2),
+            "joint_mirror": (*range(len(stance)),),
+            "leg_names": MINI_QUADRUPED.leg_names,
+        }
+        robot = minimal(mjcf, stance=stance, foot_radius=0.02, **legs)
+        with pytest.raises(QuadrupedError, match=r"robot 'dog': a URDF cannot have the joint 'LF_(knee_joint|twist)'"):
             _ = robot.description
