@@ -61,8 +61,8 @@ def postures_with_feet_at(robot: Robot, feet: Floats) -> Floats:
         # A joint at its limit stays there, and the others go on.
         wanted = positions[:, joints] + change
         free = (wanted > robot.joint_position_low[joints]) & (wanted < robot.joint_position_high[joints])
-        change = np.where(free, _least_squares(jacobians * free[..., None, :], missing, damping), change)
-        positions[:, joints] += np.clip(change, -_LARGEST_CHANGE, _LARGEST_CHANGE)
+        others = _least_squares(jacobians * free[..., None, :], missing, damping)
+        positions[:, joints] += np.clip(np.where(free, others, change), -_LARGEST_CHANGE, _LARGEST_CHANGE)
         positions = np.clip(positions, robot.joint_position_low, robot.joint_position_high)
     return positions
 
