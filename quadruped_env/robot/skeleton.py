@@ -188,6 +188,10 @@ class Skeleton:
         data = self._data(positions)
         return data.xaxis[1:].copy(), self.model.jnt_type[1:] == mujoco.mjtJoint.mjJNT_HINGE
 
+    def joint_anchors(self, positions: ArrayLike) -> Floats:
+        """Return the points about which the joints turn (J, 3) in the base frame, m, for positions (J,) in rad."""
+        return self._data(positions).xanchor[1:].copy()
+
     def lowest(self, positions: ArrayLike, up: Floats) -> float:
         """Return the height of the robot's lowest point over its base's centre, along a direction in the base frame, m.
 
