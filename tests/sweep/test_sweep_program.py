@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import psutil
@@ -18,6 +19,8 @@ from waiting import DEADLINE, output_of, status_of, wait_until
 
 from quadruped_env.cli.main import main
 from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.workers import run_here
+from quadruped_env.training import run_directory
 from quadruped_env.training.resume import Parent
 
 LOOPBACK = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
@@ -33,8 +36,9 @@ def command(*arguments):
 
 def made(directory, *arguments):
     """The sweep that the command makes, without workers."""
+    before = set(directory.glob("*"))
     assert main(["sweep", *map(str, arguments), *TINY, "--workers", "0", "-o", str(directory)]) == 0
-    (path,) = directory.iterdir()
+    (path,) = set(directory.iterdir()) - before
     return Sweep.open(path)
 
 
@@ -45,6 +49,14 @@ def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
     assert made(tmp_path / "b", "--vary", "gamma=0.9..1").settings == 20
     assert made(tmp_path / "c", "--vary", "gamma=0.9..1", "--trials", "3").settings == 3
     assert made(tmp_path / "d", "--recipe", "rough", "--terrain", "slope").whole == ("terrain",)
+
+
+def test_sweeps_of_one_second_have_directories_of_their_own(tmp_path, monkeypatch):
+    monkeypatch.setattr(run_directory.time, "strftime", lambda form: "now")
+    # As two processes see it, of which each looks before the other writes.
+    monkeypatch.setattr(Path, "exists", lambda path, **named: False)
+    assert [made(tmp_path, "--seeds", count).seeds for count in (1, 2)] == [1, 2]
+    assert {path.name for path in tmp_path.iterdir()} == {"now-ppo", "now-ppo-2"}
 
 
 @pytest.mark.parametrize(
@@ -58,7 +70,10 @@ def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
         (("--work", "DIR", "--workers", "-1"), "--workers: expected 0 or more"),
         (("--vary", "gamma=0.9,0.95", "--vary", "gamma=0.8,0.85"), "--vary: found gamma, gamma; give each field once"),
         (("--vary", "gamma=0.9,2"), "--vary gamma=2"),
-        (("--vary", "gamma=0.9,0.95", "--trials", "3"), "--trials: found 3, and each of the 2 different settings"),
+        (
+            ("--vary", "gamma=0.9,0.95", "--trials", "3"),
+            "--trials: found 3, but a setting is tried once",
+        ),
         (("--work", "nowhere"), "has no sweep.json; name a directory that 'sweep' made"),
         (("--ray", "127.0.0.1:1", "DIR"), "ray"),
     ],
@@ -80,6 +95,17 @@ def test_report_of_a_sweep_so_far(tmp_path, capsys):
     out = capsys.readouterr().out
     assert "0 of 2 trials finished, 1 failed, 1 open." in out
     assert f"report:  {sweep.path}/report.html" in out
+
+
+def test_local_workers_say_once_why_they_ended_and_trust_the_task_file_that_their_parent_trusts(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    term = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    return context.base_height\n"
+    (tmp_path / "mine.py").write_text(term)
+    sweep = made(tmp_path / "a", "--task", "mine.py")
+    (line,) = run_here(sweep, 2, False, lambda: None)
+    assert "task.py: this sweep has terms from 'mine.py', which is not executed automatically" in line
+    finish(sweep, 0, None)
+    assert run_here(sweep, 1, True, lambda: None) == []
 
 
 @pytest.mark.slow

@@ -14,6 +14,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.sweep import worker
 from quadruped_env.sweep.folder import Sweep
+from quadruped_env.task import BUILT_IN
 from quadruped_env.training.resume import Parent
 from quadruped_env.utils.files import unwritable
 
@@ -53,7 +54,7 @@ def test_fault_of_the_machine_is_never_a_result_and_ends_the_worker_with_status_
     captured = capsys.readouterr()
     (line,) = captured.err.splitlines()
     assert line.startswith("mini-quadruped sweep: error: ")
-    assert "2 trials are open; go on with:" in captured.out
+    assert "open trials: 2 of 2; go on with:" in captured.out
     stub_training(monkeypatch, lambda config, directory: None)
     work(sweep)
     assert sweep.open_trials() == []
@@ -152,8 +153,9 @@ def shorten(sweep, timesteps):
     path.write_text(json.dumps(document))
 
 
-def test_trial_whose_training_is_complete_is_only_scored(tmp_path, monkeypatch):
-    sweep = make_sweep(tmp_path)
+@pytest.mark.parametrize("budget", [{}, {"seconds": 0.3}])
+def test_trial_whose_training_is_complete_is_only_scored(tmp_path, monkeypatch, budget):
+    sweep = make_sweep(tmp_path, training=budget)
     stub_score(monkeypatch)
     work(sweep)
     before = policies(sweep, 0)
@@ -161,6 +163,14 @@ def test_trial_whose_training_is_complete_is_only_scored(tmp_path, monkeypatch):
     work(sweep)
     assert policies(sweep, 0) == before
     assert sweep.result(0)["starts"] == 1
+
+
+def test_trial_goes_on_from_the_run_with_most_steps_whatever_the_clocks_say(tmp_path):
+    sweep = make_sweep(tmp_path)
+    first = learn(sweep.trial(0), sweep.config({}, 0))
+    second = learn(sweep.trial(0), sweep.config({}, 0), Parent.load(first))
+    behind = second.rename(second.with_name("20000101-000000-ppo"))
+    assert worker._checkpoint(sweep.trial(0), BUILT_IN).directory == behind
 
 
 def test_policy_of_a_trial_has_the_bits_of_a_training_by_hand(tmp_path, monkeypatch):
@@ -174,9 +184,9 @@ def test_policy_of_a_trial_has_the_bits_of_a_training_by_hand(tmp_path, monkeypa
 def test_share_of_an_open_trial_is_that_of_its_budget(tmp_path):
     directory = tmp_path / "t"
     assert worker.share_done(directory) == 0.0
-    for name, row in (("20260101-ppo", "250"), ("20260102-ppo", "500")):
+    for name, row in (("20260102-ppo", "250"), ("20260101-ppo", "500")):  # the second machine's clock is behind
         (directory / name).mkdir(parents=True)
-        config = {"training": {"timesteps": 1000 if name.endswith("1-ppo") else 750, "seconds": None}}
+        config = {"training": {"timesteps": 1000 if name.endswith("2-ppo") else 750, "seconds": None}}
         (directory / name / "config.json").write_text(json.dumps(config))
         (directory / name / "progress.csv").write_text(f"timesteps,seconds\n{row},1\n")
     (directory / "latest").symlink_to("20260102-ppo")

@@ -129,11 +129,11 @@ def percent(share: Mapping[str, Any]) -> str:
 
 
 def interval(entry: Mapping[str, Any], digits: int, factor: float = 1.0) -> str:
-    """Return a mean with its interval as text; a dash for one that is not known."""
-    if entry["mean"] is None:
-        return "-"
-    mean, low, high = (f"{factor * entry[end]:z.{digits}f}" for end in ("mean", "low", "high"))
-    return f"{mean} [{low}, {high}]"
+    """Return a mean with its interval as text, without the interval if there is none; a dash for no mean."""
+    known = [f"{factor * entry[end]:z.{digits}f}" for end in ("mean", "low", "high") if entry[end] is not None]
+    if len(known) < 3:
+        return known[0] if known else "-"
+    return f"{known[0]} [{known[1]}, {known[2]}]"
 
 
 def _label(result: Mapping[str, Any]) -> str:
