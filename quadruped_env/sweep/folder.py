@@ -124,7 +124,7 @@ class Sweep:
         fields, task = {**self.training, "seed": seed}, dict(self.training.get("task", {}))
         for name, value in values.items():
             if not name.startswith(TASK):
-                fields[name] = tuple(value) if isinstance(value, list) else value
+                fields[name] = value
                 continue
             nested = value
             for part in reversed(name.removeprefix(TASK).split(".")):

@@ -34,6 +34,8 @@ from quadruped_env.utils.documents import read_json
 Say = Callable[[str], None]
 _TRAINING_SHARE: Final = 0.9
 """Maximum share of a trial that is done before it is scored."""
+_ROUNDING: Final = 0.1
+"""Rounding of the time on a policy's card, s."""
 
 
 def work(sweep: Sweep, trusted: bool, say: Say) -> None:
@@ -137,9 +139,11 @@ def _train(config: TrainConfig, directory: Path, command: str, parent: Parent | 
     from quadruped_env.training.train import train
 
     if parent is not None:
-        if not parent.budget_left:
+        budget = "timesteps" if config.seconds is None else "seconds"
+        left = getattr(config, budget) - getattr(parent, budget)
+        if left < _ROUNDING:
             return parent.directory
-        config = parent.resumed({})
+        config = parent.resumed({budget: left})
     run, whole = train(config, directory, command, parent, task_file, threads=1)
     if not whole:
         raise KeyboardInterrupt(signal.Signals[read_json(run / CARD_FILE)["card"]["interrupted"]])

@@ -135,9 +135,9 @@ def test_signal_ends_a_worker_with_the_line_that_goes_on_and_its_trial_goes_on_f
     assert "Traceback" not in err
     assert sweep.open_trials() == [0]
     before = Parent.load(run)
-    shorten(run, before.timesteps + 320)
+    shorten(sweep, before.timesteps + 320)
     stub_score(monkeypatch)
-    said = work(sweep)
+    said = work(Sweep.open(sweep.path))
     assert said[0] == f"trial 0: goes on from its checkpoint at {before.timesteps:,} steps"
     assert "and 2 starts" in said[-1]
     assert sweep.result(0)["timesteps"] == before.timesteps + 320
@@ -145,16 +145,17 @@ def test_signal_ends_a_worker_with_the_line_that_goes_on_and_its_trial_goes_on_f
     assert policies(sweep, 0)[sorted(policies(sweep, 0))[-1]] == (undisturbed / "policy.safetensors").read_bytes()
 
 
-def shorten(run, timesteps):
-    """Give a run another budget, so that its rest takes no time."""
-    path = run / "config.json"
+def shorten(sweep, timesteps):
+    """Give a sweep another budget, so that the rest of a trial takes no time."""
+    path = sweep.path / "sweep.json"
     document = json.loads(path.read_text())
     document["training"]["timesteps"] = timesteps
     path.write_text(json.dumps(document))
 
 
-def test_trial_whose_training_is_complete_is_only_scored(tmp_path, monkeypatch):
-    sweep = make_sweep(tmp_path)
+@pytest.mark.parametrize("budget", [{}, {"seconds": 0.3}])
+def test_trial_whose_training_is_complete_is_only_scored(tmp_path, monkeypatch, budget):
+    sweep = make_sweep(tmp_path, training=budget)
     stub_score(monkeypatch)
     work(sweep)
     before = policies(sweep, 0)
