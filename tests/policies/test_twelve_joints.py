@@ -28,7 +28,7 @@ def task_file(tmp_path_factory):
 def run(task_file):
     from quadruped_env.training.train import train
 
-    config = TrainConfig(**SMALL, action_mode="position", timesteps=256)
+    config = TrainConfig(**SMALL, timesteps=256)
     return train(config, task_file.parent / "runs", "train", task_file=task_file)[0]
 
 
