@@ -108,6 +108,24 @@ def test_local_workers_say_once_why_they_ended_and_trust_the_task_file_that_thei
     assert run_here(sweep, 1, True, lambda: None) == []
 
 
+def test_command_that_makes_a_sweep_trusts_its_task_file_and_the_status_is_1_while_trials_are_open(
+    tmp_path, monkeypatch, capsys
+):
+    trusts = []
+
+    def do_trials(sweep, arguments, trusted):
+        trusts.append(trusted)
+        return []
+
+    monkeypatch.setattr("quadruped_env.cli.sweep.do_trials", do_trials)
+    assert main(["sweep", *TINY, "-o", str(tmp_path)]) == 1
+    (path,) = tmp_path.iterdir()
+    assert main(["sweep", "--work", str(path)]) == 1
+    assert main(["sweep", "--work", str(path), "--trust-task"]) == 1
+    assert trusts == [True, False, True]
+    assert capsys.readouterr().out.count("open trials: 1 of 1; go on with:") == 3
+
+
 @pytest.mark.slow
 def test_sweep_whose_worker_is_killed_finishes_each_trial_once_and_reports(tmp_path):
     with subprocess.Popen(
