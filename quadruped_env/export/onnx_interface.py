@@ -106,7 +106,7 @@ class PolicyInterface:
             Input(
                 entry.name,
                 entry.width(robot),
-                entry.unit,
+                entry.unit_of(robot),
                 _ABSOLUTE
                 if entry is observations.joint_position
                 else _COMMAND

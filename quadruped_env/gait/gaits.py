@@ -404,7 +404,7 @@ class CommandedGait:
         """The sinusoidal gait straight ahead at 0.4 m/s, in proportion to the robot's size."""
         return self.at((0.4 * scale_of("m/s", self.robot), 0.0))
 
-    def at(self, command: tuple[float, float]) -> SinusoidalGait:
+    def at(self, command: Sequence[float]) -> SinusoidalGait:
         """The sinusoidal gait for one command."""
         sine, cosine, offset = (values[0] for values in self.waves(np.array([command])))
         return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)

@@ -142,13 +142,8 @@ class Robot:
         self._check_numbers()
         self._check_given()
         self._find_legs()
-        for name, length, what in (
-            ("leg_names", self.num_legs, "foot"),
-            ("foot_mirror", self.num_legs, "leg"),
-            ("joint_mirror", self.num_joints, "joint"),
-        ):
-            if len(getattr(self, name)) != length:
-                raise self._error(f"{name} must have {length} entries, one per {what}; found {getattr(self, name)!r}")
+        if len(self.leg_names) != self.num_legs:
+            raise self._error(f"leg_names must have {self.num_legs} entries, one per foot; found {self.leg_names!r}")
         for names in (self.leg_names, self.joint_names, self.link_names or ()):
             if len(set(names)) < len(names):
                 raise self._error(f"names must differ; found {names!r}")
@@ -235,21 +230,20 @@ class Robot:
             ("motor_kinds", self.num_joints, MOTOR_KINDS),
             ("mirror_signs", self.num_joints, (1, -1)),
             ("leg_corners", self.num_legs, (0, 1, 2, 3)),
+            ("joint_mirror", self.num_joints, range(self.num_joints)),
+            ("foot_mirror", self.num_legs, range(self.num_legs)),
         ):
-            given = getattr(self, name)
+            given = plain(getattr(self, name))
             if given is None:
                 continue
-            if (
-                not isinstance(given, list | tuple | np.ndarray)
-                or len(given) != length
-                or any(x not in allowed for x in given)
-            ):
-                raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {given!r}")
-            object.__setattr__(self, name, tuple(given))
+            if not isinstance(given, list) or len(given) != length or any(x not in allowed for x in given):
+                found = short(getattr(self, name))
+                raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {found}")
+            self._set(**{name: tuple(given)})
         if self.gaits is not None:
             if not isinstance(self.gaits, Mapping):
                 raise self._error(f"gaits must be a dict of preset -> parameters; found {short(self.gaits)}")
-            object.__setattr__(self, "gaits", plain(dict(self.gaits)))
+            self._set(gaits=plain(dict(self.gaits)))
 
     @property
     def base_name(self) -> str:

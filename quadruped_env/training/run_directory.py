@@ -45,7 +45,7 @@ class Run:
         command: what the user typed.
         resumed_from: facts about the run that it goes on from, if there is one.
         curve: that run's rows of progress.csv.
-        terms: names of the reward terms.
+        columns: further columns of progress.csv.
         task_file: the user's file of the task, if there is one; the run keeps it as data.
 
     Raises:
@@ -60,7 +60,7 @@ class Run:
         command: str,
         resumed_from: Mapping[str, Any] | None = None,
         curve: Sequence[Mapping[str, Any]] = (),
-        terms: Iterable[str] = (),
+        columns: Iterable[str] = (),
         task_file: TaskFile | None = None,
     ) -> None:
         check_latest(parent)
@@ -69,8 +69,7 @@ class Run:
             self.facts[RESUMED_FROM] = dict(resumed_from)
         document = {"training": asdict(config), "task": task, **self.facts}
         # Terms that only the resumed run had keep their columns.
-        columns = [*PROGRESS_COLUMNS, *(f"{TERM_COLUMN}{name}" for name in terms), *(curve[0] if curve else ())]
-        self._columns = tuple(dict.fromkeys(columns))
+        self._columns = tuple(dict.fromkeys([*PROGRESS_COLUMNS, *columns, *(curve[0] if curve else ())]))
         self.directory = new_directory(parent, config.name)
         kept = {} if task_file is None else {self.directory / KEPT_FILE: task_file.content}
         header = dict(zip(self._columns, self._columns, strict=True))

@@ -158,7 +158,7 @@ def test_episodes_of_the_half_size_robot_are_the_same_in_its_units(preset, terra
         definition = TaskConfig().definition.with_robot(robot)
         config = TaskConfig.from_dict({**changes, "physics_timestep": timestep}, definition)
         # Every term counts.
-        weights = {name: scale_of(f"1/({t.unit})", robot) for t in definition.rewards for name in t.names}
+        weights = {name: scale_of(f"1/({t.unit})", robot) for t in definition.paid for name in t.names}
         reward = config.reward.replace(weights=weights)
         config = TaskConfig.from_dict({**config.to_dict(), "reward": reward.to_dict()}, definition)
         model = config.compiled_model()

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import twelve_joints
 from second_robot import DESIGN
 
 import sim2sim
@@ -29,6 +30,7 @@ CASES = {
     "built-in": FINE,
     "other motors": dataclasses.replace(FINE, motor=OTHER_MOTORS),
     "other robot": FINE.for_robot(DESIGN.robot()),
+    "three joints": FINE.for_robot(twelve_joints.ROBOT),
 }
 
 
@@ -145,6 +147,24 @@ def test_standing_robot_presses_with_its_weight_on_its_feet_and_measures_gravity
     assert readings.base_position[0, 2] == pytest.approx(robot.stance_height, abs=1e-3)
     # As on the robot's page.
     np.testing.assert_allclose(np.abs(readings.joint_torque[0, 1::2]), 0.15, atol=0.02)
+
+
+def test_robot_with_three_joints_per_leg_stands_as_in_mujoco():
+    """It sinks by 4 to 5 mm and leans back, so that its hind feet carry more."""
+    config = TaskConfig().for_robot(twelve_joints.ROBOT)
+    robot = config.robot
+    qpos = np.concatenate([[0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0], robot.stance])[None]
+    simulations = both(config, qpos, np.zeros((1, robot.num_velocities)), Drake())
+    for simulation in simulations:
+        for _ in range(100):
+            simulation.step(robot.stance[None], config.decimation)
+    here, there = (simulation.readings for simulation in simulations)
+    assert there.foot_force.sum() == pytest.approx(robot.total_mass * 9.81, rel=1e-3)
+    assert not there.trunk_force.any()
+    np.testing.assert_allclose(there.foot_force, here.foot_force, atol=0.5)
+    # Static friction leaves the forces between the feet open, and so the torques of the sideways joints.
+    np.testing.assert_allclose(there.joint_torque[:, 2::3], here.joint_torque[:, 2::3], atol=0.3)
+    np.testing.assert_allclose(there.base_position[0, 2], here.base_position[0, 2], atol=2e-3)
 
 
 def on_its_belly():

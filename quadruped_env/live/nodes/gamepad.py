@@ -27,7 +27,7 @@ _PERIOD: Final = 0.05
 """Time between messages, s."""
 _DEAD_ZONE: Final = 0.1
 """Deflection below which a stick counts as centred."""
-_STAND: Final = (0.0, 0.0)
+_STAND: Final[Velocity] = (0.0, 0.0)
 _EVENT: Final = struct.Struct("=IhBB")
 """Event of Linux's joystick interface: time in ms, value, type, number (`struct js_event`)."""
 _BUTTON, _AXIS, _INITIAL = 0x01, 0x02, 0x80
