@@ -55,11 +55,21 @@ def postures_with_feet_at(robot: Robot, feet: Floats) -> Floats:
             behind[:, moved] -= _DIFFERENCE
             difference = robot.skeleton.foot_centres(ahead) - robot.skeleton.foot_centres(behind)
             jacobians[..., column] = difference / (2.0 * _DIFFERENCE)
-        transposed = jacobians.swapaxes(-1, -2)
         # Near a straight leg an undamped step is far too long.
         damping = _DAMPING * (missing * missing).sum(axis=-1)[..., None, None] + _LEAST_DAMPING * height**2
-        damped = transposed @ jacobians + damping * np.eye(joints.shape[1])
-        change = np.linalg.solve(damped, transposed @ missing[..., None])[..., 0]
-        positions[:, joints] += np.clip(change, -_LARGEST_CHANGE, _LARGEST_CHANGE)
+        change = _least_squares(jacobians, missing, damping)
+        # A joint at its limit stays there, and the others go on.
+        wanted = positions[:, joints] + change
+        free = (wanted > robot.joint_position_low[joints]) & (wanted < robot.joint_position_high[joints])
+        others = _least_squares(jacobians * free[..., None, :], missing, damping)
+        positions[:, joints] += np.clip(np.where(free, others, change), -_LARGEST_CHANGE, _LARGEST_CHANGE)
         positions = np.clip(positions, robot.joint_position_low, robot.joint_position_high)
     return positions
+
+
+def _least_squares(jacobians: Floats, missing: Floats, damping: Floats) -> Floats:
+    """Return the changes of joints (..., K) that move feet by (..., 3), with Jacobians (..., 3, K)."""
+    transposed = jacobians.swapaxes(-1, -2)
+    damped = transposed @ jacobians + damping * np.eye(jacobians.shape[-1])
+    change: Floats = np.linalg.solve(damped, transposed @ missing[..., None])[..., 0]
+    return change
