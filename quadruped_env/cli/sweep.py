@@ -100,17 +100,19 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if arguments.report is None:
         if arguments.retry_failed:
             sweep.retry_failed()
+        whole = True
         try:
             errors = do_trials(sweep, arguments, arguments.trust_task or place is None)
         except (QuadrupedError, OSError, MemoryError, ImportError) as error:
-            errors = [f"mini-quadruped sweep: error: {error}"]
+            whole, errors = False, [f"mini-quadruped sweep: error: {error}"]
         except KeyboardInterrupt:
             print(f"stopped; go on with:  {again}", flush=True)
             raise
         for line in errors:
             print(line, file=sys.stderr)
-        if sweep.open_trials():
-            print(f"open trials: {len(sweep.open_trials())} of {len(sweep)}; go on with:  {again}")
+        if left := sweep.open_trials():
+            print(f"open trials: {len(left)} of {len(sweep)}; go on with:  {again}")
+        if left or not whole:
             return UNFINISHED_STATUS
     return print_results(sweep)
 

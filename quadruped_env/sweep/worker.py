@@ -177,12 +177,13 @@ def score_of_zero_action(config: TrainConfig | None, base: TrainConfig, task_fil
 
 
 def _raise_if_of_the_machine(error: BaseException) -> None:
-    """Raise an error again if its cause is a disk, the memory or the installation, and not what was trained."""
+    """Raise an error, or its cause, if that is a disk, the memory or the installation, and not what was trained."""
     cause: BaseException | None = error
     while cause is not None:
         # Torch's error of a failed allocation has no type of its own.
         if isinstance(cause, RuntimeError) and "allocate" in str(cause):
             raise MemoryError(str(cause).splitlines()[0]) from error
         if isinstance(cause, OSError | MemoryError | ImportError):
-            raise error
+            # Other packages wrap it in types that the program does not expect.
+            raise error if isinstance(error, QuadrupedError) else cause
         cause = cause.__cause__ or (None if cause.__suppress_context__ else cause.__context__)

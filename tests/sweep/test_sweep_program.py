@@ -18,6 +18,8 @@ from trainings import learn
 from waiting import DEADLINE, output_of, status_of, wait_until
 
 from quadruped_env.cli.main import main
+from quadruped_env.cli.sweep import Progress
+from quadruped_env.sweep import workers
 from quadruped_env.sweep.folder import Sweep
 from quadruped_env.sweep.workers import run_here
 from quadruped_env.training import run_directory
@@ -106,6 +108,61 @@ def test_local_workers_say_once_why_they_ended_and_trust_the_task_file_that_thei
     assert "task.py: this sweep has terms from 'mine.py', which is not executed automatically" in line
     finish(sweep, 0, None)
     assert run_here(sweep, 1, True, lambda: None) == []
+
+
+def test_command_that_makes_a_sweep_trusts_its_task_file_and_the_status_is_1_while_trials_are_open(
+    tmp_path, monkeypatch, capsys
+):
+    trusts = []
+
+    def do_trials(sweep, arguments, trusted):
+        trusts.append(trusted)
+        return []
+
+    monkeypatch.setattr("quadruped_env.cli.sweep.do_trials", do_trials)
+    assert main(["sweep", *TINY, "-o", str(tmp_path)]) == 1
+    (path,) = tmp_path.iterdir()
+    assert main(["sweep", "--work", str(path)]) == 1
+    assert main(["sweep", "--work", str(path), "--trust-task"]) == 1
+    assert trusts == [True, False, True]
+    assert capsys.readouterr().out.count("open trials: 1 of 1; go on with:") == 3
+
+
+def test_progress_says_each_result_once_also_of_other_machines(tmp_path, monkeypatch, capsys):
+    shares = []
+    monkeypatch.setattr("quadruped_env.cli.sweep.ProgressLine", lambda name: lambda *state: shares.append(state))
+    sweep = make_sweep(tmp_path, seeds=2)
+    finish(sweep, 0, 0.5)
+    progress = Progress(sweep)
+    finish(sweep, 1, None)
+    progress()
+    progress()
+    assert capsys.readouterr().out == "trial 1: failed: diverged\n", "trial 0 was there before"
+    assert shares == [(1.0, ", 2 of 2 trials done")] * 2
+
+
+def test_error_of_a_worker_is_status_1_also_if_no_trial_is_open(tmp_path, monkeypatch, capsys):
+    path = make_sweep(tmp_path).path
+    finish(Sweep.open(path), 0, 0.5)
+    (path / "worker.json").write_text(json.dumps({"python": "0.1"}))
+    assert main(["sweep", "--work", str(path)]) == 1
+    captured = capsys.readouterr()
+    assert "has python 0.1" in captured.err
+    assert "open trials" not in captured.out
+
+
+def test_no_more_workers_start_than_there_are_trials(tmp_path, monkeypatch):
+    counts = []
+
+    def run_here(sweep, count, trusted, show):
+        counts.append(count)
+        return []
+
+    monkeypatch.setattr(workers, "run_here", run_here)
+    path = make_sweep(tmp_path, seeds=3).path
+    for count in (2, 5):
+        assert main(["sweep", "--work", str(path), "--workers", str(count)]) == 1
+    assert counts == [2, 3]
 
 
 @pytest.mark.slow
