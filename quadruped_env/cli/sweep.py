@@ -4,18 +4,18 @@ mini-quadruped sweep --seeds 8                       eight seeds of one config, 
 mini-quadruped sweep --seeds 8 --recipe rough        with any option of 'train'
 mini-quadruped sweep --vary learning_rate=1e-4..1e-2:log --vary hidden=64x64,128x128 --trials 20
 mini-quadruped sweep --vary task.reward.weights.foot_slip=-1..0 --trials 20 --seeds 3
-mini-quadruped sweep --work sweeps/<name>            do trials of it until none is left, on any machine that sees it
+mini-quadruped sweep --work sweeps/<name>            do its trials until none is left, on any machine that sees it
 mini-quadruped sweep --ray auto sweeps/<name>        workers on a running Ray cluster
 mini-quadruped sweep --report sweeps/<name>          its results so far
 
-Each trial is one training, as of 'train', with its run directory in sweeps/<name>/trials/. A worker that is stopped or
-lost leaves its trial to the next one, which goes on from its checkpoint. docs/scaling.md has Slurm, Ray and Kubernetes.
+Each trial is one training, as 'train' does it, with its run directory in sweeps/<name>/trials/. A worker that is
+stopped or lost leaves its trial to the next one, which goes on from the trial's last checkpoint. docs/scaling.md has
+Slurm, Ray and Kubernetes.
 """
 
 import argparse
 import math
 import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Final
@@ -28,7 +28,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.sweep.folder import Sweep
 from quadruped_env.sweep.space import parse_dimension
 from quadruped_env.training import TrainConfig
-from quadruped_env.utils.files import free_path
+from quadruped_env.training.run_directory import new_directory
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.program import CLEAR_LINE, Extras
 from quadruped_env.utils.progress import ProgressLine
@@ -40,11 +40,11 @@ _BESIDE_A_SWEEP: Final = (
     *("work", "ray", "report", "workers", "output", "retry_failed", "trust_task"),
     *("command", "in_options"),  # of the parser
 )
-"""Arguments next to the directory of a sweep; those that define a sweep are None, or missing, if they are not typed."""
+"""Arguments that may stand next to the directory of a sweep. All others define a sweep, and are None if not typed."""
 UNFINISHED_STATUS: Final = 1
 """Exit status while a trial has failed, or is open."""
 DEFAULT_TRIALS: Final = 20
-"""Settings of a search without --trials in a space of more."""
+"""Number of settings of a search without --trials over a space with a range."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -83,7 +83,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
-    """Make a sweep, or go on with one; print its results."""
+    """Make a sweep, or go on with one, and print its results."""
     place = arguments.report or arguments.work or (arguments.ray and Path(arguments.ray[1]))
     if (arguments.workers or 0) < 0:
         raise QuadrupedError(f"--workers: expected 0 or more; found {arguments.workers}")
@@ -100,23 +100,25 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     if arguments.report is None:
         if arguments.retry_failed:
             sweep.retry_failed()
+        whole = True
         try:
             errors = do_trials(sweep, arguments, arguments.trust_task or place is None)
         except (QuadrupedError, OSError, MemoryError, ImportError) as error:
-            errors = [f"mini-quadruped sweep: error: {error}"]
+            whole, errors = False, [f"mini-quadruped sweep: error: {error}"]
         except KeyboardInterrupt:
             print(f"stopped; go on with:  {again}", flush=True)
             raise
         for line in errors:
             print(line, file=sys.stderr)
-        if sweep.open_trials():
-            print(f"{len(sweep.open_trials())} trials are open; go on with:  {again}")
+        if left := sweep.open_trials():
+            print(f"open trials: {len(left)} of {len(sweep)}; go on with:  {again}")
+        if left or not whole:
             return UNFINISHED_STATUS
     return print_results(sweep)
 
 
 def do_trials(sweep: Sweep, arguments: argparse.Namespace, trusted: bool) -> list[str]:
-    """Do the open trials of a sweep, here or by workers; the errors that ended workers."""
+    """Do the open trials of a sweep, here or by workers, and return the errors that ended workers."""
     # Torch takes seconds to import.
     from quadruped_env.sweep.worker import work
     from quadruped_env.sweep.workers import run_here, run_on_ray
@@ -130,7 +132,7 @@ def do_trials(sweep: Sweep, arguments: argparse.Namespace, trusted: bool) -> lis
 
 
 def make(arguments: argparse.Namespace, command: str) -> Sweep:
-    """The sweep of the options that were typed.
+    """Make the sweep that the options define.
 
     Raises:
         QuadrupedError: if an option is not valid.
@@ -144,23 +146,22 @@ def make(arguments: argparse.Namespace, command: str) -> Sweep:
     space = [parse_dimension(text, task) for text in arguments.vary or ()]
     if len(dict(space)) < len(space):
         raise QuadrupedError(f"--vary: found {', '.join(field for field, _ in space)}; give each field once")
-    path = free_path(arguments.output / f"{time.strftime('%Y%m%d-%H%M%S')}-{name}")
-    sweep = Sweep(path, typed, sections, dict(space), seeds=1 if arguments.seeds is None else arguments.seeds)
+    sweep = Sweep(Path(), typed, sections, dict(space), seeds=1 if arguments.seeds is None else arguments.seeds)
     settings = DEFAULT_TRIALS if math.isinf(sweep.size) else int(sweep.size)
     sweep = replace(sweep, settings=settings if arguments.trials is None else arguments.trials)
     sweep.check(definition)
-    return sweep.create(command, definition)
+    return replace(sweep, path=new_directory(arguments.output, name)).create(command, definition)
 
 
 def check_no_definition(arguments: argparse.Namespace) -> None:
-    """Refuse options that define a sweep next to the directory of one."""
+    """Refuse options that define a sweep when the directory of a sweep is given."""
     for name, value in vars(arguments).items():
         if value is not None and name not in _BESIDE_A_SWEEP:
             raise QuadrupedError(f"--{name.replace('_', '-')}: a sweep keeps its own definition; leave the option out")
 
 
 def print_results(sweep: Sweep) -> int:
-    """Write the report of a sweep, and print its results; the exit status: 1 if a trial failed."""
+    """Print the results of a sweep, write its report, and return the exit status: 1 if a trial failed."""
     from quadruped_env.sweep.report import collect, headline, table, write_report
 
     found, extras = collect(sweep), Extras()
@@ -174,13 +175,13 @@ def print_results(sweep: Sweep) -> int:
 
 
 class Progress:
-    """Prints each new result of a sweep, and the progress of the whole, whenever it is called."""
+    """Printer of each new result of a sweep and of the progress of the whole."""
 
     def __init__(self, sweep: Sweep) -> None:
         self._sweep, self._open, self._line = sweep, sweep.open_trials(), ProgressLine("sweep")
 
     def __call__(self) -> None:
-        """Look at the files."""
+        """Read the files, and print what is new."""
         from quadruped_env.sweep.worker import result_in_words, share_done
 
         before, self._open = self._open, self._sweep.open_trials()

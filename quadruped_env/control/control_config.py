@@ -1,6 +1,6 @@
 """Configuration that training and a real robot share: action scaling, control rate and commands."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Final, Literal, Self
 
@@ -96,21 +96,7 @@ COMMAND_RATE: Final = (1.0, 4.0, 1.0)
 """Largest rate of change of each of the `VELOCITIES`, m/s^2 and rad/s^2, for the built-in robot."""
 ACCELERATIONS: Final = ("forward_acceleration", "yaw_acceleration", "lateral_acceleration")
 """Fields of `config["command"]` with these rates."""
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class CommandRate(Fields, path="config.command"):
-    """Fields of `config["command"]` with the largest rate of change of the velocity command."""
-
-    forward_acceleration: Annotated[float, Parameter.positive("m/s^2")] = COMMAND_RATE[0]
-    yaw_acceleration: Annotated[float, Parameter.positive("rad/s^2")] = COMMAND_RATE[1]
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class SidewaysRate(CommandRate, path="config.command"):
-    """The same fields for robots that move sideways."""
-
-    lateral_acceleration: Annotated[float, Parameter.positive("m/s^2")] = COMMAND_RATE[2]
+Acceleration = Annotated[float, Parameter.positive("m/s^2")]
 
 
 def command_rate(robot: Robot) -> tuple[float, ...]:
@@ -164,10 +150,10 @@ class ControlConfig:
         return len(self.command_rate)
 
     @classmethod
-    def of(cls, loop: LoopConfig, rate: tuple[float, ...], commands: Sequence[Command]) -> Self:
+    def of(cls, loop: LoopConfig, rates: Sequence[float], commands: Sequence[Command]) -> Self:
         """The part of a task's config that control needs."""
         history, timestep = loop.observation_history, loop.control_timestep
-        return cls(timestep, loop.clock_frequency, history, loop.action, rate, tuple(commands))
+        return cls(timestep, loop.clock_frequency, history, loop.action, tuple(rates), tuple(commands))
 
     @classmethod
     def of_robot(cls, robot: Robot) -> Self:
@@ -191,13 +177,11 @@ class ControlConfig:
         section = values.get("command", {}) if isinstance(values, dict) else values
         if not isinstance(section, dict):
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(section)}")
-        loop = with_values(LoopConfig(), _own(values, LoopConfig), "config")
-        kind = SidewaysRate if robot.moves_sideways else CommandRate
-        rate = with_values(kind(), _own(section, kind), "config.command")
+        of_loop = {name: value for name, value in values.items() if name in hints_of(LoopConfig)}
+        loop = with_values(LoopConfig(), of_loop, "config")
         own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands_for(robot, commands)]
-        return cls.of(loop, tuple(vars(rate).values()), own)
-
-
-def _own(values: Mapping[str, Plain], kind: type) -> dict[str, Plain]:
-    """The values of the fields that a dataclass has."""
-    return {name: value for name, value in values.items() if name in hints_of(kind)}
+        rates = [
+            converted(section.get(name, rate), Acceleration, f"config.command.{name}")
+            for name, rate in zip(ACCELERATIONS, command_rate(robot), strict=False)
+        ]
+        return cls.of(loop, rates, own)

@@ -57,7 +57,7 @@ class GaitController:
         self._settings: GaitSettings | None = None
         self._phase = 0.0
         """Phase of the gait of env 0, rad."""
-        self._command: tuple[float, float] | None = None
+        self._command: tuple[float, ...] | None = None
 
     @property
     def settings(self) -> GaitSettings:
@@ -77,7 +77,7 @@ class GaitController:
         if self.gait is None:
             self.gait = CommandedGait.tuned(control.robot)
         gait, clock = self.gait, control.config.clock_frequency
-        self._command = float(control.command[0, 0]), float(control.command[0, 1])
+        self._command = tuple(control.command[0].tolist())
         phase = gait.angular_frequency * control.time
         if isinstance(gait, CommandedGait) and math.isclose(math.tau * clock, gait.angular_frequency):
             phase = control.phase

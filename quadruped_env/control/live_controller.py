@@ -15,7 +15,7 @@ one. A tick waits for a state that is due with it. Up to three ticks that were m
 
 import math
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Final, NamedTuple, Self
@@ -193,19 +193,19 @@ class LiveController:
         self._stand_up_time = 0.0
         """Elapsed time on the stand-up trajectory, s."""
 
-    def command(self, forward_velocity: float, yaw_rate: float, now: float) -> None:
+    def command(self, velocity: Sequence[float], now: float) -> None:
         """Set the velocity command, clipped to the controller's ranges.
 
         Args:
-            forward_velocity: m/s.
-            yaw_rate: rad/s.
+            velocity: forward velocity in m/s, yaw rate in rad/s and lateral velocity in m/s. What is left out is zero,
+                and what the robot has not is ignored.
             now: time of receipt, s.
 
         Raises:
             QuadrupedError: if it is not finite; the previous command stays in effect until it expires.
         """
         requested = np.zeros(len(self._commands))
-        requested[:2] = forward_velocity, yaw_rate
+        requested[: len(velocity)] = velocity[: len(requested)]
         if not np.isfinite(requested).all():
             raise QuadrupedError(f"/cmd_vel: {requested.tolist()} is not finite; send finite numbers")
         low, high = np.transpose([entry.range for entry in self._commands])

@@ -58,6 +58,10 @@ class Field:
             return robot.num_legs
         return len(self.signs(robot))
 
+    def unit_of(self, robot: Robot) -> str:
+        """Unit of the columns for a robot."""
+        return f"{self.unit}, m/s" if self.mirror == "velocities" and self.width(robot) == 3 else self.unit
+
     def signs(self, robot: Robot) -> tuple[float, ...]:
         """Sign of each column under the mirror, if they keep their places."""
         if self.mirror == "velocities":
@@ -233,7 +237,7 @@ class ObservationLayout:
             {
                 "name": entry.name,
                 "width": entry.width(self.robot),
-                "unit": entry.unit,
+                "unit": entry.unit_of(self.robot),
                 "scale": self._plain(entry.scale),
                 "low": -float(self._numbers(entry.bound)),
                 "high": float(self._numbers(entry.bound)),

@@ -61,6 +61,11 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     zero, another 25 % have zero yaw rate, another 15 % zero forward velocity. A new command is drawn every 1 to 5 s,
     and approached by at most 1 m/s^2 and 4 rad/s^2. `reset(options={"command": (vx, wz)})` fixes it for the episode.
 
+    Another robot whose legs have three joints and move their feet sideways has a third velocity in command and
+    observation, `lateral_velocity`, positive to the left: -0.2 to 0.2 m/s in the built-in robot's units, approached by
+    at most 1 m/s^2. Standing, straight and turning commands have none of it; 15 % of the commands have nothing else.
+    `{"command": (vx, wz, vy)}` fixes all three.
+
     ## Reward
     The sum of the terms below, each times its weight and the control step of 0.02 s, added in this order. `info` has
     each weighted term as `reward_<name>`; they add up to the reward exactly. Velocities are the base's in the
@@ -68,6 +73,9 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     and power are measured at every physics step.
 
     {rewards}
+
+    With a lateral velocity u, `base_motion` has (v_y - u_command)^2 instead of v_y^2, and there are
+    `track_lateral_velocity` and `lateral_progress`, each with the weight of the same term for the forward velocity.
 
     ## Terrain
     Level ground, or a height field with level ground in its middle, where episodes start, and around it. It is the same

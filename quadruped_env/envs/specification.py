@@ -50,7 +50,7 @@ def reward_table() -> list[str]:
         ("term", "value", "unit", "weight, 1/s"),
         (
             (f"`{name}`", _sentence(term.described(name)), term.unit, f"{weight:g}")
-            for term in BUILT_IN.rewards
+            for term in BUILT_IN.paid
             for name, weight in term.weights.items()
         ),
     )

@@ -4,15 +4,13 @@ Fields that a form lacks are left out when a file is read (`utils.documents.fitt
 can be read as long as they have these.
 """
 
-import math
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, NotRequired, TypedDict
 
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.evaluation.confidence import bootstrap_mean
+from quadruped_env.evaluation.confidence import student_mean
 from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.text_table import text_table
 
@@ -198,28 +196,37 @@ def score_table(results: list[Mapping[str, Any]]) -> str:
     return text_table([["", "score", *COMPONENTS], *rows])
 
 
+def seed_means(scores: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Return the mean scores of one recipe over its training seeds, as plain values.
+
+    Args:
+        scores: `total` and `components` of each seed.
+
+    Returns:
+        `score` and `components`, with Student's intervals, which a single seed does not have.
+    """
+    return {
+        "score": student_mean([score["total"] for score in scores]).to_dict(),
+        "components": {
+            name: student_mean([score["components"][name] for score in scores]).to_dict() for name in COMPONENTS
+        },
+    }
+
+
 def aggregate(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """Return the aggregate of the results of one recipe over its training seeds, as plain values.
 
     Returns:
-        `runs`, the name, total score and components of each run; `score` and `components`, means over the runs with
-        bootstrap intervals, which one run does not have; and `terrain`, the highest level of each kind that all runs
-        pass.
+        `runs`, the name, total score and components of each run; the `seed_means`; and `terrain`, the highest level of
+        each kind that all runs pass.
 
     Raises:
         QuadrupedError: if the results cannot be compared.
     """
     check_comparable({f"{document['name']} ({i + 1})": document for i, document in enumerate(documents)})
-    scores = [document["score"] for document in documents]
-
-    def mean(values: list[float]) -> dict[str, float | int | None]:
-        found = bootstrap_mean(values)
-        return (replace(found, low=math.nan, high=math.nan) if len(values) == 1 else found).to_dict()
-
     return {
         "runs": [{"name": document["name"], **document["score"]} for document in documents],
-        "score": mean([score["total"] for score in scores]),
-        "components": {name: mean([score["components"][name] for score in scores]) for name in COMPONENTS},
+        **seed_means([document["score"] for document in documents]),
         "terrain": {
             kind: min(document["terrain"][kind]["highest_level"] for document in documents)
             for kind in documents[0]["terrain"]

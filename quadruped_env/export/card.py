@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
 from quadruped_env.envs import ENV_ID
-from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, gain_rows, reward_in_words
+from quadruped_env.evaluation.learning_gain import GAIN_HEADER, gain_rows, reward_in_words, table_note
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.golden_trace import TRACE_FILE
@@ -108,7 +108,9 @@ def example(interface: PolicyInterface) -> str:
     control, largest, limited = interface.policy.control, "", ""
     if graph_io.COMMAND in kept_inputs:
         change = ", ".join(f"{rate * control.timestep:.7g}" for rate in control.command_rate)
-        largest = f"\nlargest_change = np.float32([{change}])  # of the command in a control step: m/s, rad/s"
+        largest = (
+            f"\nlargest_change = np.float32([{change}])  # of the command in a control step: {interface.velocity_units}"
+        )
         limited = (
             f'\n    missing = inputs["{graph_io.COMMAND}"] - memory["{graph_io.COMMAND}"]'
             f'\n    memory["{graph_io.COMMAND}"] += np.clip(missing, -largest_change, largest_change)'
@@ -194,7 +196,7 @@ def _learning(learning: Mapping[str, Any] | None) -> str:
         return ""
     text = _filled(
         f"Policy and zero action in its own task, over {learning['episodes']} episodes of {learning['seconds']:g} s: "
-        f"{learning['verdict']}; {reward_in_words(learning)}. 95 % intervals are in brackets. {TABLE_NOTE}"
+        f"{learning['verdict']}; {reward_in_words(learning)}. 95 % intervals are in brackets. {table_note(learning)}"
     )
     return f"## What learning added\n\n{text}\n\n{_table(GAIN_HEADER, gain_rows(learning))}"
 

@@ -224,7 +224,7 @@ class VelocityCommands:
         assert self._last is not None
         taken, velocity = self._last
         try:
-            self._live_controller.command(*velocity, clock.of(taken))
+            self._live_controller.command(velocity, clock.of(taken))
         except QuadrupedError as error:
             self._last = None
             self._session.refuse(str(error))

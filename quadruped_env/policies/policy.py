@@ -187,7 +187,7 @@ class Policy(PolicyData):
             self.agent.reset(begun)
 
     def predict(self, observation: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Return the actions (..., 8) in [-1, 1] for observations (..., obs).
+        """Return the actions (..., J) in [-1, 1] for observations (..., obs).
 
         Raises:
             QuadrupedError: if the observations have another width, or an agent's actions another shape or type, or

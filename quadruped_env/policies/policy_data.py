@@ -73,7 +73,7 @@ class PolicyData:
         """Called before `predict` where an episode begins in some envs, a mask (N,); a network has no memory."""
 
     def predict(self, observation: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Return the actions (..., 8) in [-1, 1] for observations (..., obs).
+        """Return the actions (..., J) in [-1, 1] for observations (..., obs).
 
         Raises:
             QuadrupedError: if the last axis has another length than an observation.

@@ -142,13 +142,8 @@ class Robot:
         self._check_numbers()
         self._check_given()
         self._find_legs()
-        for name, length, what in (
-            ("leg_names", self.num_legs, "foot"),
-            ("foot_mirror", self.num_legs, "leg"),
-            ("joint_mirror", self.num_joints, "joint"),
-        ):
-            if len(getattr(self, name)) != length:
-                raise self._error(f"{name} must have {length} entries, one per {what}; found {getattr(self, name)!r}")
+        if len(self.leg_names) != self.num_legs:
+            raise self._error(f"leg_names must have {self.num_legs} entries, one per foot; found {self.leg_names!r}")
         for names in (self.leg_names, self.joint_names, self.link_names or ()):
             if len(set(names)) < len(names):
                 raise self._error(f"names must differ; found {names!r}")
@@ -235,21 +230,20 @@ class Robot:
             ("motor_kinds", self.num_joints, MOTOR_KINDS),
             ("mirror_signs", self.num_joints, (1, -1)),
             ("leg_corners", self.num_legs, (0, 1, 2, 3)),
+            ("joint_mirror", self.num_joints, range(self.num_joints)),
+            ("foot_mirror", self.num_legs, range(self.num_legs)),
         ):
-            given = getattr(self, name)
+            given = plain(getattr(self, name))
             if given is None:
                 continue
-            if (
-                not isinstance(given, list | tuple | np.ndarray)
-                or len(given) != length
-                or any(x not in allowed for x in given)
-            ):
-                raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {given!r}")
-            object.__setattr__(self, name, tuple(given))
+            if not isinstance(given, list) or len(given) != length or any(x not in allowed for x in given):
+                found = short(getattr(self, name))
+                raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {found}")
+            self._set(**{name: tuple(given)})
         if self.gaits is not None:
             if not isinstance(self.gaits, Mapping):
                 raise self._error(f"gaits must be a dict of preset -> parameters; found {short(self.gaits)}")
-            object.__setattr__(self, "gaits", plain(dict(self.gaits)))
+            self._set(gaits=plain(dict(self.gaits)))
 
     @property
     def base_name(self) -> str:
@@ -383,7 +377,7 @@ class Robot:
         return np.sign(cosines).astype(np.float32)
 
     def spec(self, scene: str = "") -> mujoco.MjSpec:
-        """A new specification of the robot with its motors, but for their delay, to be changed and compiled.
+        """Return a new specification of the robot with its motors, but for their delay, to be changed and compiled.
 
         Args:
             scene: MJCF that includes the robot's as `ROBOT_FILE`; by default the robot is alone.
@@ -435,7 +429,7 @@ class Robot:
         return spec.to_xml()
 
     def _parsed(self, scene: str = "") -> mujoco.MjSpec:
-        """The MJCF as it was given, or a scene that includes it."""
+        """Return the MJCF as it was given, or a scene that includes it."""
         try:
             spec = parsed(scene or self.mjcf, self.assets, {ROBOT_FILE: self.mjcf} if scene else None)
             if not scene:  # which has a ground
@@ -474,7 +468,7 @@ class Robot:
         return Skeleton(spec, model, self.joint_names, self.link_names, self.foot_sites)
 
     def _link_of(self, joint: int) -> str:
-        """Link that a joint moves."""
+        """Return the link that a joint moves."""
         model = self._skeleton.model
         return str(model.body(int(model.jnt_bodyid[1 + joint])).name)
 
@@ -502,7 +496,7 @@ class Robot:
         self._set(_restated=True)
 
     def _found_in_model(self) -> Iterator[Any]:
-        """Values of the fields of `_RESTATED` but for the names, in order."""
+        """Return the values of the fields of `_RESTATED` but for the names, in order."""
         model = self._skeleton.model
         yield from model.jnt_range[1:].T.copy()
         motors = self.motors.of_joints(self.joint_kinds)
@@ -520,15 +514,15 @@ class Robot:
         return self.skeleton.total_mass
 
     def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
-        """Pose of every link; see `Skeleton.forward_kinematics`."""
+        """Return the pose of every link; see `Skeleton.forward_kinematics`."""
         return self.skeleton.forward_kinematics(positions, base_pose)
 
     def sole_heights(self, positions: ArrayLike, base_pose: ArrayLike) -> Floats:
-        """Height of each foot's lowest point above the ground (..., L) in m; arguments as in `forward_kinematics`."""
+        """Return the height of each foot's lowest point (..., L), m; arguments as in `forward_kinematics`."""
         return self.skeleton.foot_centres(positions, base_pose)[..., 2] - self.foot_radius
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values for `from_dict` and JSON."""
+        """Return plain values for `from_dict` and JSON."""
         values = {
             entry.name: value.content() if isinstance(value, MotorConfig) else value
             for entry, value in self._content()
@@ -608,7 +602,7 @@ class Robot:
 
 
 def _line(error: ValueError) -> str:
-    """MuJoCo's message on one line, with the fix for meshes that it does not find."""
+    """Return MuJoCo's message on one line, with the fix for meshes that it does not find."""
     text = " ".join(str(error).split())
     return f"{text}; meshes are searched next to a file: mjcf=Path(...)" if "opening file" in text else text
 

@@ -1,18 +1,17 @@
 """A URDF of a robot's model, for a robot that brings none."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final
-from xml.sax.saxutils import quoteattr
+from xml.sax.saxutils import escape
 
 import mujoco
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.motors import JointMotor
-from quadruped_env.robot.quadruped_files import drives, numbers
+from quadruped_env.robot.quadruped_files import drives, filled, numbers
 from quadruped_env.utils.arrays import Floats
 
-_HINGE: Final = mujoco.mjtJoint.mjJNT_HINGE
 _UPRIGHT: Final = 1e-7
 """Cosine of a pitch below which it is 90 degrees."""
 
@@ -28,86 +27,70 @@ def written_urdf(name: str, model: mujoco.MjModel, motors: Sequence[JointMotor])
         motors: motor of each other joint.
 
     Raises:
-        QuadrupedError: if a URDF cannot have such joints.
+        QuadrupedError: if a joint is no hinge at the origin of its link.
     """
-    joints = {int(model.jnt_bodyid[i]): i for i in range(1, model.njnt)}
-    parts, base = [], model.jnt_bodyid[0]
-    for body in range(base, model.nbody):
-        if model.body_rootid[body] != base:
-            continue
-        link = quoteattr(model.body(body).name or f"body_{body}")
-        parts += [f"  <link name={link}>", _inertial(model, body), *_shapes(model, body), "  </link>"]
-        if body == base:
-            continue
-        parent = model.body_parentid[body]
-        joint = joints.get(body)
-        kind = "fixed" if joint is None else "revolute" if model.jnt_type[joint] == _HINGE else "prismatic"
-        title = f"fixed_{body}" if joint is None else model.joint(joint).name
-        if model.body_jntnum[body] > 1 or (joint is not None and model.jnt_pos[joint].any()):
-            raise QuadrupedError(
-                f"a URDF cannot have the joint {title!r}, which is not at the origin of its link, or not alone in it; "
-                f"give the robot's URDF: urdf=..."
-            )
-        parts += [
-            f"  <joint name={quoteattr(title)} type={kind!r}>",
-            f"    <parent link={quoteattr(model.body(parent).name or f'body_{parent}')}/><child link={link}/>",
-            f"    {_origin(model.body_pos[body], model.body_quat[body])}",
-        ]
-        if joint is not None:
-            low, high = model.jnt_range[joint]
-            motor = motors[joint - 1]
-            parts += [
-                f'    <axis xyz="{numbers(*model.jnt_axis[joint])}"/>',
-                f'    <limit lower="{numbers(low)}" upper="{numbers(high)}" effort="{numbers(motor.stall_torque)}" '
-                f'velocity="{numbers(motor.no_load_speed)}"/>',
-                f'    <dynamics damping="{numbers(motor.damping)}" friction="{numbers(motor.friction_loss)}"/>',
-            ]
-        parts.append("  </joint>")
+    links, base = [], int(model.jnt_bodyid[0])
+    for body in np.flatnonzero(model.body_rootid == base).tolist():
+        link = _link(model, body)
+        links.append(filled("link.urdf", link, shapes="\n".join(_shapes(model, body))))
+        if body != base:
+            pose = _pose(model.body_pos[body], model.body_quat[body])
+            place = {**link, **pose, "parent": escape(model.body(model.body_parentid[body]).name)}
+            joints = range(model.body_jntadr[body], model.body_jntadr[body] + model.body_jntnum[body])
+            links += [filled("joint.urdf", place, **_joint(model, i, motors[i - 1])) for i in joints]
+            links += [] if joints else [filled("fixed_joint.urdf", place)]
     names = [model.joint(i).name for i in range(1, model.njnt)]
-    parts.append(drives(name, names, model.jnt_range[1:], motors))
-    head = f'<?xml version="1.0"?>\n<robot name={quoteattr(name)} xmlns:drake="http://drake.mit.edu">'
-    return "\n".join([head, *parts, "</robot>\n"])
+    parts = {"links": "".join(links).rstrip(), "drives": drives(escape(name), names, model.jnt_range[1:], motors)}
+    return filled("model.urdf", {"name": escape(name)}, **parts)
 
 
-def _inertial(model: mujoco.MjModel, body: int) -> str:
-    moments = dict(zip(("ixx", "iyy", "izz"), model.body_inertia[body], strict=True))
-    inertia = " ".join(f'{key}="{numbers(value)}"' for key, value in moments.items())
-    return (
-        f"    <inertial>{_origin(model.body_ipos[body], model.body_iquat[body])}"
-        f'<mass value="{numbers(model.body_mass[body])}"/><inertia {inertia} ixy="0" ixz="0" iyz="0"/></inertial>'
-    )
+def _link(model: mujoco.MjModel, body: int) -> dict[str, str]:
+    pose = _pose(model.body_ipos[body], model.body_iquat[body])
+    inertia = dict(zip(("ixx", "iyy", "izz"), map(numbers, model.body_inertia[body]), strict=True))
+    name, mass = escape(model.body(body).name), numbers(model.body_mass[body])
+    return {"link": name, "centre": pose["xyz"], "axes": pose["rpy"], "mass": mass, **inertia}
 
 
-def _shapes(model: mujoco.MjModel, body: int) -> list[str]:
-    """Return each colliding shape of a body, to be drawn and to collide."""
-    found = []
+def _joint(model: mujoco.MjModel, joint: int, motor: JointMotor) -> dict[str, str]:
+    name, alone = model.joint(joint).name, model.body_jntnum[model.jnt_bodyid[joint]] == 1
+    if model.jnt_type[joint] != mujoco.mjtJoint.mjJNT_HINGE or model.jnt_pos[joint].any() or not alone:
+        raise QuadrupedError(
+            f"a URDF cannot have the joint {name!r}, which is no hinge at the origin of its link, or not alone in it; "
+            f"give the robot's URDF: urdf=..."
+        )
+    low, high = map(numbers, model.jnt_range[joint])
+    limits = {"low": low, "high": high, "effort": numbers(motor.stall_torque), "velocity": numbers(motor.no_load_speed)}
+    passive = {"damping": numbers(motor.damping), "friction": numbers(motor.friction_loss)}
+    return {"joint": escape(name), "axis": numbers(*model.jnt_axis[joint]), **limits, **passive}
+
+
+def _shapes(model: mujoco.MjModel, body: int) -> Iterator[str]:
+    """Yield each colliding shape of a body, to be drawn and to collide."""
     for geom in np.flatnonzero((model.geom_bodyid == body) & ((model.geom_contype | model.geom_conaffinity) != 0)):
-        kind, size, place = mujoco.mjtGeom(model.geom_type[geom]), model.geom_size[geom], model.geom_pos[geom]
-        box, centre = f'<box size="{numbers(*(2.0 * model.geom_aabb[geom, 3:]))}"/>', model.geom_aabb[geom, :3]
-        axes = _matrix(model.geom_quat[geom])
-        shapes = [(box, place + axes @ centre)]
+        size, place, axes = model.geom_size[geom], model.geom_pos[geom], _matrix(model.geom_quat[geom])
+        centre, half = model.geom_aabb[geom].reshape(2, 3)
+        ball, rod = f'sphere radius="{numbers(size[0])}"', f'length="{numbers(2.0 * size[1])}"'
+        kind = mujoco.mjtGeom(model.geom_type[geom])
+        found = [(f'box size="{numbers(*2.0 * half)}"', place + axes @ centre)]
         if kind == mujoco.mjtGeom.mjGEOM_SPHERE:
-            shapes = [(f'<sphere radius="{numbers(size[0])}"/>', place)]
-        elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
-            shapes = [(f'<cylinder radius="{numbers(size[0])}" length="{numbers(2.0 * size[1])}"/>', place)]
+            found = [(ball, place)]
+        if kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
+            found = [(f'cylinder radius="{numbers(size[0])}" {rod}', place)]
         if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
-            ball = f'<sphere radius="{numbers(size[0])}"/>'
-            shapes += [(ball, place + side * size[1] * axes[:, 2]) for side in (-1.0, 1.0)]
-        for shape, at in shapes:
-            whole = f"{_origin(at, model.geom_quat[geom])}<geometry>{shape}</geometry>"
-            found += [f"    <{use}>{whole}</{use}>" for use in ("visual", "collision")]
-    return found
+            found += [(ball, place + side * size[1] * axes[:, 2]) for side in (-1.0, 1.0)]
+        for shape, at in found:
+            values = {**_pose(at, model.geom_quat[geom]), "shape": shape}
+            yield "".join(filled("shape.urdf", values, use=use) for use in ("visual", "collision")).rstrip()
 
 
-def _origin(position: Floats, quaternion: Floats) -> str:
-    """Return the tag of a pose: position (3,) in m and quaternion wxyz."""
+def _pose(position: Floats, quaternion: Floats) -> dict[str, str]:
+    """Return position (3,) in m and quaternion wxyz as the attributes of an `origin`."""
     matrix = _matrix(quaternion)
     level = np.hypot(matrix[2, 1], matrix[2, 2])
     roll, yaw = np.arctan2(matrix[2, 1], matrix[2, 2]), np.arctan2(matrix[1, 0], matrix[0, 0])
     if level < _UPRIGHT:  # only the difference of roll and yaw is defined
         roll, yaw = 0.0, np.arctan2(-matrix[0, 1], matrix[1, 1])
-    angles = numbers(roll, np.arctan2(-matrix[2, 0], level), yaw)
-    return f'<origin xyz="{numbers(*position)}" rpy="{angles}"/>'
+    return {"xyz": numbers(*position), "rpy": numbers(roll, np.arctan2(-matrix[2, 0], level), yaw)}
 
 
 def _matrix(quaternion: Floats) -> Floats:

@@ -54,7 +54,7 @@ class Simulation(Protocol):
     """Columns of the sensor data for each field of `Readings`."""
 
     def step(self, joint_target: NDArray[np.float64], substeps: int, env_ids: NDArray[np.intp] | None = None) -> None:
-        """Advance some envs (R,), or all, by `substeps` physics steps with joint targets (N, 8) in rad."""
+        """Advance some envs (R,), or all, by `substeps` physics steps with joint targets (N, J) in rad."""
         ...
 
     def reset(self, env_ids: NDArray[np.intp], qpos: NDArray[np.float64], qvel: NDArray[np.float64]) -> None:

@@ -2,13 +2,13 @@
 
     sweep.json                definition
     task.py                   copy of the user's task file, if there is one
-    worker.json               package and libraries of the first worker; all others need the same
+    worker.json               versions of the first worker's package and libraries; all others need the same
     optuna.log                study of Optuna, if fields vary
-    trials/0007/<time>-ppo/   run directory of a trial; a further one for each time that it went on from a checkpoint
-    trials/0007/result.json   result; a trial that has none is open
-    locks/                    a lock belongs to the process that holds it, and ends with the process
+    trials/0007/<time>-ppo/   run directory of a trial; one more each time that the trial went on from a checkpoint
+    trials/0007/result.json   result; a trial without one is open
+    locks/                    locks; the system releases a lock when the process that holds it ends
 
-The files are all that a sweep goes on from: nothing is unpickled.
+A sweep goes on from these files alone, and nothing is unpickled.
 """
 
 import math
@@ -40,21 +40,21 @@ from quadruped_env.utils.seeds import check_training_seeds
 FORMAT_VERSION: Final = 2
 SWEEP_FILE: Final = "sweep.json"
 STORAGE: Final = "OPTUNA_STORAGE"
-"""Environment variable of Optuna's: address of a database for studies, perhaps with a password, so in no file."""
+"""Optuna's environment variable for the address of a database. It may hold a password, so no file keeps it."""
 MAX_TRIALS: Final = 100_000
 _POLL: Final = 1.0
-"""Time between looks at the trials that other workers do, s."""
+"""Time between two checks of the trials that other workers do, s."""
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """A sweep: settings, each of which is trained with every seed. A trial is one training."""
+    """Settings, each of which is trained with every seed. A trial is one training."""
 
     path: Path
     training: dict[str, Any]
-    """Fields of `TrainConfig` that all trials have; of `task`, changes to its config."""
+    """Fields of `TrainConfig` that all trials share; `task` holds changes to its config."""
     whole: tuple[str, ...] = ()
-    """Sections of the task's config that are set as a whole, so that the recipe's do not count."""
+    """Sections of the task's config that are set as a whole and replace the recipe's."""
     space: Mapping[str, Any] = field(default_factory=dict)
     """Field that varies -> its distribution."""
     settings: int = 1
@@ -64,9 +64,9 @@ class Sweep:
     study: str = ""
     """Name of the study in Optuna's storage."""
     in_database: bool = False
-    """True if the study is in the database of `STORAGE`, and not in the directory."""
+    """True if the study is in the database that `STORAGE` names, and not in the directory."""
     task_file: TaskFile | None = None
-    """The user's task file, of which the directory has a copy."""
+    """The user's task file; the directory has a copy."""
 
     def __post_init__(self) -> None:
         for name, count in (("seeds", self.seeds), ("trials", self.settings)):
@@ -74,8 +74,8 @@ class Sweep:
                 raise QuadrupedError(f"sweep.{name}: expected 1 to {MAX_TRIALS:,} trainings in all; found {count:,}")
         if self.settings > self.size:
             raise QuadrupedError(
-                f"sweep.trials: found {self.settings}, and each of the {self.size:g} different settings is tried once; "
-                f"lower it, vary more, or give more --seeds"
+                f"sweep.trials: found {self.settings}, but a setting is tried once, and there are {self.size:g}; lower "
+                f"it, vary more, or give more --seeds"
             )
         check_fields({**self.training, "seed": self.first_seed + self.seeds - 1})
         num_envs = self.training.get("num_envs", TrainConfig.num_envs)
@@ -83,35 +83,35 @@ class Sweep:
 
     @property
     def size(self) -> float:
-        """Number of different settings in the space."""
+        """Return the number of different settings in the space."""
         return math.prod(map(size, self.space.values()))
 
     @property
     def first_seed(self) -> int:
-        """Seed of the first training of each setting."""
+        """Return the seed of the first training of each setting."""
         return int(self.training.get("seed", TrainConfig.seed))
 
     def __len__(self) -> int:
-        """Number of trials."""
+        """Return the number of trials."""
         return self.settings * self.seeds
 
     def __str__(self) -> str:
-        """The definition in a line."""
+        """Return the definition in a line."""
         seeds = f"{self.seeds} seed{'s' * (self.seeds > 1)}"
         if not self.space:
             return f"{seeds} of one config"
         return f"{self.settings} settings of {', '.join(self.space)}, each with {seeds}"
 
     def setting(self, number: int) -> int:
-        """Setting of a trial; all seeds of the first setting come first."""
+        """Return the setting of a trial; all seeds of the first setting come first."""
         return number // self.seeds
 
     def seed(self, number: int) -> int:
-        """Seed of a trial."""
+        """Return the seed of a trial."""
         return self.first_seed + number % self.seeds
 
     def config(self, values: Mapping[str, Any], seed: int, definition: TaskDefinition = BUILT_IN) -> TrainConfig:
-        """Settings of a training.
+        """Return the settings of a training.
 
         Args:
             values: field of the space -> value.
@@ -124,7 +124,7 @@ class Sweep:
         fields, task = {**self.training, "seed": seed}, dict(self.training.get("task", {}))
         for name, value in values.items():
             if not name.startswith(TASK):
-                fields[name] = tuple(value) if isinstance(value, list) else value
+                fields[name] = value
                 continue
             nested = value
             for part in reversed(name.removeprefix(TASK).split(".")):
@@ -133,7 +133,7 @@ class Sweep:
         return with_recipe({**fields, **({"task": task} if task else {})}, definition.robot, self.whole)
 
     def check(self, definition: TaskDefinition = BUILT_IN) -> None:
-        """Check each end of the space alone. Values that do not fit together fail in their trial.
+        """Check each end of the space on its own. Values that do not fit together fail in their trial.
 
         Raises:
             QuadrupedError: if one of them is not valid; the message names the field.
@@ -146,7 +146,7 @@ class Sweep:
                 raise QuadrupedError(f"sweep.vary {in_words(values)}: {error}" if values else str(error)) from error
 
     def create(self, command: str, definition: TaskDefinition = BUILT_IN) -> "Sweep":
-        """Write the definition into the directory, which must not exist.
+        """Write the definition into the directory, and return the sweep.
 
         Raises:
             QuadrupedError: if it cannot be written.
@@ -166,10 +166,10 @@ class Sweep:
 
     @classmethod
     def open(cls, path: Path) -> "Sweep":
-        """The sweep in a directory.
+        """Read the sweep in a directory.
 
         Raises:
-            QuadrupedError: if there is none, or it is damaged.
+            QuadrupedError: if there is none, or its definition is damaged.
         """
         file = path / SWEEP_FILE
         if not os.path.isfile(file):  # Path.is_file raises for a name that is too long
@@ -178,8 +178,8 @@ class Sweep:
         try:
             if document["format_version"] != FORMAT_VERSION:
                 raise QuadrupedError(
-                    f"{file}: made by version {short(document['versions']['mini-quadruped'])} of mini-quadruped, which "
-                    f"goes on with it; use that version, or start a new sweep. This one evaluates its runs"
+                    f"made by version {short(document['versions']['mini-quadruped'])} of mini-quadruped, which goes on "
+                    f"with it; use that version, or start a new sweep. This one evaluates its runs"
                 )
             own = {name: document[name] for name in cls.__dataclass_fields__.keys() - {"path"}}
             own["space"] = {
@@ -187,14 +187,16 @@ class Sweep:
             }
             own["task_file"] = None if own["task_file"] is None else TaskFile(**own["task_file"])
             return cls(path, **{**own, "whole": tuple(own["whole"])})
-        except (KeyError, TypeError, AttributeError) as error:
+        except QuadrupedError as error:
+            raise QuadrupedError(f"{file}: {error}") from error
+        except (KeyError, TypeError, AttributeError, ValueError) as error:
             raise QuadrupedError(f"{file}: damaged ({short(str(error))}); start a new sweep") from error
 
     def definition(self, trusted: bool) -> TaskDefinition:
-        """What the copy of the user's task file defines; it is executed if it is `trusted`.
+        """Execute the copy of the user's task file if it is `trusted`, and return what it defines.
 
         Raises:
-            QuadrupedError: if it is not trusted, or not the file of the sweep.
+            QuadrupedError: if it is not trusted, or differs from the file that the sweep was made with.
         """
         if self.task_file is None:
             return BUILT_IN
@@ -206,11 +208,11 @@ class Sweep:
         return load_task_file(self.path / KEPT_FILE, self.task_file)
 
     def trial(self, number: int) -> Path:
-        """The directory of a trial."""
+        """Return the directory of a trial."""
         return self.path / "trials" / f"{number:04d}"
 
     def result(self, number: int) -> dict[str, Any] | None:
-        """Result of a trial; None while it is open.
+        """Return the result of a trial; None while it is open.
 
         Raises:
             QuadrupedError: if the file is damaged.
@@ -224,11 +226,11 @@ class Sweep:
         return found
 
     def open_trials(self) -> list[int]:
-        """Numbers of the trials without a result."""
+        """Return the numbers of the trials without a result."""
         return [number for number in range(len(self)) if self.result(number) is None]
 
     def finish(self, number: int, result: Mapping[str, Any]) -> None:
-        """Write the result of a trial; an error if the sweep was removed, of which writing would make a part again."""
+        """Write the result of a trial; if the sweep was removed, raise a QuadrupedError and make nothing again."""
         self.check_exists()
         write_json(self.trial(number) / "result.json", dict(result))
 
@@ -238,10 +240,10 @@ class Sweep:
             raise QuadrupedError(f"{self.path}: the sweep was removed; bring it back, or start a new one")
 
     def locked(self, name: str, wait: bool = True) -> AbstractContextManager[bool]:
-        """A context in which this process holds a lock; its value is False if another one does, without `wait`.
+        """Return a context in which this process holds a lock. Without `wait` it yields False if another process does.
 
         Raises:
-            QuadrupedError: if the file system has no locks.
+            QuadrupedError: if the file system has no locks, or refuses to write.
         """
         self.check_exists()
         return file_lock(self.path / "locks" / name, wait)
@@ -251,7 +253,7 @@ class Sweep:
 
         Raises:
             QuadrupedError: if the file system has no locks, or the first worker had another package, Python, torch or
-                MuJoCo: results would not be comparable.
+                MuJoCo, so that results would not be comparable.
         """
         self.check_exists()
         check_locks(self.path / "locks")
@@ -265,14 +267,14 @@ class Sweep:
         other = [f"{name} {first.get(name)} (here {value})" for name, value in own.items() if value != first.get(name)]
         if other:
             raise QuadrupedError(
-                f"{path}: the sweep's first worker has {', '.join(other)}, and results of both do not compare; install "
-                f"the same on all machines, or start a new sweep"
+                f"{path}: the sweep's first worker has {', '.join(other)}, so results would not be comparable; install "
+                f"the same versions on all machines, or start a new sweep"
             )
 
     def take_trials(self) -> Generator[int]:
-        """Numbers of open trials, one at a time, each locked until the next one is asked for.
+        """Yield the numbers of open trials, each locked until the next one is asked for.
 
-        While others do the last ones, it waits: a process that is lost leaves its trial to one that waits.
+        While other workers do the last trials, it waits, to take over the trial of a worker that is lost.
         """
         left = list(range(len(self)))
         while left := [number for number in left if self.result(number) is None]:
@@ -280,12 +282,12 @@ class Sweep:
                 with self.locked(f"{number:04d}", wait=False) as held:
                     if held and self.result(number) is None:
                         yield number
-                        break  # one of those before may be free now
+                        break  # an earlier one may be free now
             else:
                 time.sleep(_POLL)
 
     def retry_failed(self) -> None:
-        """Give the directories of failed trials other names, so that these are open again."""
+        """Rename the directories of failed trials, so that these trials are open again."""
         with self.locked("join"):
             for number in range(len(self)):
                 if (self.result(number) or {}).get("state") == "failed":

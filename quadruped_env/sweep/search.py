@@ -5,7 +5,6 @@ https://papers.nips.cc/paper/4443-algorithms-for-hyper-parameter-optimization.
 """
 
 import json
-import math
 import os
 from typing import Any, Final
 
@@ -15,15 +14,15 @@ from quadruped_env.sweep.report import score_of
 from quadruped_env.sweep.space import optuna_module
 
 JOURNAL: Final = "optuna.log"
-"""The study, if it is in no database; `optuna-dashboard` shows it."""
+"""File of the study, if it is in no database; `optuna-dashboard` shows it."""
 _SETTING: Final = "setting"
 """Attribute of a trial of Optuna: number of the sweep's setting."""
 
 
 def setting_values(sweep: Sweep, setting: int) -> dict[str, Any]:
-    """Field -> value of a setting: Optuna's proposal, which the setting keeps, and which no other one has.
+    """Return field -> value of a setting: a proposal of Optuna's, which the setting keeps and no other setting has.
 
-    Before it asks, it tells the study the scores of all settings that are complete.
+    The study is first told the scores of all settings that are complete.
 
     Raises:
         QuadrupedError: if the study cannot be read or written.
@@ -39,13 +38,13 @@ def setting_values(sweep: Sweep, setting: int) -> dict[str, Any]:
             known = {}
             for trial in study.get_trials(deepcopy=False, states=(states.RUNNING, states.COMPLETE)):
                 number = trial.user_attrs.get(_SETTING)
-                if number is None:  # of a worker that was lost in between
+                if number is None:  # asked for by a worker that was lost before it noted the setting
                     study.tell(trial.number, state=states.FAIL)
                     continue
                 known[number] = _values(trial)
-                score = score_of([sweep.result(number * sweep.seeds + seed) for seed in range(sweep.seeds)]).mean
-                if trial.state == states.RUNNING and math.isfinite(score):
-                    study.tell(trial.number, score)
+                mean = score_of([sweep.result(number * sweep.seeds + seed) for seed in range(sweep.seeds)])
+                if trial.state == states.RUNNING and mean is not None:
+                    study.tell(trial.number, mean["score"]["mean"])
             random = optuna.samplers.RandomSampler(seed=setting)
             while setting not in known:
                 trial = study.ask(dict(sweep.space))
@@ -63,12 +62,14 @@ def setting_values(sweep: Sweep, setting: int) -> dict[str, Any]:
 
 
 def _study(sweep: Sweep, setting: int) -> Any:
+    """Return the sweep's study, with a sampler for the proposal of a setting."""
     optuna = optuna_module()
     if sweep.in_database:
         storage = os.environ[STORAGE]
     else:
         journal = sweep.path / JOURNAL
-        # Only the holder of the sweep's own lock writes. A lost one leaves Optuna's lock, and part of a line.
+        # Only the holder of the sweep's own lock writes. A worker that was lost may leave Optuna's lock, and part of
+        # a line.
         journal.with_name(f"{JOURNAL}.lock").unlink(missing_ok=True)
         if journal.is_file():
             os.truncate(journal, journal.read_bytes().rfind(b"\n") + 1)
@@ -81,7 +82,7 @@ def _study(sweep: Sweep, setting: int) -> Any:
 
 
 def _values(trial: Any) -> dict[str, Any]:
-    """Field -> value, of one of Optuna's trials."""
+    """Return field -> value of one of Optuna's trials."""
     return {
         name: json.loads(trial.params[name]) if hasattr(found, "choices") else trial.params[name]
         for name, found in trial.distributions.items()

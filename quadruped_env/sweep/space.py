@@ -1,7 +1,7 @@
-"""The space of a sweep: fields of task and training that vary, each with one of Optuna's distributions.
+"""The space of a sweep: the fields of task and training that vary, each with one of Optuna's distributions.
 
-A field of the training is named as in `TrainConfig`, a field of the task's config by `task.` and its path, as in
-`task.reward.weights.foot_slip`. Choices, which may be lists, are Optuna's as JSON.
+A field of the training is named as in `TrainConfig`, a field of the task's config by `task.` and its path, such as
+`task.reward.weights.foot_slip`. Choices may be lists, which Optuna does not store, so it gets them as JSON.
 """
 
 import contextlib
@@ -17,11 +17,11 @@ from quadruped_env.training import TrainConfig
 FIXED: Final = ("seed", "name", "checkpoint_seconds", "seconds", "task")
 """Fields of `TrainConfig` that do not vary."""
 TASK: Final = "task."
-"""Beginning of the names of the task's fields."""
+"""Prefix of the names of the task's fields."""
 
 
 def optuna_module() -> Any:
-    """Optuna, without its messages about each trial."""
+    """Import Optuna, without its messages about each trial."""
     try:
         import optuna
     except ImportError as error:
@@ -31,7 +31,7 @@ def optuna_module() -> Any:
 
 
 def parse_dimension(text: str, task: Mapping[str, Any]) -> tuple[str, Any]:
-    """Field and distribution from the text of `--vary`: a range, or two or more choices.
+    """Return field and distribution from the text of `--vary`: a range, or two or more choices.
 
     Args:
         text: `FIELD=LOW..HIGH`, `FIELD=LOW..HIGH:log` or `FIELD=CHOICE,CHOICE`.
@@ -48,7 +48,7 @@ def parse_dimension(text: str, task: Mapping[str, Any]) -> tuple[str, Any]:
         raise QuadrupedError(f"sweep.vary {short(name)}: not a field that can vary{hint}")
     try:
         return name, _distribution(values, known[name])
-    except ValueError as error:  # also of Optuna
+    except ValueError as error:  # Optuna raises it, too
         raise QuadrupedError(
             f"sweep.vary {name}: expected LOW..HIGH, LOW..HIGH:log, or two or more choices with commas between them; "
             f"found {short(values)} ({error}); a single value is set with its option of 'train'"
@@ -56,7 +56,7 @@ def parse_dimension(text: str, task: Mapping[str, Any]) -> tuple[str, Any]:
 
 
 def _distribution(values: str, default: Any) -> Any:
-    """Distribution of a field with a default; a ValueError says what is wrong with the values."""
+    """Return the distribution of a field with a default; a ValueError says what is wrong with the values."""
     distributions = optuna_module().distributions
     if ".." in values:
         ends, colon, scale = values.partition(":")
@@ -81,21 +81,21 @@ def _distribution(values: str, default: Any) -> Any:
 
 
 def size(distribution: Any) -> float:
-    """Number of values; infinite for a range of real numbers."""
+    """Return the number of values; infinite for a range of real numbers."""
     if hasattr(distribution, "choices"):
         return len(distribution.choices)
     return distribution.high - distribution.low + 1 if isinstance(distribution.low, int) else math.inf
 
 
 def ends(distribution: Any) -> list[Any]:
-    """The choices, or both ends of the range."""
+    """Return the choices, or both ends of the range."""
     if hasattr(distribution, "choices"):
         return [json.loads(choice) for choice in distribution.choices]
     return [distribution.low, distribution.high]
 
 
 def shown(value: Any) -> str:
-    """A value in words and tables: widths of layers as 64x64, other values as JSON."""
+    """Return a value as text: widths of layers as 64x64, other values as JSON."""
     if isinstance(value, list) and value and all(isinstance(entry, int) for entry in value):
         return "x".join(map(str, value))
     if isinstance(value, float):
@@ -104,5 +104,5 @@ def shown(value: Any) -> str:
 
 
 def in_words(values: Mapping[str, Any]) -> str:
-    """Values of a setting in messages; empty for seeds of one config."""
+    """Return the values of a setting as text; empty for seeds of one config."""
     return ", ".join(f"{name}={shown(value)}" for name, value in values.items())

@@ -1,4 +1,4 @@
-"""A worker: takes an open trial, trains it from where it was left, scores it, writes its result, and takes the next."""
+"""A worker takes an open trial, trains it from where it was left, scores it, writes its result, and takes the next."""
 
 import contextlib
 import signal
@@ -33,9 +33,9 @@ from quadruped_env.utils.documents import read_json
 
 Say = Callable[[str], None]
 _TRAINING_SHARE: Final = 0.9
-"""Share of a trial that is done before its score, at most."""
+"""Maximum share of a trial that is done before it is scored."""
 _ROUNDING: Final = 0.1
-"""Time that the rounding in a policy's card may hide, s."""
+"""Rounding of the time on a policy's card, s."""
 
 
 def work(sweep: Sweep, trusted: bool, say: Say) -> None:
@@ -63,7 +63,7 @@ def work(sweep: Sweep, trusted: bool, say: Say) -> None:
 
 
 def result_in_words(number: int, result: Mapping[str, Any]) -> str:
-    """A trial and its result in a line."""
+    """Return a trial and its result in a line."""
     name = f"trial {number}{', ' * bool(result['values'])}{in_words(result['values'])}"
     if result["state"] == "failed":
         return f"{name}: failed: {result['error']}"
@@ -75,7 +75,7 @@ def result_in_words(number: int, result: Mapping[str, Any]) -> str:
 def _attempt(
     sweep: Sweep, number: int, values: Mapping[str, Any], definition: TaskDefinition, say: Say
 ) -> dict[str, Any]:
-    """Result of a trial; errors of the training, and only they, are a result."""
+    """Do a trial, and return its result. Only errors of the training are a result; all others are raised."""
     directory, seed = sweep.trial(number), sweep.seed(number)
     task_file = None if sweep.task_file is None else sweep.path / KEPT_FILE
     began, before, config = time.monotonic(), 0.0, None
@@ -102,33 +102,36 @@ def _attempt(
 
 
 def runs_of(directory: Path) -> list[Path]:
-    """Run directories of a trial, the newest last."""
+    """Return the run directories of a trial, in no order: their times are from the clocks of several machines."""
     found = (path.parent for path in directory.glob(f"*/{CONFIG_FILE}"))
-    return sorted(path for path in found if not path.is_symlink())
+    return [path for path in found if not path.is_symlink()]
 
 
 def share_done(directory: Path) -> float:
-    """Share of its budget that an open trial has used, in [0, 1]."""
-    runs = runs_of(directory)
-    if not runs or not len((columns := read_progress(runs[-1] / PROGRESS_FILE))["timesteps"]):
-        return 0.0
-    budget = read_json(runs[0] / CONFIG_FILE)["training"]
-    name = "timesteps" if budget["seconds"] is None else "seconds"
-    return min(_TRAINING_SHARE, float(columns[name][-1]) / budget[name])
+    """Return the share of its budget that an open trial has used, in [0, 1]."""
+    used, budget = 0.0, 1.0
+    for run in runs_of(directory):
+        training = read_json(run / CONFIG_FILE)["training"]
+        name = "timesteps" if training["seconds"] is None else "seconds"
+        # A resumed run counts its steps on, and its budget is what was left.
+        used = max([used, *read_progress(run / PROGRESS_FILE)[name]])
+        budget = max(budget, training[name])
+    return min(_TRAINING_SHARE, used / budget)
 
 
 def _checkpoint(directory: Path, definition: TaskDefinition) -> Parent | None:
-    """The newest run of a trial, or its last checkpoint; None if there is nothing to go on from."""
+    """Return the run or checkpoint of a trial that has learned from most steps; None if there is none."""
+    found = []
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", QuadrupedWarning)  # a checkpoint is used
-        for run in reversed(runs_of(directory)):
+        for run in runs_of(directory):
             with contextlib.suppress(QuadrupedError):
-                return Parent.load(run, definition)
-    return None
+                found.append(Parent.load(run, definition))
+    return max(found, key=lambda parent: parent.timesteps, default=None)
 
 
 def _train(config: TrainConfig, directory: Path, command: str, parent: Parent | None, task_file: Path | None) -> Path:
-    """Train to the end of the budget, from a checkpoint if there is one; the run directory.
+    """Train to the end of the budget, from a checkpoint if there is one, and return the run directory.
 
     Raises:
         KeyboardInterrupt: after a signal; what was learned is saved.
@@ -136,12 +139,11 @@ def _train(config: TrainConfig, directory: Path, command: str, parent: Parent | 
     from quadruped_env.training.train import train
 
     if parent is not None:
-        left: dict[str, float] = {"timesteps": config.timesteps - parent.timesteps}
-        if config.seconds is not None:
-            left = {"seconds": config.seconds - parent.seconds - _ROUNDING}
-        if min(left.values()) <= 0:
+        budget = "timesteps" if config.seconds is None else "seconds"
+        left = getattr(config, budget) - getattr(parent, budget)
+        if left < _ROUNDING:
             return parent.directory
-        config = parent.resumed(left)
+        config = parent.resumed({budget: left})
     run, whole = train(config, directory, command, parent, task_file, threads=1)
     if not whole:
         raise KeyboardInterrupt(signal.Signals[read_json(run / CARD_FILE)["card"]["interrupted"]])
@@ -149,7 +151,7 @@ def _train(config: TrainConfig, directory: Path, command: str, parent: Parent | 
 
 
 def score_of_run(run: Path, task_file: Path | None) -> dict[str, Any]:
-    """Score of a policy in the quick suite, whose results are then in the run's `evaluation/`.
+    """Score a policy in the quick suite, and write the results into the run's `evaluation/`.
 
     Returns:
         `score`, with `total` and `components`; or None, and the reason as `error`, if the suite cannot run the policy.
@@ -165,7 +167,7 @@ def score_of_run(run: Path, task_file: Path | None) -> dict[str, Any]:
 
 
 def score_of_zero_action(config: TrainConfig | None, base: TrainConfig, task_file: Path | None) -> Any:
-    """Score of the zero action in the task of a failed training, or of the sweep if that task is not possible."""
+    """Return the score of the zero action in a failed training's task, or in the sweep's if that is not possible."""
     for candidate in filter(None, (config, base)):
         with contextlib.suppress(QuadrupedError):
             task = task_config(candidate.action_mode, candidate.task, task_file)
@@ -175,12 +177,13 @@ def score_of_zero_action(config: TrainConfig | None, base: TrainConfig, task_fil
 
 
 def _raise_if_of_the_machine(error: BaseException) -> None:
-    """Raise an error again whose cause is a disk, the memory or the installation, and not what was trained."""
+    """Raise an error, or its cause, if that is a disk, the memory or the installation, and not what was trained."""
     cause: BaseException | None = error
     while cause is not None:
         # Torch's error of a failed allocation has no type of its own.
         if isinstance(cause, RuntimeError) and "allocate" in str(cause):
             raise MemoryError(str(cause).splitlines()[0]) from error
         if isinstance(cause, OSError | MemoryError | ImportError):
-            raise error
+            # Other packages wrap it in types that the program does not expect.
+            raise error if isinstance(error, QuadrupedError) else cause
         cause = cause.__cause__ or (None if cause.__suppress_context__ else cause.__context__)

@@ -17,11 +17,11 @@ from quadruped_env.sweep.folder import STORAGE, Sweep
 from quadruped_env.sweep.worker import work
 
 _GRACE: Final = 10.0
-"""Time that workers have to save their checkpoints after a signal, s."""
+"""Time for workers to save their checkpoints after a signal, s."""
 _POLL: Final = 1.0
 """Time between calls of `show`, s."""
 _RETRIES: Final = 10
-"""Number of times that Ray starts a worker again whose node or process was lost."""
+"""Number of times that Ray restarts a worker whose node or process was lost."""
 
 
 def run_here(sweep: Sweep, count: int, trusted: bool, show: Callable[[], None]) -> list[str]:
@@ -31,7 +31,7 @@ def run_here(sweep: Sweep, count: int, trusted: bool, show: Callable[[], None]) 
         sweep: the sweep.
         count: number of workers.
         trusted: True to execute the sweep's copy of the user's task file.
-        show: shows the progress; it is called again and again.
+        show: shows the progress; called once per second.
 
     Returns:
         The last lines of workers that ended with an error, each once.
@@ -74,14 +74,14 @@ def run_here(sweep: Sweep, count: int, trusted: bool, show: Callable[[], None]) 
 
 
 def run_on_ray(sweep: Sweep, count: int | None, trusted: bool, address: str, show: Callable[[], None]) -> list[str]:
-    """Run workers as tasks of a running Ray cluster, which starts them again if their node is lost.
+    """Run workers as tasks of a running Ray cluster, which restarts them if their node is lost.
 
     Args:
         sweep: the sweep, in a directory that all nodes share under the same name.
         count: number of workers; None: one per core of the cluster.
-        trusted: as of `run_here`.
-        address: of the cluster, of which this machine is a node; `auto` finds it.
-        show: as of `run_here`.
+        trusted: see `run_here`.
+        address: address of the cluster, to which this machine belongs; `auto` finds it.
+        show: see `run_here`.
 
     Returns:
         The errors of workers, each once.
@@ -98,7 +98,7 @@ def run_on_ray(sweep: Sweep, count: int | None, trusted: bool, address: str, sho
     variables = {STORAGE: os.environ[STORAGE]} if STORAGE in os.environ else {}
     try:
         ray.init(address, logging_level=logging.ERROR, log_to_driver=False, runtime_env={"env_vars": variables})
-    except Exception as error:  # of several types
+    except Exception as error:  # Ray raises several types
         reason = (str(error).strip().splitlines() or [type(error).__name__])[0]
         raise QuadrupedError(
             f"sweep.ray: no cluster can be used at {short(address)} ({reason}); check that `ray status` works here, "
@@ -123,7 +123,7 @@ def run_on_ray(sweep: Sweep, count: int | None, trusted: bool, address: str, sho
 
 
 def _work_as_task(path: str, trusted: bool) -> str:
-    """Work; the error, if one ended it."""
+    """Do trials, and return the error that ended the worker; empty if there was none."""
     try:
         work(Sweep.open(Path(path)), trusted, print)
     except (QuadrupedError, OSError, MemoryError, ImportError) as error:

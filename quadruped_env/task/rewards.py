@@ -17,8 +17,10 @@ from quadruped_env.utils.parameters import Parameter
 
 Positive = Parameter.positive
 
-_SMALLEST_COMMAND: Final = np.array([0.1, 0.2])
-"""Command below which progress is reduced in proportion, for the built-in robot, m/s and rad/s."""
+_SMALLEST_COMMAND: Final = np.array([0.1, 0.2, 0.1])
+"""Command below which progress is reduced in proportion, for the built-in robot, m/s, rad/s and m/s."""
+_FIRST: Final = slice(0, 2)
+"""Forward velocity and yaw rate, which every robot has."""
 
 
 @reward_group(track_forward_velocity=9.0, track_yaw_rate=9.0)
@@ -39,7 +41,7 @@ class tracking:  # noqa: N801  named like the other terms
 
     def __call__(self, context: TaskContext) -> Floats:
         """Return the values (N, 2)."""
-        return np.exp(-((context.tracking_error[:, :2] / self._std) ** 2))
+        return np.exp(-((context.tracking_error[:, _FIRST] / self._std) ** 2))
 
 
 @reward_group(forward_progress=9.0, turn_progress=9.0)
@@ -49,12 +51,17 @@ def progress(context: TaskContext) -> Floats:
     forward_progress: share = v~ / v_command, less below 0.1 m/s
     turn_progress: share = w~ / w_command, less below 0.2 rad/s
     """
+    return _progress(context, _FIRST)
+
+
+def _progress(context: TaskContext, columns: int | slice) -> Floats:
+    """Return the progress in some velocities of the command (N, ...)."""
     # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
     # a peak at the command would else pull the median there, not the mean.
-    command = context.command[:, :2]
+    command = context.command[:, columns]
     speed = np.abs(command)
-    size = np.maximum(speed, _SMALLEST_COMMAND * context.velocity_unit[:2])
-    share, whole = context.smooth_velocity[:, :2] * (np.sign(command) / size), speed / size
+    size = np.maximum(speed, _SMALLEST_COMMAND[columns] * context.velocity_unit[columns])
+    share, whole = context.smooth_velocity[:, columns] * (np.sign(command) / size), speed / size
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
@@ -82,7 +89,8 @@ def upright(context: TaskContext) -> Floats:
 def base_motion(context: TaskContext, base_arm: Annotated[float, Positive("m")] = 0.2) -> Floats:
     """v_y^2 + v_z^2 + (0.2 m)^2 (w_x^2 + w_y^2): motion of the base that no command asks for."""
     v, w = context.readings.linear_velocity_b, context.readings.angular_velocity_b
-    return v[:, 1] ** 2 + v[:, 2] ** 2 + base_arm**2 * (w[:, 0] ** 2 + w[:, 1] ** 2)
+    sideways = v[:, 1] - np.add.reduce(context.command[:, 2:], axis=-1)  # zero without a lateral command
+    return sideways**2 + v[:, 2] ** 2 + base_arm**2 * (w[:, 0] ** 2 + w[:, 1] ** 2)
 
 
 @reward(weight=-1.0)
@@ -128,6 +136,20 @@ def fall(context: TaskContext) -> Floats:
     """1 where the episode ends in a fall."""
     return context.fallen
 
+
+@reward_group(track_lateral_velocity=9.0, lateral_progress=9.0)
+def lateral(context: TaskContext, lateral_velocity_std: Annotated[float, Positive("m/s")] = 0.07) -> Floats:
+    """Tracking of the lateral velocity, and progress in it.
+
+    track_lateral_velocity: exp(-((u~ - u_command) / 0.07 m/s)^2)
+    lateral_progress: as forward_progress, share = u~ / u_command, less below 0.1 m/s
+    """
+    tracked = np.exp(-((context.tracking_error[:, 2] / lateral_velocity_std) ** 2))
+    return np.stack([tracked, _progress(context, 2)], axis=-1)
+
+
+LATERAL: Final = lateral
+"""Reward terms of robots that move sideways, added after the others."""
 
 # mypy ignores the return type of a class decorator.
 REWARDS: Final = cast(

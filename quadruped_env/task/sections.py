@@ -5,11 +5,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Annotated, Any, Final
 
-from quadruped_env.control.control_config import ACCELERATIONS, SidewaysRate, command_rate, commands_for
+from quadruped_env.control.control_config import commands_for
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled, scaled_values
-from quadruped_env.task.command_sampling import CommandSection
+from quadruped_env.task.command_sampling import SIDEWAYS, CommandSection
 from quadruped_env.task.randomization.randomization import NoiseAmplitude, RandomizationSection
 from quadruped_env.task.randomization.randomization_presets import with_preset
 from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition
@@ -85,9 +85,9 @@ def _types(definition: TaskDefinition) -> dict[type[Section], type[Section]]:
         (entry.name, Annotated[Range, Parameter(entry.unit)], entry.range)
         for entry in commands_for(robot, definition.commands)
     ]
-    rates = list(zip(ACCELERATIONS, command_rate(robot), strict=False))[2:]
-    command += [(name, hints_of(SidewaysRate)[name], rate) for name, rate in rates]
-    units = {name: term.unit for term in definition.rewards for name in term.names}
+    if robot.moves_sideways:
+        command += [(name, hint, scaled(default, scale_of(unit_of(hint), robot))) for name, hint, default in SIDEWAYS]
+    units = {name: term.unit for term in definition.paid for name in term.names}
     weights = [
         (name, Annotated[float, Parameter("1" if units[name] == "1" else f"1/({units[name]})")], default)
         for name, default in definition.weights.items()
@@ -98,7 +98,7 @@ def _types(definition: TaskDefinition) -> dict[type[Section], type[Section]]:
     ]
     own: dict[type[Section], list[Own]] = {
         CommandSection: command,
-        RewardSection: [_nested(Weights, weights), *_parameters(definition.rewards, definition)],
+        RewardSection: [_nested(Weights, weights), *_parameters(definition.paid, definition)],
         TerminationSection: [*_parameters(definition.terminations, definition)],
         RandomizationSection: [*_settings(definition), _nested(NoiseAmplitude, noise)],
     }

@@ -83,7 +83,7 @@ class Task:
             config.motor,
         )
         self.draws = Draws(n)
-        self._rewards = RewardFunction(definition.rewards, config.reward, self.context)
+        self._rewards = RewardFunction(definition.paid, config.reward, self.context)
         self._terminations = Terminations(definition.terminations, config.termination, self.context)
         self._randomizer = Randomizer(
             simulation,
@@ -128,17 +128,17 @@ class Task:
 
     @property
     def command(self) -> Floats:
-        """Commanded forward velocity (m/s) and yaw rate (rad/s), (N, 2); live."""
+        """Commanded velocities (N, V); see `ControlInterface.command`; live."""
         return self.control.command
 
     @property
     def smooth_velocity(self) -> Floats:
-        """Forward velocity (m/s) and yaw rate (rad/s), averaged over about one gait cycle, (N, 2); live."""
+        """Velocities in the order of the command, averaged over about one gait cycle, (N, V); live."""
         return self.context.smooth_velocity
 
     @property
     def tracking_error(self) -> Floats:
-        """`smooth_velocity` minus the command that was in force in the last step, (N, 2); live, and kept at a reset."""
+        """`smooth_velocity` minus the command that was in force in the last step, (N, V); live, and kept at a reset."""
         return self.context.tracking_error
 
     @property

@@ -19,7 +19,7 @@ from quadruped_env.simulation.terrain import Terrain, Tiles
 from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
 from quadruped_env.task.randomization.randomization import Randomization
-from quadruped_env.task.rewards import REWARDS
+from quadruped_env.task.rewards import LATERAL, REWARDS
 from quadruped_env.task.terminations import TERMINATIONS
 from quadruped_env.task.terms import RewardTerm, Termination
 from quadruped_env.utils.provenance import TaskFile
@@ -43,7 +43,7 @@ class TaskDefinition(Terms):
         "terrains": Terrain,
     }
 
-    rewards: tuple[RewardTerm, ...] = REWARDS
+    rewards: tuple[RewardTerm, ...] = (*REWARDS, LATERAL)
     privileged: tuple[PrivilegedReading, ...] = PRIVILEGED
     terminations: tuple[Termination, ...] = TERMINATIONS
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
@@ -52,11 +52,16 @@ class TaskDefinition(Terms):
     """Terrains that are neither built in nor defined by the file."""
 
     @property
+    def paid(self) -> tuple[RewardTerm, ...]:
+        """The `rewards` that the robot can earn: those of the lateral velocity only if it moves sideways."""
+        return tuple(term for term in self.rewards if self.robot.moves_sideways or term is not LATERAL)
+
+    @property
     def weights(self) -> dict[str, float]:
         """Default weight of every reward term, per second, in the order in which they are added."""
         return {
             name: scaled(weight, 1.0 / self.scale(term, term.unit))
-            for term in self.rewards
+            for term in self.paid
             for name, weight in term.weights.items()
         }
 

@@ -45,7 +45,7 @@ class Run:
         command: what the user typed.
         resumed_from: facts about the run that it goes on from, if there is one.
         curve: that run's rows of progress.csv.
-        terms: names of the reward terms.
+        columns: further columns of progress.csv.
         task_file: the user's file of the task, if there is one; the run keeps it as data.
 
     Raises:
@@ -60,19 +60,17 @@ class Run:
         command: str,
         resumed_from: Mapping[str, Any] | None = None,
         curve: Sequence[Mapping[str, Any]] = (),
-        terms: Iterable[str] = (),
+        columns: Iterable[str] = (),
         task_file: TaskFile | None = None,
     ) -> None:
         check_latest(parent)
-        stamp = time.strftime("%Y%m%d-%H%M%S")
         self.facts = {"command": command, "git_commit": git_commit(), "versions": versions(), "machine": machine()}
         if resumed_from is not None:
             self.facts[RESUMED_FROM] = dict(resumed_from)
         document = {"training": asdict(config), "task": task, **self.facts}
         # Terms that only the resumed run had keep their columns.
-        columns = [*PROGRESS_COLUMNS, *(f"{TERM_COLUMN}{name}" for name in terms), *(curve[0] if curve else ())]
-        self._columns = tuple(dict.fromkeys(columns))
-        self.directory = _new_directory(parent, f"{stamp}-{config.name}")
+        self._columns = tuple(dict.fromkeys([*PROGRESS_COLUMNS, *columns, *(curve[0] if curve else ())]))
+        self.directory = new_directory(parent, config.name)
         kept = {} if task_file is None else {self.directory / KEPT_FILE: task_file.content}
         header = dict(zip(self._columns, self._columns, strict=True))
         try:
@@ -135,8 +133,14 @@ def run_name(directory: Path) -> str:
     return "/".join(directory.parts[-3 if directory.parent.name == CHECKPOINTS else -1 :])
 
 
-def _new_directory(parent: Path, name: str) -> Path:
-    # Two runs that start within one second must not share a directory.
+def new_directory(parent: Path, name: str) -> Path:
+    """Make the directory `<parent>/<time>-<name>`, and return it.
+
+    Raises:
+        QuadrupedError: if it cannot be made.
+    """
+    name = f"{time.strftime('%Y%m%d-%H%M%S')}-{name}"
+    # Two processes that start within one second must not share a directory.
     for suffix in ("", *(f"-{i}" for i in range(2, 1000))):
         directory = parent / f"{name}{suffix}"
         try:

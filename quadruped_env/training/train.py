@@ -13,8 +13,9 @@ from quadruped_env.training.sb3_models import go_on_from, make_model
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import Run, check_latest
+from quadruped_env.training.tracking import service_module
 from quadruped_env.training.train_config import TrainConfig
-from quadruped_env.training.training_recorder import Recorder, record
+from quadruped_env.training.training_recorder import Recorder, error_units, record
 from quadruped_env.utils.program import on_stop
 from quadruped_env.utils.seeds import check_training_seeds
 
@@ -47,6 +48,8 @@ def train(
             then what was saved before is kept.
     """
     check_latest(runs)
+    if service is not None:
+        service_module(service)  # before there is a run directory
     env = make_sb3_vec_env(
         config.num_envs,
         seed=config.seed,
@@ -63,7 +66,8 @@ def train(
     if parent is not None:
         go_on_from(model, parent)
     facts, curve = (None, ()) if parent is None else (parent.facts(), parent.curve)
-    run = Run(runs, config, task.to_dict(), command, facts, curve, env.task.term_names, task.file)
+    columns = *error_units(env.task), *env.task.reward_keys
+    run = Run(runs, config, task.to_dict(), command, facts, curve, columns, task.file)
     recorder = Recorder(run, config, task, 0.0 if parent is None else parent.seconds)
 
     def learn() -> None:

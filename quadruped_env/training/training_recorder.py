@@ -24,7 +24,7 @@ from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.policies import Policy
 from quadruped_env.policies.files import CHECKPOINTS
-from quadruped_env.task import TaskConfig
+from quadruped_env.task import Task, TaskConfig
 from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE, RESUME_FILE, TERM_COLUMN, Run
 from quadruped_env.training.schedules import Scheduled
 from quadruped_env.training.tracking import ServiceWriter
@@ -79,6 +79,7 @@ class Recorder(Scheduled):
         super()._on_training_start()
         self._env = cast(MiniQuadrupedSB3VecEnv, self.training_env)
         self._task = self._env.task
+        self._errors = error_units(self._task)
         self._clear()
         self._next_log = _LOG_INTERVAL
         self._next_checkpoint = self.config.checkpoint_seconds
@@ -88,8 +89,8 @@ class Recorder(Scheduled):
 
     def _clear(self) -> None:
         """Begin to sum over the steps of the next row of progress.csv."""
-        self._squares: NDArray[np.float64] = np.zeros(2)
-        """Mean over envs of the squared errors, forward and yaw, summed over steps"""
+        self._squares: NDArray[np.float64] = np.zeros(len(self._errors))
+        """Mean over envs of the squared error of each velocity, summed over steps"""
         self._terms: NDArray[np.float64] = np.zeros(len(self._task.term_names))
         """Mean over envs of each term, summed over steps"""
         self._steps = self._falls = 0
@@ -130,8 +131,7 @@ class Recorder(Scheduled):
             "seconds": round(self.seconds, 3),
             "return": float(self._terms.sum() / self._steps * MAX_EPISODE_STEPS),
             "fall_rate": self._falls / episodes,
-            "forward_velocity_error": float(errors[0]),
-            "yaw_rate_error": float(errors[1]),
+            **dict(zip(self._errors, errors.tolist(), strict=True)),
         }
         rates = self._terms / self._steps / self._task_config.control_timestep
         by_term = dict(zip(self._task.term_names, rates.tolist(), strict=True))
@@ -144,10 +144,8 @@ class Recorder(Scheduled):
         for name, value in ({} if self._task.tiles is None else self._task.tiles.mean_levels()).items():
             self.logger.record(f"terrain/{name}", value)
         self.logger.dump(self.num_timesteps)
-        self._state = (
-            f", return {row['return']:.1f}, falls {row['fall_rate']:.2f}, errors {errors[0]:.2f} m/s "
-            f"{errors[1]:.2f} rad/s"
-        )
+        shown = " ".join(f"{error:.2f} {unit}" for error, unit in zip(errors, self._errors.values(), strict=True))
+        self._state = f", return {row['return']:.1f}, falls {row['fall_rate']:.2f}, errors {shown}"
         self._clear()
 
     def save_after(self, kind: object, error: BaseException | None, trace: object) -> None:
@@ -232,6 +230,11 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
     except (OSError, QuadrupedError) as error:
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
         raise QuadrupedError(f"{cause}; what was saved before is kept in {run.directory}") from error
+
+
+def error_units(task: Task) -> dict[str, str]:
+    """Return the columns of progress.csv with the errors of the velocities of a task's command, and their units."""
+    return {f"{entry.name}_error": entry.unit for entry in task.config.commands[: task.control.config.num_velocities]}
 
 
 @contextmanager

@@ -21,6 +21,7 @@ from quadruped_env.policies.policy import Policy
 from quadruped_env.report.palette import leg_colours
 from quadruped_env.robot.motors import SERVO_ERRORS
 from quadruped_env.robot.readings import sensor_columns
+from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import SingleSimulation, Terrain, Tiles, flat
 from quadruped_env.simulation.built_in_terrains import terrain_scale
@@ -36,6 +37,8 @@ _SPEED: Final = 0.8
 """Forward velocity of that walk, as a part of the largest command."""
 _LEVELS: Final = 2**16 - 1
 """Heights are whole numbers up to this one."""
+_MAX_FILES: Final = 8_000_000
+"""Largest size of all files of a robot's model, bytes."""
 _ENV: Final = np.zeros(1, dtype=np.intp)
 
 
@@ -65,15 +68,10 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
         QuadrupedError: as `check_exportable`.
     """
     check_exportable(policy)
-    if policy.robot.assets:
-        raise QuadrupedError(
-            f"the page holds no files of a robot's model, and the model of {policy.robot.name!r} has "
-            f"{min(policy.robot.assets)!r}; give the robot without meshes, with boxes, cylinders and balls"
-        )
     config, robot = policy.config, policy.robot
     reference, terrains = _reference(policy, config), _terrains(config)
-    ranges = {entry.name: entry.range for entry in config.commands[:2]}
-    forward, turn = key_steps(robot)
+    # In the order of the command; the last one only for a robot that walks sideways.
+    ranges = [list(entry.range) for entry in config.commands[: len(policy.control.command_rate)]]
     return {
         "name": name,
         "versions": {"mini_quadruped": __version__, "mujoco": mujoco.__version__},
@@ -83,9 +81,8 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
         "control": {
             "timestep": config.control_timestep,
             "command_rate": list(policy.control.command_rate),
-            "forward": list(ranges["forward_velocity"]),
-            "turn": list(ranges["yaw_rate"]),
-            "key_steps": [forward, turn],
+            **dict(zip(("forward", "turn", "lateral"), ranges, strict=False)),
+            "key_steps": list(key_steps(robot)),
         },
         "terrain": config.ground.name if any(config.ground.name == terrain.name for terrain in terrains) else flat.name,
         "robot": {
@@ -103,6 +100,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
                 field: [columns.start, columns.stop] for field, columns in sensor_columns(robot.model, robot).items()
             },
             "servo": _servo(config),
+            "files": _files(robot),
             "legs": [
                 {"name": leg, "colour": colour, "site": site}
                 for (leg, colour), site in zip(leg_colours(robot).items(), robot.foot_sites, strict=True)
@@ -148,6 +146,23 @@ def _servo(config: TaskConfig) -> dict[str, list[float]] | None:
     return {name: values.tolist() for name, values in zip(SERVO_ERRORS, errors, strict=True)}
 
 
+def _files(robot: Robot) -> dict[str, str]:
+    """Return the files of a robot's model as base64 by name.
+
+    Raises:
+        QuadrupedError: if they are larger than `_MAX_FILES`.
+    """
+    files = robot.assets or {}
+    if (total := sum(map(len, files.values()))) > _MAX_FILES:
+        largest = max(files, key=lambda name: len(files[name]))
+        raise QuadrupedError(
+            f"the page holds up to {_MAX_FILES / 1e6:g} MB of files of a robot's model, and the model of "
+            f"{robot.name!r} has {total / 1e6:.1f} MB, of which {largest!r} has {len(files[largest]) / 1e6:.1f} MB; "
+            f"give the robot without meshes that do not collide, or with coarser ones"
+        )
+    return {name: base64.b64encode(content).decode() for name, content in files.items()}
+
+
 def _terrains(config: TaskConfig) -> list[Terrain]:
     """Return the terrains to choose from, the policy's own in its own shape."""
     ground, found = config.ground, []
@@ -189,7 +204,7 @@ def _reference(policy: Policy, config: TaskConfig) -> dict[str, Any]:
     config, robot = config.without_randomization().on_terrain(flat), policy.robot
     simulation = SingleSimulation(config.compiled_model(), robot)
     task = Task(simulation, config)
-    velocity = (round(_SPEED * config.commands[0].range[1], 2), 0.0)
+    velocity = [round(_SPEED * config.commands[0].range[1], 2), *[0.0] * (len(policy.control.command_rate) - 1)]
     start = [0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance.tolist()]
     task.reset(_ENV, seeds=[0], command=velocity)
     task.place(_ENV, np.array([start]), np.zeros((1, robot.num_velocities)))

@@ -120,7 +120,7 @@ def test_live_controller_approaches_its_command_at_the_policys_rates():
     requests, found = [(9, (0.5, 0.6)), (30, (-0.1, -0.8))], []
     for steps, request in requests:
         for _ in range(steps):
-            live.command(*request, now=i * DT)
+            live.command(request, now=i * DT)
             tick()
             found.append(live._control.command[0].copy())
     # A command that expires is a request to stand, which is approached, too.

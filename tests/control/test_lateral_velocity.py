@@ -1,6 +1,7 @@
 """The lateral velocity: the third command of robots whose legs move their feet sideways."""
 
 import gymnasium
+import half_robot
 import numpy as np
 import pytest
 from twelve_joints import ROBOT
@@ -11,6 +12,7 @@ from quadruped_env.control.velocity_command import check_command, moving_thresho
 from quadruped_env.envs import ENV_ID
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.units import scale_of
+from quadruped_env.task import TaskConfig, load_task_file
 
 ENV = np.zeros(1, dtype=np.intp)
 
@@ -57,12 +59,55 @@ def test_a_fixed_command_may_leave_the_lateral_velocity_out(given, full):
     np.testing.assert_array_equal(check_command(given, velocity_commands(ROBOT)), full)
 
 
-def test_twelve_joints_walk_in_position_mode():
+def test_a_step_observes_and_pays_the_lateral_velocity():
+    """By hand: the smoothed velocity from those in `info`, and the kernel about the command."""
     env = gymnasium.make(ENV_ID, robot=ROBOT, config={"action": {"mode": "position"}})
     env.reset(seed=0, options={"command": (0.2, 0.1, -0.1)})
-    for _ in range(50):
-        observation, *_, info = env.step(np.zeros(12))
+    rng, smooth = np.random.default_rng(0), 0.0
+    size, gain = scale_of("m/s", ROBOT), 1.0 - np.exp(-0.02 / (0.4 * scale_of("s", ROBOT)))
+    for _ in range(20):
+        observation, *_, info = env.step(0.3 * rng.standard_normal(12))
+        _, sideways, up = info["base_linear_velocity"]
+        roll, pitch, _ = info["base_angular_velocity"]
+        smooth += gain * (sideways - smooth)
+        kernel = np.exp(-(((smooth + 0.1) / (0.07 * size)) ** 2))
+        assert info["reward_track_lateral_velocity"] == pytest.approx(0.02 * 9.0 * kernel, rel=1e-4)
+        # Less than 0.1 m/s in units of the robot is paid in proportion.
+        whole = 0.1 / max(0.1, 0.1 * size)
+        share = -smooth / (0.1 * size)
+        progress = max(share - 2.0 * max(share - whole, 0.0), -1.0)
+        assert info["reward_lateral_progress"] == pytest.approx(0.02 * 9.0 * progress, rel=1e-4)
+        motion = (sideways + 0.1) ** 2 + up**2 + (0.2 * scale_of("m", ROBOT)) ** 2 * (roll**2 + pitch**2)
+        assert info["reward_base_motion"] == pytest.approx(-0.02 * 2.0 / size**2 * motion, rel=1e-4)
     np.testing.assert_array_equal(info["command"], [0.2, 0.1, -0.1])
     scale = 4.0 / np.array([scale_of(unit, ROBOT) for unit in ("m/s", "rad/s", "m/s")])
     columns = ObservationLayout(ROBOT).slices["command"]
     np.testing.assert_allclose(observation[columns], scale * [0.2, 0.1, -0.1], rtol=1e-6)
+
+
+def test_config_of_a_robot_that_moves_sideways_has_more_fields():
+    config, other = (TaskConfig().for_robot(robot).to_dict() for robot in (ROBOT, half_robot.ROBOT))
+    added = {section: set(config[section]) - set(other[section]) for section in ("command", "reward")}
+    assert added == {
+        "command": {"lateral_velocity", "lateral_acceleration", "sideways_fraction"},
+        "reward": {"lateral_velocity_std"},
+    }
+    weights = (set(one["reward"]["weights"]) for one in (config, other))
+    assert set.difference(*weights) == {"track_lateral_velocity", "lateral_progress"}
+    assert config["command"]["lateral_acceleration"] == 1.0
+
+
+def test_a_task_file_may_replace_the_lateral_velocity(tmp_path):
+    file = tmp_path / "task.py"
+    file.write_text(
+        "from twelve_joints import ROBOT\n"
+        "from quadruped_env.task import Command\n"
+        "height = Command('height', 'm', (0.1, 0.2), 0.15)\n"
+        "sideways = Command('lateral_velocity', 'm/s', (-0.05, 0.1))\n"
+    )
+    task = TaskConfig(definition=load_task_file(file))
+    assert [entry.name for entry in task.commands] == ["forward_velocity", "yaw_rate", "lateral_velocity", "height"]
+    assert task.commands[2].range == (-0.05, 0.1)
+    assert task.control.num_velocities == 3
+    np.testing.assert_array_equal(check_command((0.1, 0.2), task.commands), [0.1, 0.2, 0.0, 0.15])
+    assert ControlConfig.of_task(task.to_dict(), ROBOT, task.definition.commands) == task.control

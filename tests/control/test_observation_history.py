@@ -195,7 +195,7 @@ def test_live_controller_stacks_as_the_interface_does():
     readings, frames = Readings.of_a_real_robot(MINI_QUADRUPED), Stack(3)
     plain = ControlInterface(MINI_QUADRUPED, ControlConfig(observation_history=1))
     for step in range(8):
-        live.command(0.3, 0.1, now=i * 0.02)
+        live.command((0.3, 0.1), now=i * 0.02)
         positions, velocities = stance + rng.uniform(-0.1, 0.1, 8), rng.uniform(-1, 1, 8)
         readings.joint_position[0], readings.joint_velocity[0] = positions, velocities
         for interface in (control, plain):

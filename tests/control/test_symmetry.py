@@ -5,12 +5,13 @@ import math
 import gymnasium
 import numpy as np
 import pytest
-from built_in import STANCE
+import twelve_joints
 from mirroring import mirrored
 from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
 from quadruped_env.control import ObservationLayout
+from quadruped_env.control.control_config import ACTION_MODES
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.robot import MINI_QUADRUPED
 
@@ -18,24 +19,31 @@ ROW = np.array([0])
 MIRROR = MirrorMap.of(ObservationLayout(MINI_QUADRUPED, history=3))
 
 
-@pytest.mark.parametrize("mode", ["position", "residual"])
-@pytest.mark.parametrize("command", [(0.4, 0.5), (-0.2, -0.3), (0.0, 0.0)])
-def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, command):
+CASES = [
+    *((MINI_QUADRUPED, given) for given in [(0.4, 0.5), (-0.2, -0.3), (0.0, 0.0)]),
+    *((twelve_joints.ROBOT, given) for given in [(0.4, 0.5, -0.2), (0.0, 0.0, 0.2)]),
+]
+
+
+@pytest.mark.parametrize("mode", ACTION_MODES)
+@pytest.mark.parametrize(("kind", "command"), CASES, ids=lambda case: getattr(case, "name", str(case)))
+def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, kind, command):
     rng = np.random.default_rng(0)
-    robot, mirror = (gymnasium.make("MiniQuadruped-v0", action_mode=mode).unwrapped for _ in range(2))
+    robot, mirror = (gymnasium.make("MiniQuadruped-v0", action_mode=mode, robot=kind).unwrapped for _ in range(2))
+    columns = MirrorMap.of(ObservationLayout(kind, history=3))
     robot.reset(seed=0, options={"command": command})
-    mirror.reset(seed=1, options={"command": (command[0], -command[1])})
-    qpos, qvel, _ = mirrored(robot.data.qpos, robot.data.qvel, STANCE)
+    mirror.reset(seed=1, options={"command": np.array(command) * [1.0, -1.0, -1.0][: len(command)]})
+    qpos, qvel, _ = mirrored(robot.data.qpos, robot.data.qvel, kind.stance, kind)
     mirror.task.simulation.reset(ROW, qpos[None], qvel[None])
     mirror.task.phase[:] = (robot.task.phase + math.pi) % math.tau
     mirror.task.observe()  # before the first step, so that the past is the mirrored start, too
     privileged = [one.task.privileged_readings() for one in (robot, mirror)]
     mirror_privileged = MirrorMap.of(privileged[0].layout)
     for _ in range(25):
-        action = rng.uniform(-1, 1, ACTION_WIDTH)
+        action = rng.uniform(-1, 1, kind.num_joints)
         observation, reward, fallen, _, info = robot.step(action)
-        other, other_reward, other_fallen, _, other_info = mirror.step(MIRROR.action(action))
-        np.testing.assert_allclose(other, MIRROR.observation(observation), atol=1e-5)
+        other, other_reward, other_fallen, _, other_info = mirror.step(columns.action(action))
+        np.testing.assert_allclose(other, columns.observation(observation), atol=1e-5)
         hidden, other_hidden = (readings.values() for readings in privileged)
         np.testing.assert_allclose(other_hidden, mirror_privileged.observation(hidden), atol=1e-5)
         assert other_reward == pytest.approx(reward, abs=1e-6)

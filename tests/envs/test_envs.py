@@ -8,6 +8,7 @@ import gymnasium
 import mujoco
 import numpy as np
 import pytest
+import twelve_joints
 from environments import (
     ACTION_MODES,
     EPISODE_STEPS,
@@ -65,9 +66,10 @@ def test_native_vector_environment_describes_itself():
 # --- single == vector, to the last bit ---
 
 
+@pytest.mark.parametrize("robot", [None, twelve_joints.ROBOT], ids=["built-in", "twelve"])
 @pytest.mark.parametrize("mode", ACTION_MODES)
-def test_native_vector_environment_equals_single_environments_to_the_last_bit(mode):
-    kwargs = {"action_mode": mode, "config": ROUGH, "max_episode_steps": EPISODE_STEPS}
+def test_native_vector_environment_equals_single_environments_to_the_last_bit(mode, robot):
+    kwargs = {"action_mode": mode, "config": ROUGH, "robot": robot, "max_episode_steps": EPISODE_STEPS}
     expected = episodes(make_sync(**kwargs), 160)
     assert_same(episodes(make_native(num_threads=3, **kwargs), 160), expected)
     steps = [entry for entry in expected if len(entry) == 5]

@@ -72,7 +72,7 @@ class Bench:
         for _ in range(round(seconds / PERIOD)):
             self.now += PERIOD
             if command is not None:
-                self.live_controller.command(*command, self.now)
+                self.live_controller.command(command, self.now)
             if states:
                 self.feed()
             answer = self.live_controller.silent(self.now)
@@ -126,7 +126,7 @@ class Loop:
         for _ in range(round(seconds / TIMESTEP)):
             self.robot.step()
             self.steps += 1
-            self.live_controller.command(*velocity, self.time)
+            self.live_controller.command(velocity, self.time)
             due = int(self.time * self.rate + 1e-9) > int((self.time - TIMESTEP) * self.rate + 1e-9)
             answers = [self.live_controller.measured(self.measurement(), self.time)] if due and states else []
             if due or self.steps % 2 == 0:
@@ -244,7 +244,7 @@ class Link:
     def _loop(self, now):
         if now - self._commanded >= COMMAND_PERIOD:
             self._commanded = now
-            self.live_controller.command(*self._velocity, now)
+            self.live_controller.command(self._velocity, now)
         answer = None
         if self._waiting:
             newest = max(self._waiting, key=lambda measurement: measurement.stamp)

@@ -42,22 +42,12 @@ def spec() -> mujoco.MjSpec:
 
 
 def robot() -> Robot:
+    """The robot of which only what the model does not say is given."""
     made = spec()
     made.compile()
-    mirror = lambda names: tuple(names.index({"L": "R", "R": "L"}[name[0]] + name[1:]) for name in names)  # noqa: E731
     motor = JointMotor(stall_torque=33.5, no_load_speed=21.0, kp=KP, kd=KP / 40.0, damping=0.05, armature=0.01)
-    return Robot(
-        name="twelve",
-        leg_names=LEGS,
-        joint_names=JOINTS,
-        stance=np.tile([0.0, BEND, -2.0 * BEND], 4),
-        foot_sites=tuple(f"{leg}_foot" for leg in LEGS),
-        joint_mirror=mirror(JOINTS),
-        foot_mirror=mirror(LEGS),
-        motors=MotorConfig(motor, motor),
-        mjcf=made.to_xml(),
-        urdf="<robot name='twelve'/>",
-    )
+    stance = np.tile([0.0, BEND, -2.0 * BEND], 4)
+    return Robot(name="twelve", mjcf=made.to_xml(), stance=stance, motors=MotorConfig(motor, motor))
 
 
 ROBOT = robot()

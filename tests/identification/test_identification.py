@@ -2,11 +2,13 @@
 
 import html
 import json
+from dataclasses import replace as changed
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
+import twelve_joints
 from paths import DYNA1
 
 from quadruped_env import JOINT_NAMES, JointTrajectory, QuadrupedError, SinusoidalGait
@@ -42,32 +44,32 @@ NOISE = (0.002, 0.05, 0.1)
 """Standard deviations: rad, rad/s, N m"""
 
 
-def commanded(seconds, rate=50.0, steps=0.35, seed=1):
+def commanded(seconds, rate=50.0, steps=0.35, seed=1, robot=MINI_QUADRUPED):
     """Waves and steps on every joint: fast, back and forth, and up to the motors' limits."""
     rng = np.random.default_rng(seed)
     t = np.arange(round(seconds * rate) + 1) / rate
-    low, high = MINI_QUADRUPED.joint_position_low, MINI_QUADRUPED.joint_position_high
+    low, high = robot.joint_position_low, robot.joint_position_high
     half = (high - low) / 2
     targets = np.tile((low + high) / 2, (len(t), 1))
-    for joint in range(8):
+    for joint in range(robot.num_joints):
         for frequency in (0.4, 0.9, 1.7, 2.9):
             wave = np.sin(2 * np.pi * frequency * (1 + joint / 80) * t + rng.uniform(0, 2 * np.pi))
             targets[:, joint] += 0.18 * half[joint] * wave
         jumps = rng.uniform(-steps, steps, int(seconds / 0.4) + 1)
         targets[:, joint] += jumps[(t / 0.4).astype(int)] * half[joint]
     targets = np.clip(targets, low + 0.1, high - 0.1)
-    return JointTrajectory(np.rint(t * 1e9).astype(np.int64), JOINT_NAMES, targets)
+    return JointTrajectory(np.rint(t * 1e9).astype(np.int64), robot.joint_names, targets)
 
 
-def measured(commands, motors, noise=NOISE, every=2, seed=0):
+def measured(commands, motors, noise=NOISE, every=2, seed=0, robot=MINI_QUADRUPED):
     """Recording of a robot on a stand under the commands, by MuJoCo alone: 5 ms steps, every second one measured."""
-    spec = joint_spec(MINI_QUADRUPED, 0.005)
-    motors.write(spec, MINI_QUADRUPED.joint_kinds)
+    spec = joint_spec(robot, 0.005)
+    motors.write(spec, robot.joint_kinds)
     model = spec.compile()
     data = mujoco.MjData(model)
     data.qpos = commands.positions[0]
     fill_command_history(model, data.history[None], commands.positions[:1])
-    rows = [(0, data.qpos.copy(), data.qvel.copy(), np.zeros(8))]
+    rows = [(0, data.qpos.copy(), data.qvel.copy(), np.zeros(robot.num_joints))]
     command_steps = commands.stamps // 5_000_000
     for step in range(int(command_steps[-1])):
         data.ctrl = commands.positions[np.searchsorted(command_steps, step, side="right") - 1]
@@ -75,7 +77,7 @@ def measured(commands, motors, noise=NOISE, every=2, seed=0):
         if (step + 1) % every == 0:
             rows.append(((step + 1) * 5_000_000, data.qpos.copy(), data.qvel.copy(), data.actuator_force.copy()))
     stamps, *signals = map(np.array, zip(*rows, strict=True))
-    return noisy(JointTrajectory(stamps, JOINT_NAMES, *signals), noise, seed)
+    return noisy(JointTrajectory(stamps, robot.joint_names, *signals), noise, seed)
 
 
 def noisy(trajectory, noise=NOISE, seed=0):
@@ -404,6 +406,22 @@ class TestIdentify:
         before, after = found.errors(after=False), found.errors(after=True)
         np.testing.assert_allclose(after["position"], NOISE[0], rtol=0.1)
         assert (before["position"] > 10 * after["position"]).all()
+
+    @pytest.mark.slow
+    def test_motors_of_three_kinds_are_recovered(self):
+        robot = twelve_joints.ROBOT
+        own = robot.motors.hip
+        truth = MotorConfig(
+            hip=changed(own, kp=1.2 * own.kp, kd=0.7 * own.kd),
+            knee=changed(own, kp=0.8 * own.kp, kd=1.3 * own.kd),
+            abduction=changed(own, kp=0.9 * own.kp, kd=1.1 * own.kd),
+            delay=0.012,
+        )
+        commands = commanded(5.0, robot=robot)
+        found = identify(measured(commands, truth, robot=robot), commands, fitted=["kp", "kd", "delay"], robot=robot)
+        assert len(found.estimates) == 7
+        for estimate in found.estimates:
+            assert estimate.after == pytest.approx(value_of(truth, estimate.name), rel=0.1), estimate.name
 
     @pytest.mark.slow
     @pytest.mark.skipif(not DYNA1.is_dir(), reason="needs the recording of Dyna1 in ../shared/data/dyna1")

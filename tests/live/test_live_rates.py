@@ -46,7 +46,7 @@ def fed(bench, seconds, rate, jitter=0.0, clock=True):
         if not clock and not state:
             continue
         bench.now = now
-        bench.live_controller.command(0.3, 0.0, now)
+        bench.live_controller.command((0.3, 0.0), now)
         before = len(bench.controller.commands)
         if state:
             # Timestamps that jitter by more than their period are not in order.

@@ -162,7 +162,7 @@ def test_velocity_command_out_of_range_is_clipped():
 def test_velocity_command_that_is_not_finite_is_refused_and_the_last_one_stays(command):
     bench = Bench().walk((0.3, 0.0))
     with pytest.raises(QuadrupedError, match=r"/cmd_vel: .* is not finite"):
-        bench.live_controller.command(*command, bench.now)
+        bench.live_controller.command(command, bench.now)
     bench.pass_time(0.3)
     assert bench.controller.commands[-1] == [0.3, 0.0]
     bench.pass_time(0.6)
@@ -200,7 +200,7 @@ def test_repeated_and_reordered_states_are_refused_and_change_nothing():
     stamps = []
     for _ in range(400):
         dirty.now += PERIOD
-        dirty.live_controller.command(0.3, 0.0, dirty.now)
+        dirty.live_controller.command((0.3, 0.0), dirty.now)
         dirty.feed()
         stamps.append(EPOCH + round(dirty.now * 1e9))
         for stamp in [stamps[-1]] * 9 + stamps[-4:-1]:

@@ -8,12 +8,13 @@ import pytest
 import yaml
 from paths import ROOT
 from renamed_robot import ROBOT as RENAMED
+from twelve_joints import ROBOT as TWELVE
 
 from quadruped_env.live.middleware.topics import JOINT_POSITIONS
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.ros2_control import controllers_yaml
 
-ROBOTS = {"built-in": MINI_QUADRUPED, "renamed": RENAMED}
+ROBOTS = {"built-in": MINI_QUADRUPED, "renamed": RENAMED, "three joints": TWELVE}
 # The state interfaces of semantic_components::IMUSensor, without the sensor's name.
 IMU_INTERFACES = {
     *(f"orientation.{axis}" for axis in "xyzw"),
@@ -24,7 +25,7 @@ IMU_INTERFACES = {
 @pytest.mark.parametrize("name", ROBOTS)
 def test_urdf_offers_the_interfaces_that_the_controllers_need(name):
     robot = ROBOTS[name]
-    (system,) = ElementTree.fromstring(robot.urdf).findall("ros2_control")  # noqa: S314
+    (system,) = ElementTree.fromstring(robot.description).findall("ros2_control")  # noqa: S314
     offered = {
         kind: {
             f"{part.get('name')}/{entry.get('name')}"

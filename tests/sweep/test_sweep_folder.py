@@ -62,6 +62,19 @@ def test_worker_waits_for_the_trials_of_others(tmp_path, monkeypatch):
     assert len(waits) == 1
 
 
+def test_trial_that_another_worker_ends_before_the_lock_is_taken_is_not_done_again(tmp_path, monkeypatch):
+    sweep = make_sweep(tmp_path, seeds=2)
+    locked = Sweep.locked
+
+    def late(self, name, wait=True):
+        if name == "0000":
+            finish(sweep, 0, 0.5)
+        return locked(self, name, wait)
+
+    monkeypatch.setattr(Sweep, "locked", late)
+    assert next(sweep.take_trials()) == 1
+
+
 def test_definition_comes_back_from_its_file(tmp_path):
     sweep = make_sweep(
         tmp_path, "gamma=0.9..1", "hidden=[8],[16,8]", training={"seed": 7, "task": {"reward": {}}}, settings=3, seeds=2
@@ -120,6 +133,29 @@ def test_sweep_of_an_earlier_version_is_one_line_with_that_version(tmp_path):
         Sweep.open(tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("change", "error"),
+    [
+        ({"space": {"gamma": "x"}}, "damaged"),
+        ({"seeds": "3"}, "damaged"),
+        ({"settings": None}, "damaged"),
+        ({"training": {"gamma": "x"}}, "training.gamma: expected a number; found 'x'"),
+    ],
+)
+def test_definition_that_was_edited_wrongly_is_an_error_with_the_file(tmp_path, change, error):
+    path = make_sweep(tmp_path, "gamma=0.9..1", settings=1).path / "sweep.json"
+    path.write_text(json.dumps({**json.loads(path.read_text()), **change}))
+    with pytest.raises(QuadrupedError, match=rf"sweep.json: {error}"):
+        Sweep.open(path.parent)
+
+
+def test_directory_that_cannot_be_written_is_an_error_with_the_reason(tmp_path):
+    sweep = make_sweep(tmp_path)
+    (sweep.path / "locks").write_text("")
+    with pytest.raises(QuadrupedError, match=r"locks.*: cannot be written \(.*; make room, or allow it"):
+        sweep.join()
+
+
 @pytest.mark.parametrize("name", ["worker.json", "result.json", "sweep.json"])
 def test_damaged_file_is_named_with_the_fix(tmp_path, name):
     sweep = make_sweep(tmp_path)
@@ -138,7 +174,17 @@ def test_worker_with_another_package_is_refused_in_a_line(tmp_path, monkeypatch)
     sweep.join()
     first = json.loads((sweep.path / "worker.json").read_text())
     monkeypatch.setattr(folder, "package_hash", lambda *files: "another")
-    with pytest.raises(QuadrupedError, match=rf"worker.json: .* has package {first['package']} \(here another\), and"):
+    with pytest.raises(QuadrupedError, match=rf"worker.json: .* has package {first['package']} \(here another\), so"):
+        sweep.join()
+
+
+@pytest.mark.parametrize("name", ["python", "torch", "mujoco"])
+def test_worker_with_another_library_is_refused(tmp_path, name):
+    sweep = make_sweep(tmp_path)
+    sweep.join()
+    path = sweep.path / "worker.json"
+    path.write_text(json.dumps({**json.loads(path.read_text()), name: "0.1"}))
+    with pytest.raises(QuadrupedError, match=rf"worker.json: the sweep's first worker has {name} 0.1 \(here"):
         sweep.join()
 
 
@@ -165,11 +211,11 @@ def test_file_system_without_locks_is_named(tmp_path, monkeypatch):
         with pytest.raises(QuadrupedError, match=rf"its file system \({system}.*\) has no file locks \(.*No locks"):
             sweep.join()
     monkeypatch.setattr(fcntl, "flock", lambda file, operation: None)
-    with pytest.raises(QuadrupedError, match="two have the same lock"):
+    with pytest.raises(QuadrupedError, match="two processes got the same lock"):
         sweep.join()
     monkeypatch.undo()
     monkeypatch.setattr(locks, "file_system", lambda path: "nfs4, rw,local_lock=all")
-    with pytest.raises(QuadrupedError, match="its locks are of one machine alone"):
+    with pytest.raises(QuadrupedError, match="other machines do not see its locks"):
         sweep.join()
 
 

@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import psutil
@@ -17,7 +18,11 @@ from trainings import learn
 from waiting import DEADLINE, output_of, status_of, wait_until
 
 from quadruped_env.cli.main import main
+from quadruped_env.cli.sweep import Progress
+from quadruped_env.sweep import workers
 from quadruped_env.sweep.folder import Sweep
+from quadruped_env.sweep.workers import run_here
+from quadruped_env.training import run_directory
 from quadruped_env.training.resume import Parent
 
 LOOPBACK = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
@@ -33,8 +38,9 @@ def command(*arguments):
 
 def made(directory, *arguments):
     """The sweep that the command makes, without workers."""
+    before = set(directory.glob("*"))
     assert main(["sweep", *map(str, arguments), *TINY, "--workers", "0", "-o", str(directory)]) == 0
-    (path,) = directory.iterdir()
+    (path,) = set(directory.iterdir()) - before
     return Sweep.open(path)
 
 
@@ -45,6 +51,14 @@ def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
     assert made(tmp_path / "b", "--vary", "gamma=0.9..1").settings == 20
     assert made(tmp_path / "c", "--vary", "gamma=0.9..1", "--trials", "3").settings == 3
     assert made(tmp_path / "d", "--recipe", "rough", "--terrain", "slope").whole == ("terrain",)
+
+
+def test_sweeps_of_one_second_have_directories_of_their_own(tmp_path, monkeypatch):
+    monkeypatch.setattr(run_directory.time, "strftime", lambda form: "now")
+    # As two processes see it, of which each looks before the other writes.
+    monkeypatch.setattr(Path, "exists", lambda path, **named: False)
+    assert [made(tmp_path, "--seeds", count).seeds for count in (1, 2)] == [1, 2]
+    assert {path.name for path in tmp_path.iterdir()} == {"now-ppo", "now-ppo-2"}
 
 
 @pytest.mark.parametrize(
@@ -58,7 +72,10 @@ def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
         (("--work", "DIR", "--workers", "-1"), "--workers: expected 0 or more"),
         (("--vary", "gamma=0.9,0.95", "--vary", "gamma=0.8,0.85"), "--vary: found gamma, gamma; give each field once"),
         (("--vary", "gamma=0.9,2"), "--vary gamma=2"),
-        (("--vary", "gamma=0.9,0.95", "--trials", "3"), "--trials: found 3, and each of the 2 different settings"),
+        (
+            ("--vary", "gamma=0.9,0.95", "--trials", "3"),
+            "--trials: found 3, but a setting is tried once",
+        ),
         (("--work", "nowhere"), "has no sweep.json; name a directory that 'sweep' made"),
         (("--ray", "127.0.0.1:1", "DIR"), "ray"),
     ],
@@ -80,6 +97,72 @@ def test_report_of_a_sweep_so_far(tmp_path, capsys):
     out = capsys.readouterr().out
     assert "0 of 2 trials finished, 1 failed, 1 open." in out
     assert f"report:  {sweep.path}/report.html" in out
+
+
+def test_local_workers_say_once_why_they_ended_and_trust_the_task_file_that_their_parent_trusts(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    term = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    return context.base_height\n"
+    (tmp_path / "mine.py").write_text(term)
+    sweep = made(tmp_path / "a", "--task", "mine.py")
+    (line,) = run_here(sweep, 2, False, lambda: None)
+    assert "task.py: this sweep has terms from 'mine.py', which is not executed automatically" in line
+    finish(sweep, 0, None)
+    assert run_here(sweep, 1, True, lambda: None) == []
+
+
+def test_command_that_makes_a_sweep_trusts_its_task_file_and_the_status_is_1_while_trials_are_open(
+    tmp_path, monkeypatch, capsys
+):
+    trusts = []
+
+    def do_trials(sweep, arguments, trusted):
+        trusts.append(trusted)
+        return []
+
+    monkeypatch.setattr("quadruped_env.cli.sweep.do_trials", do_trials)
+    assert main(["sweep", *TINY, "-o", str(tmp_path)]) == 1
+    (path,) = tmp_path.iterdir()
+    assert main(["sweep", "--work", str(path)]) == 1
+    assert main(["sweep", "--work", str(path), "--trust-task"]) == 1
+    assert trusts == [True, False, True]
+    assert capsys.readouterr().out.count("open trials: 1 of 1; go on with:") == 3
+
+
+def test_progress_says_each_result_once_also_of_other_machines(tmp_path, monkeypatch, capsys):
+    shares = []
+    monkeypatch.setattr("quadruped_env.cli.sweep.ProgressLine", lambda name: lambda *state: shares.append(state))
+    sweep = make_sweep(tmp_path, seeds=2)
+    finish(sweep, 0, 0.5)
+    progress = Progress(sweep)
+    finish(sweep, 1, None)
+    progress()
+    progress()
+    assert capsys.readouterr().out == "trial 1: failed: diverged\n", "trial 0 was there before"
+    assert shares == [(1.0, ", 2 of 2 trials done")] * 2
+
+
+def test_error_of_a_worker_is_status_1_also_if_no_trial_is_open(tmp_path, monkeypatch, capsys):
+    path = make_sweep(tmp_path).path
+    finish(Sweep.open(path), 0, 0.5)
+    (path / "worker.json").write_text(json.dumps({"python": "0.1"}))
+    assert main(["sweep", "--work", str(path)]) == 1
+    captured = capsys.readouterr()
+    assert "has python 0.1" in captured.err
+    assert "open trials" not in captured.out
+
+
+def test_no_more_workers_start_than_there_are_trials(tmp_path, monkeypatch):
+    counts = []
+
+    def run_here(sweep, count, trusted, show):
+        counts.append(count)
+        return []
+
+    monkeypatch.setattr(workers, "run_here", run_here)
+    path = make_sweep(tmp_path, seeds=3).path
+    for count in (2, 5):
+        assert main(["sweep", "--work", str(path), "--workers", str(count)]) == 1
+    assert counts == [2, 3]
 
 
 @pytest.mark.slow

@@ -8,6 +8,7 @@ import pytest
 from sweeps import TASK, finish, make_sweep
 
 from quadruped_env import QuadrupedError
+from quadruped_env.sweep import search
 from quadruped_env.sweep.search import setting_values
 from quadruped_env.sweep.space import ends, in_words, parse_dimension, size
 
@@ -67,7 +68,7 @@ def test_each_combination_of_choices_is_tried_once(tmp_path):
 
 
 def test_more_trials_than_settings_is_an_error(tmp_path):
-    with pytest.raises(QuadrupedError, match="trials: found 5, and each of the 4 different settings is tried once"):
+    with pytest.raises(QuadrupedError, match="trials: found 5, but a setting is tried once, and there are 4"):
         make_sweep(tmp_path, "gamma=0.9,0.95", "n_epochs=1..2", settings=5)
 
 
@@ -105,6 +106,13 @@ def test_worker_that_is_lost_while_it_asks_leaves_a_study_that_goes_on(tmp_path)
     journal.with_name("optuna.log.lock").symlink_to("optuna.log")
     second = setting_values(sweep, 1)
     assert setting_values(sweep, 0) == first != second
+
+
+def test_each_worker_proposes_other_settings_from_the_beginning(tmp_path):
+    sweep = make_sweep(tmp_path, "gamma=0.5..1", settings=4)
+    for setting in range(4):
+        setting_values(sweep, setting)  # each time with a sampler of its own, as in a new process
+    assert len(search._study(sweep, 0).trials) == 4, "a repeated proposal is a further trial of the study"
 
 
 def test_study_in_a_database_is_shared_and_its_address_is_in_no_file(tmp_path, monkeypatch):

@@ -14,6 +14,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.sweep import worker
 from quadruped_env.sweep.folder import Sweep
+from quadruped_env.task import BUILT_IN
 from quadruped_env.training.resume import Parent
 from quadruped_env.utils.files import unwritable
 
@@ -27,6 +28,13 @@ def full_disk():
         raise unwritable("policy.json", error) from error
 
 
+def full_disk_within_another_error():
+    try:
+        raise OSError(errno.ENOSPC, "No space left on device")
+    except OSError:
+        raise RuntimeError("failed writing file")  # noqa: B904  # as torch does
+
+
 def raising(error):
     def train(config, directory):
         raise error
@@ -38,12 +46,13 @@ def raising(error):
     "train",
     [
         lambda config, directory: full_disk(),
+        lambda config, directory: full_disk_within_another_error(),
         raising(MemoryError()),
         raising(RuntimeError("DefaultCPUAllocator: can't allocate memory: you tried to allocate 9 bytes")),
         raising(FileNotFoundError(errno.ENOENT, "gone", "trials")),
         raising(ImportError("no module named torch")),
     ],
-    ids=["disk", "memory", "memory of torch", "folder", "library"],
+    ids=["disk", "disk and torch", "memory", "memory of torch", "folder", "library"],
 )
 def test_fault_of_the_machine_is_never_a_result_and_ends_the_worker_with_status_1(tmp_path, monkeypatch, capsys, train):
     sweep = make_sweep(tmp_path, seeds=2)
@@ -53,7 +62,7 @@ def test_fault_of_the_machine_is_never_a_result_and_ends_the_worker_with_status_
     captured = capsys.readouterr()
     (line,) = captured.err.splitlines()
     assert line.startswith("mini-quadruped sweep: error: ")
-    assert "2 trials are open; go on with:" in captured.out
+    assert "open trials: 2 of 2; go on with:" in captured.out
     stub_training(monkeypatch, lambda config, directory: None)
     work(sweep)
     assert sweep.open_trials() == []
@@ -152,15 +161,29 @@ def shorten(sweep, timesteps):
     path.write_text(json.dumps(document))
 
 
-def test_trial_whose_training_is_complete_is_only_scored(tmp_path, monkeypatch):
-    sweep = make_sweep(tmp_path)
+@pytest.mark.parametrize("budget", [{}, {"seconds": 0.3}])
+def test_trial_whose_training_is_complete_is_only_scored(tmp_path, monkeypatch, budget):
+    sweep = make_sweep(tmp_path, training=budget)
     stub_score(monkeypatch)
     work(sweep)
     before = policies(sweep, 0)
     (sweep.trial(0) / "result.json").unlink()  # as after a signal while it was scored
+    (card,) = sweep.trial(0).glob("2*/policy.json")
+    document = json.loads(card.read_text())
+    document["card"]["seconds"] += 1000.0
+    card.write_text(json.dumps(document))
     work(sweep)
     assert policies(sweep, 0) == before
     assert sweep.result(0)["starts"] == 1
+    assert sweep.result(0)["seconds"] >= 1000.0, "the time of the training counts"
+
+
+def test_trial_goes_on_from_the_run_with_most_steps_whatever_the_clocks_say(tmp_path):
+    sweep = make_sweep(tmp_path)
+    first = learn(sweep.trial(0), sweep.config({}, 0))
+    second = learn(sweep.trial(0), sweep.config({}, 0), Parent.load(first))
+    behind = second.rename(second.with_name("20000101-000000-ppo"))
+    assert worker._checkpoint(sweep.trial(0), BUILT_IN).directory == behind
 
 
 def test_policy_of_a_trial_has_the_bits_of_a_training_by_hand(tmp_path, monkeypatch):
@@ -171,12 +194,13 @@ def test_policy_of_a_trial_has_the_bits_of_a_training_by_hand(tmp_path, monkeypa
     assert list(policies(sweep, 0).values()) == [(by_hand / "policy.safetensors").read_bytes()]
 
 
-def test_share_of_an_open_trial_is_that_of_its_budget(tmp_path):
+@pytest.mark.parametrize("names", [("20260101-ppo", "20260102-ppo"), ("20260102-ppo", "20260101-ppo")])
+def test_share_of_an_open_trial_counts_from_its_first_run_whatever_the_clocks_say(tmp_path, names):
     directory = tmp_path / "t"
     assert worker.share_done(directory) == 0.0
-    for name, row in (("20260101-ppo", "250"), ("20260102-ppo", "500")):
+    for name, row, timesteps in zip(names, ("250", "500"), (1000, 750), strict=True):
         (directory / name).mkdir(parents=True)
-        config = {"training": {"timesteps": 1000 if name.endswith("1-ppo") else 750, "seconds": None}}
+        config = {"training": {"timesteps": timesteps, "seconds": None}}
         (directory / name / "config.json").write_text(json.dumps(config))
         (directory / name / "progress.csv").write_text(f"timesteps,seconds\n{row},1\n")
     (directory / "latest").symlink_to("20260102-ppo")
@@ -201,6 +225,16 @@ def test_task_file_is_copied_and_executed_only_where_it_is_trusted(tmp_path, mon
     (path / "task.py").write_text("raise SystemExit")
     with pytest.raises(QuadrupedError, match=r"task\.py"):
         Sweep.open(path).definition(trusted=True)
+
+
+def test_worker_of_another_version_does_no_trial(tmp_path, monkeypatch):
+    sweep = make_sweep(tmp_path)
+    (sweep.path / "worker.json").write_text(json.dumps({"python": "0.1"}))
+    trained = []
+    stub_training(monkeypatch, lambda config, directory: trained.append(config.seed))
+    with pytest.raises(QuadrupedError, match=r"the sweep's first worker has python 0\.1"):
+        work(sweep)
+    assert trained == []
 
 
 def test_result_of_one_that_is_finished_is_not_done_again(tmp_path, monkeypatch):

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+import twelve_joints
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE
 from tasks import ACTION_WIDTH, NEVER_FALLS, Terms, column, make_env, make_task, random_readings
 
@@ -66,6 +67,24 @@ def test_kind_of_a_command_changes_exactly_at_the_sums_of_the_shares():
     expected = [(0.0, 0.0), (forward, 0.0), (0.0, yaw_rate), (forward, yaw_rate)]
     np.testing.assert_allclose(command, np.repeat(expected, 2, axis=0), rtol=1e-12)
     assert (interval == config.resample_interval[0]).all(), "of any kind"
+
+
+def test_robots_that_move_sideways_have_commands_for_it():
+    """None of the velocities, each of them alone, or all."""
+    task = TaskConfig().for_robot(twelve_joints.ROBOT)
+    shares = {
+        "standing_fraction": 0.125,
+        "straight_fraction": 0.25,
+        "turning_fraction": 0.25,
+        "sideways_fraction": 0.25,
+    }
+    kinds = np.array([below(0.125), 0.125, below(0.625), 0.625, below(0.875), 0.875])
+    draws = np.column_stack([kinds, np.ones((6, 3)), np.zeros(6)])
+    command, _ = CommandSampler(task.commands, task.command.replace(**shares)).sample(draws)
+    v, w, u = (entry.range[1] for entry in task.commands)
+    np.testing.assert_array_equal(command, [(0, 0, 0), (v, 0, 0), (0, w, 0), (0, 0, u), (0, 0, u), (v, w, u)])
+    with pytest.raises(QuadrupedError, match=r"command.standing_fraction \+ .* \+ sideways_fraction must be at most 1"):
+        task.command.replace(sideways_fraction=0.6)
 
 
 def below(value):

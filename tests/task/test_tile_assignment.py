@@ -37,8 +37,8 @@ def walk(tiles, seconds, command, velocity, *, offset=(0.0, 0.0), terminated=Fal
     n, steps = tiles.memory.num_envs, round(seconds / TIMESTEP)
     centres = tiles._centre_of(slice(None))
     context = types.SimpleNamespace(
-        command=np.full((n, 2), (command, 0.3)),
-        velocity=np.full((n, 2), (velocity, 0.1)),
+        command=np.insert(np.tile(np.atleast_1d(command), (n, 1)), 1, 0.3, axis=1),
+        velocity=np.insert(np.tile(np.atleast_1d(velocity), (n, 1)), 1, 0.1, axis=1),
         readings=types.SimpleNamespace(base_position=np.c_[centres + offset, np.zeros(n)]),
         timestep=TIMESTEP,
     )
@@ -86,6 +86,15 @@ CHANGES = {
 def test_level_after_an_episode(seconds, command, velocity, fall, change):
     found = level_after(lambda tiles: walk(tiles, seconds, command, velocity, terminated=fall))
     assert found == 5 + change
+
+
+@pytest.mark.parametrize(
+    ("velocity", "change"),
+    [((0.3, -0.4), 1), ((0.5, 0.0), 0), ((0.4, 0.3), -1), ((0.0, -0.5), 1), ((-0.3, 0.4), -1)],
+)
+def test_way_of_a_robot_that_moves_sideways_counts_along_the_command(velocity, change):
+    """Of 5 m along (0.6, -0.8): 5, 3, 0, 4 and -5 m."""
+    assert level_after(lambda tiles: walk(tiles, 10.0, (0.3, -0.4), velocity), promote_share=0.79) == 5 + change
 
 
 def test_shares_of_the_config_decide():

@@ -3,6 +3,7 @@
 import dataclasses
 import hashlib
 import json
+import re
 from types import SimpleNamespace
 
 import browser
@@ -62,10 +63,24 @@ CROSSINGS = """([content, speed, steps]) => {
 }"""
 
 
-def test_model_with_meshes_is_refused():
-    robot = dataclasses.replace(second_robot.ROBOT, assets={"trunk.stl": b""})
+def robot_with_mesh():
+    """The second robot, whose base has the mass of a mesh, a tetrahedron of 1.5 kg, as OBJ."""
+    points = ("0 0 0", "0.2 0 0", "0 0.15 0", "0 0 0.1")
+    faces = ("1 3 2", "1 2 4", "1 4 3", "2 3 4")
+    lines = [*(f"v {point}" for point in points), *(f"f {face}" for face in faces)]
+    text = second_robot.ROBOT.mjcf.replace("<asset>", '<asset><mesh file="load.obj"/>')
+    geom = '<geom type="mesh" mesh="load" pos="0.1 0.02 0.05" mass="1.5" group="1"/>'
+    text, found = re.subn(r"<inertial .* mass=\"3\" .*/>", geom, text)
+    assert found == 1
+    return dataclasses.replace(second_robot.ROBOT, mjcf=text, assets={"load.obj": "\n".join(lines).encode()})
+
+
+def test_files_of_a_model_that_are_too_large_are_refused():
+    robot = dataclasses.replace(second_robot.ROBOT, assets={"trunk.stl": bytes(9_000_000), "foot.stl": b"1"})
     policy = random_policy("residual", definition=BUILT_IN.with_robot(robot))
-    with pytest.raises(QuadrupedError, match=r"the page holds no files of a robot's model.*'tall' has 'trunk.stl'"):
+    with pytest.raises(
+        QuadrupedError, match=r"holds up to 8 MB .*'tall' has 9.0 MB, of which 'trunk.stl' has 9.0 MB; give"
+    ):
         page_document(policy, "mine")
 
 
@@ -170,12 +185,12 @@ def test_graph_in_javascript_equals_onnx_runtime(opened, activation):
         assert runtime.difference(name, np.array([row[name] for row in found]), values).max() < 1e-5, name
 
 
-@pytest.mark.parametrize("case", ["residual", "gait", "other robot", "hobby servos"])
+@pytest.mark.parametrize("case", ["residual", "gait", "other robot", "mesh", "hobby servos"])
 def test_joints_move_and_pull_as_in_python(opened, case):
     # In the air and with small steps: MuJoCo 3.14 and 4.0 differ in contacts, and in motors at their limits.
     policy = random_policy("residual")
-    if case == "other robot":
-        config = policy.config.for_robot(second_robot.ROBOT)
+    if case in ("other robot", "mesh"):
+        config = policy.config.for_robot(second_robot.ROBOT if case == "other robot" else robot_with_mesh())
         policy = type(policy).for_task(policy.weights, policy.biases, policy.activation, config, {})
     elif case == "hobby servos":
         policy = random_policy("position", motor=MOTOR_PRESETS["mg996r"])

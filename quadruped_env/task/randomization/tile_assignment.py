@@ -110,12 +110,15 @@ class TileAssignment:
         """Account for a control step, in all envs or some (R,), before their commands change."""
         env_ids = slice(None) if running is None else running
         valid = ~diverged[env_ids]
-        command = context.command[env_ids, 0]
+        # Forward and, if there is one, lateral velocity.
+        command, velocity = context.command[env_ids, ::2], context.velocity[env_ids, ::2]
+        speed = np.sqrt(np.add.reduce(command**2, axis=-1))
+        along = np.add.reduce(command * velocity, axis=-1) / np.maximum(speed, np.finfo(np.float64).tiny)
         # A simulation that diverged was reset, or holds NaN.
-        walked = np.where(valid, np.sign(command) * context.velocity[env_ids, 0], 0.0) * context.timestep
+        walked = np.where(valid, along, 0.0) * context.timestep
         away = np.abs(context.readings.base_position[env_ids, :2] - self._centre_of(env_ids))
         self._walked[env_ids] += walked
-        self._speed[env_ids] = np.abs(command)
+        self._speed[env_ids] = speed
         self._commanded[env_ids] += self._speed[env_ids] * context.timestep
         self._seconds[env_ids] += context.timestep
         self._left[env_ids] |= valid & np.logical_or.reduce(away > 0.5 * self._tile_size, -1)

@@ -30,7 +30,8 @@ export class Controls {
       shown.textContent = text(value);
     }
     page.limit = high;
-    this.limits = { lowest: low, highest: high, turn: control.turn[1] };
+    this.limits = { lowest: low, highest: high, turn: control.turn[1], lateral: control.lateral };
+    document.body.classList.toggle('sideways', Boolean(control.lateral));
     page.strength = this.sliders.strength[2] * Math.sqrt(walk.scale);
     // Without a clock the policy has no frequency, and without a gait of its own nothing to scale.
     $('frequency').closest('label').hidden = !('gait_phase' in policy.inputs);
@@ -52,31 +53,37 @@ export class Controls {
     this.addClicks();
   }
 
-  // --- steering: a forward speed that stays, in parts of the limit from -1 to 1, and a turn that springs back
+  // --- steering: a forward speed that stays, in parts of the limit from -1 to 1; a turn and steps to the left that spring back
 
   addKeys() {
-    const steps = { ArrowUp: 0.2, ArrowDown: -0.2 }, turns = { ArrowLeft: 1, ArrowRight: -1 };
+    const steps = { ArrowUp: 0.2, ArrowDown: -0.2 };
+    /** Key -> turn and steps to the left while it is held. */
+    const motions = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ...(this.limits.lateral && { q: [0, 1], e: [0, -1] }) };
+    const name = (key) => (key.length === 1 ? key.toLowerCase() : key);
+    const steer = () => this.steer(undefined, ...[0, 1].map((i) => [...this.held].reduce((sum, key) => sum + motions[key][i], 0)));
     const actions = {
       ' ': () => this.page.setPaused(!this.page.paused), r: () => this.page.reset(), p: () => this.page.pushSomewhere(),
       m: () => this.page.setSlow(!this.page.slow), 0: () => this.stop(),
       c: () => { if (!$('beside').hidden) { $('compare').checked = !$('compare').checked; this.page.setCompare($('compare').checked); } },
     };
     addEventListener('keydown', (event) => {
-      const { key, target } = event;
+      const { target } = event, key = name(event.key);
       if (event.ctrlKey || event.metaKey || event.altKey || target.matches('select, input[type=range]')) return;
       if (key === ' ' && target.matches('button, input')) return;
       if (key in steps) this.steer(Math.round(5 * (this.page.throttle + steps[key])) / 5);
-      else if (key in turns) { this.held.add(key); this.steer(undefined, this.heldTurn(turns)); }
-      else if (key.toLowerCase() in actions) actions[key.toLowerCase()]();
+      else if (key in motions) { this.held.add(key); steer(); }
+      else if (key in actions) actions[key]();
       else return;
       event.preventDefault();
     });
-    addEventListener('keyup', ({ key }) => { if (this.held.delete(key)) this.steer(undefined, this.heldTurn(turns)); });
-    addEventListener('blur', () => { if (this.held.size) { this.held.clear(); this.steer(undefined, 0); } });
+    addEventListener('keyup', ({ key }) => { if (this.held.delete(name(key))) steer(); });
+    addEventListener('blur', () => { if (this.held.size) { this.held.clear(); steer(); } });
   }
 
-  heldTurn(turns) {
-    return [...this.held].reduce((sum, key) => sum + turns[key], 0);
+  /** Steer by a stick's deflection to the right and upwards: it walks sideways, or turns a robot that cannot. */
+  steerByStick(x, y, turn) {
+    if (this.limits.lateral) this.steer(y, turn, -x);
+    else this.steer(y, -x);
   }
 
   addStick() {
@@ -84,43 +91,52 @@ export class Controls {
     const move = (event) => {
       const { left, top, width, height } = stick.getBoundingClientRect(), reach = 0.36;
       const x = ((event.clientX - left) / width - 0.5) / reach, y = (0.5 - (event.clientY - top) / height) / reach;
-      this.steer(Math.abs(y) < DEAD ? 0 : y, Math.abs(x) < DEAD ? 0 : -x);
+      this.steerByStick(Math.abs(x) < DEAD ? 0 : x, Math.abs(y) < DEAD ? 0 : y);
     };
     stick.addEventListener('pointerdown', (event) => { stick.setPointerCapture(event.pointerId); move(event); });
     stick.addEventListener('pointermove', (event) => { if (stick.hasPointerCapture(event.pointerId)) move(event); });
-    for (const end of ['pointerup', 'pointercancel']) stick.addEventListener(end, () => this.steer(undefined, 0));
+    for (const end of ['pointerup', 'pointercancel']) stick.addEventListener(end, () => this.steer(undefined, 0, 0));
+    const turn = $('turn');
+    turn.addEventListener('input', () => this.steer(undefined, -turn.valueAsNumber));
+    // The keys steer again once it is released.
+    turn.addEventListener('change', () => { turn.blur(); this.steer(undefined, 0); });
   }
 
-  /** Read the first gamepad; its stick springs back, and so does the speed. */
+  /** Read the first gamepad; its sticks spring back, and so does the speed. */
   pollGamepad() {
     const pad = navigator.getGamepads?.().find((found) => found?.connected);
     if (!pad) return;
-    const [x, y] = pad.axes.map((value) => (Math.abs(value) < DEAD ? 0 : value));
-    if (x || y || this.gamepad) this.steer(-y, -x);
-    this.gamepad = Boolean(x || y);
+    const [x, y, turn = 0] = pad.axes.map((value) => (Math.abs(value) < DEAD ? 0 : value)), active = Boolean(x || y || (this.limits.lateral && turn));
+    if (active || this.gamepad) this.steerByStick(x, -y, -turn);
+    this.gamepad = active;
     const pressed = pad.buttons[0]?.pressed;
     if (pressed && !this.pressed) this.page.pushSomewhere();
     this.pressed = pressed;
   }
 
-  /** Set the forward speed and the turn, from -1 to 1; what is left out stays. */
-  steer(throttle = this.page.throttle, turn = this.page.turn) {
+  /** Set the forward speed, the turn and the steps to the left, from -1 to 1; what is left out stays. */
+  steer(throttle = this.page.throttle, turn = this.page.turn, left = this.page.left) {
     const { page } = this, clip = (value) => Math.min(1, Math.max(-1, value));
-    Object.assign(page, { throttle: clip(throttle), turn: clip(turn) });
-    const { lowest, highest, turn: fastest } = this.limits, forward = page.throttle * page.limit;
+    Object.assign(page, { throttle: clip(throttle), turn: clip(turn), left: clip(left) });
+    const { lowest, highest, turn: fastest, lateral } = this.limits, forward = page.throttle * page.limit;
     page.walk.request = [Math.min(highest, Math.max(lowest, forward)), page.turn * fastest];
-    $('knob').style.transform = `translate(${-36 * page.turn}%, ${-36 * page.throttle}%) translate(${-page.turn * 30}px, ${-page.throttle * 30}px)`;
+    if (lateral) page.walk.request.push(Math.abs(page.left) * lateral[page.left > 0 ? 1 : 0]);
+    const across = lateral ? page.left : page.turn;
+    $('knob').style.transform = `translate(${-36 * across}%, ${-36 * page.throttle}%) translate(${-across * 30}px, ${-page.throttle * 30}px)`;
+    $('turn').value = -page.turn;
   }
 
-  /** Limit the steering to what a learned policy has learned, `[forward velocity, yaw rate]`; null: to the page's own commands. */
+  /** Limit the steering to what a learned policy has learned, `[forward velocity, yaw rate]`, none of it sideways; null: to the page's own commands. */
   limitTo(learned) {
-    const { forward: [lowest, highest], turn: [, turn] } = this.page.walk.content.control;
-    this.limits = learned ? { lowest: learned[1] ? 0 : learned[0], highest: learned[0], turn: learned[1] } : { lowest, highest, turn };
-    this.steer(learned ? 1 : undefined, 0);
+    const { forward: [lowest, highest], turn: [, turn], lateral } = this.page.walk.content.control;
+    this.limits = learned
+      ? { lowest: learned[1] ? 0 : learned[0], highest: learned[0], turn: learned[1], lateral: lateral && [0, 0] }
+      : { lowest, highest, turn, lateral };
+    this.steer(learned ? 1 : undefined, 0, 0);
   }
 
   stop() {
-    this.steer(0, 0);
+    this.steer(0, 0, 0);
   }
 
   addClicks() {
@@ -215,6 +231,8 @@ export class Controls {
     $('wanted').textContent = wanted(walker.command[0]);
     $('rate').textContent = `${number(walker.rate)} rad/s`;
     $('wanted_rate').textContent = wanted(walker.command[1]);
+    $('left').textContent = `${number(walker.left)} m/s`;
+    $('wanted_left').textContent = wanted(walker.command[2] ?? 0);
     $('distance').textContent = `${walker.travelled.toFixed(1)} m`;
     $('time').textContent = `${walk.time.toFixed(1)} s`;
     const [, gait] = walk.walkers;

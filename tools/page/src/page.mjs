@@ -34,7 +34,7 @@ function covered() {
 class Page {
   constructor(mujoco, content, worker, wasm) {
     this.walk = new Walk(mujoco, content);
-    Object.assign(this, { language: preferred(), paused: false, slow: false, throttle: 0, turn: 0, checked: null });
+    Object.assign(this, { language: preferred(), paused: false, slow: false, throttle: 0, turn: 0, left: 0, checked: null });
     this.view = new View($('view'), content.robot, covered);
     this.feet = new FeetDiagram($('feet'), content.robot.legs, content.control.timestep);
     this.controls = new Controls(this);
@@ -176,7 +176,7 @@ async function part(id) {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }
 
-/** Say in every language why the page cannot run, in place of all else. */
+/** Say in every language why the page cannot run, and hide all else. */
 function fail(key, ...values) {
   document.body.classList.add('failed');
   $('message').replaceChildren(...Object.keys(LANGUAGES).map(

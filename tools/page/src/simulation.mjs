@@ -20,6 +20,15 @@ export const yawOf = ([w, x, y, z]) => Math.atan2(2 * (w * z + x * y), 1 - 2 * (
 /** A number rounded to the nearest integer, and a half to the even one, as NumPy's rint does. */
 const rint = (x) => (Math.abs(x % 1) === 0.5 ? 2 * Math.round(x / 2) : Math.round(x));
 
+/** Model of an MJCF that may name files, such as meshes: base64 by name. */
+function compiled(mujoco, xml, files) {
+  const stored = new mujoco.MjVFS();
+  for (const [name, text] of Object.entries(files)) stored.addBuffer(name, Uint8Array.from(atob(text), (c) => c.charCodeAt(0)));
+  const model = mujoco.MjModel.from_xml_string(xml, stored);
+  stored.delete();
+  return model;
+}
+
 export class Simulation {
   /**
    * @param mujoco result of `loadMujoco`
@@ -29,7 +38,7 @@ export class Simulation {
   constructor(mujoco, scene, robot) {
     this.mujoco = mujoco;
     this.robot = robot;
-    this.model = mujoco.MjModel.from_xml_string(scene.xml);
+    this.model = compiled(mujoco, scene.xml, robot.files);
     if (scene.heights) this.model.hfield_data.set(scene.heights);
     this.data = new mujoco.MjData(this.model);
     this.base = mujoco.mj_name2id(this.model, mujoco.mjtObj.mjOBJ_BODY.value, robot.base);

@@ -12,6 +12,7 @@ export const TEXTS = {
     no_webgl: 'This browser draws no 3D graphics: WebGL 2 is switched off. Chrome, Edge: Settings, System, switch on “Use graphics acceleration when available”, and restart the browser. Firefox: set webgl.disabled to false in about:config. Remote desktops and old graphics drivers often have no WebGL: open this file on another machine or phone.',
     steer: 'Steer',
     steer_hint: 'Arrow keys, the stick below, or a gamepad. Forward speed stays, turning springs back.',
+    sideways_hint: 'Sideways: Q to the left, E to the right, or the stick. The slider above it turns, and the right stick of a gamepad.',
     speed_limit: 'Speed limit',
     stop: 'Stop',
     disturb: 'Push',
@@ -38,6 +39,7 @@ export const TEXTS = {
     settings: 'Settings',
     speed: 'Speed',
     commanded: 'commanded',
+    sideways: 'To the left',
     turning: 'Turning',
     distance: 'Distance',
     feet: 'Feet on the ground',
@@ -81,6 +83,7 @@ export const TEXTS = {
     no_webgl: '浏览器无法显示三维图形：WebGL 2 没有开启。Chrome、Edge：在“设置 → 系统”中开启“使用图形加速功能（如果可用）”，然后重启浏览器。Firefox：在 about:config 中把 webgl.disabled 设为 false。远程桌面和旧的显卡驱动往往没有 WebGL：请换一台电脑或用手机打开这个文件。',
     steer: '驾驶',
     steer_hint: '方向键、下面的摇杆或手柄。前进速度保持不变，松手后停止转向。',
+    sideways_hint: '横向：Q 向左，E 向右，或用摇杆；摇杆上方的滑块或手柄的右摇杆用来转向。',
     speed_limit: '限速',
     stop: '停止',
     disturb: '推',
@@ -107,6 +110,7 @@ export const TEXTS = {
     settings: '设置',
     speed: '速度',
     commanded: '指令',
+    sideways: '向左',
     turning: '转向',
     distance: '距离',
     feet: '着地的脚',
@@ -147,7 +151,7 @@ export function preferred(languages = navigator.languages) {
   return languages.map((language) => language.slice(0, 2)).find((language) => language in LANGUAGES) ?? 'en';
 }
 
-/** A text with values in place of `{}`, or of `{0}`, `{1}`, ... */
+/** A text whose `{}`, or `{0}`, `{1}`, ..., are replaced by values. */
 export function say(language, key, ...values) {
   let next = 0;
   return TEXTS[language][key].replace(/\{(\d?)\}/g, (_, number) => values[number === '' ? next++ : Number(number)]);

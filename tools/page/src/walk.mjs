@@ -23,9 +23,10 @@ export class Walk {
     this.terrains = content.terrains.map((terrain) => new Terrain(terrain));
     this.settings = this.standard();
     this.compare = false;
-    /** Policy that is being learned, which then walks in the place of the page's own; else null. */
+    /** Policy that is being learned, which then replaces the page's own; else null. */
     this.learned = null;
-    this.request = [0, 0];
+    /** Requested forward velocity, yaw rate and, if the robot walks sideways, velocity to the left, m/s and rad/s. */
+    this.request = content.control.command_rate.map(() => 0);
     this.rebuild();
   }
 
@@ -66,7 +67,7 @@ export class Walk {
 
   /** Begin to measure a robot's motion where it stands. */
   begin(walker) {
-    Object.assign(walker, { downFor: 0, speed: 0, rate: 0, stuck: false });
+    Object.assign(walker, { downFor: 0, speed: 0, rate: 0, left: 0, stuck: false });
     this.watch(walker);
   }
 
@@ -88,19 +89,20 @@ export class Walk {
 
   /** Advance all robots by a control step. */
   step() {
-    const { timestep } = this.content.control;
+    const { timestep, lateral } = this.content.control;
     this.time += timestep;
     for (const walker of this.walkers) {
       const { simulation } = walker;
       walker.requested = [...this.request];
       walker.step();
-      const [forward] = simulation.reading('linear_velocity_b');
+      const [forward, left] = simulation.reading('linear_velocity_b');
       const [, , rate] = simulation.reading('angular_velocity_b');
       const share = timestep / SMOOTH;
       walker.speed += share * (forward - walker.speed);
       walker.rate += share * (rate - walker.rate);
+      walker.left += share * (left - walker.left);
       // Not the length of the path: marching on the spot is no distance.
-      walker.travelled += Math.abs(walker.speed) * timestep;
+      walker.travelled += Math.hypot(walker.speed, lateral ? walker.left : 0) * timestep;
       walker.downFor = simulation.fallen() ? walker.downFor + timestep : 0;
       this.watchProgress(walker);
       if (walker.downFor > DOWN) this.standUp(walker);
@@ -112,7 +114,7 @@ export class Walk {
   watchProgress(walker) {
     const { watched } = walker, { timestep } = this.content.control;
     watched.seconds += timestep;
-    watched.commanded += Math.abs(walker.command[0]) * timestep;
+    watched.commanded += Math.hypot(walker.command[0], walker.command[2] ?? 0) * timestep;
     if (watched.seconds < STUCK.seconds) return;
     const [x, y] = walker.simulation.position(), moved = Math.hypot(x - watched.from[0], y - watched.from[1]);
     const counts = watched.commanded > STUCK.slowest * this.scale * watched.seconds;

@@ -8,7 +8,7 @@ export class Walker {
   /**
    * @param simulation a `Simulation`
    * @param graph a `Graph`, from readings to joint targets
-   * @param control `{timestep, command_rate}`: s, and m/s^2 and rad/s^2
+   * @param control `{timestep, command_rate}`: s, and the command's largest rates, one per velocity
    */
   constructor(simulation, graph, control) {
     Object.assign(this, { simulation, graph, control });
@@ -17,8 +17,8 @@ export class Walker {
     this.reset();
   }
 
-  /** Begin again at positions in MuJoCo's order, with a command (m/s, rad/s) that holds at once. */
-  reset(qpos, command = [0, 0]) {
+  /** Begin again at positions in MuJoCo's order, with a command (forward, turn and, if the robot can, left) that holds at once. */
+  reset(qpos, command = this.control.command_rate.map(() => 0)) {
     this.simulation.reset(qpos);
     this.command = Float64Array.from(command);
     this.requested = [...command];

@@ -2,7 +2,7 @@
 
 const TAU = 2 * Math.PI;
 
-/** A policy for a `Walker`, in the place of a `Graph`. */
+/** A policy for a `Walker`, with the interface of a `Graph`. */
 export class Residual {
   /**
    * @param learning numbers of the robot and its gait; see `learning_document` in quadruped_env/walking_page/document.py

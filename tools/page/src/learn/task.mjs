@@ -38,10 +38,10 @@ export class Episode {
     this.smooth = [0, 0];
   }
 
-  /** The command to learn; or one that goes slower and turns, which every second one does. */
+  /** The command to learn; or one that goes slower and turns, which every second one does. None goes sideways. */
   drawCommand() {
-    const { random, settings: { command: [forward, turn], turns } } = this;
-    return turns === null || random.uniform() < 0.5 ? [forward, turn] : [forward * random.uniform(), random.either(turns)];
+    const { random, control, settings: { command: [forward, turn], turns } } = this, others = control.command_rate.slice(2).fill(0);
+    return turns === null || random.uniform() < 0.5 ? [forward, turn, ...others] : [forward * random.uniform(), random.either(turns), ...others];
   }
 
   /** One control step; returns the reward, and sets `fell` and `ended`. */
@@ -80,7 +80,7 @@ export class Episode {
     const position = simulation.reading('foot_position'), force = simulation.reading('foot_force');
     let lifted = 0, carried = 0;
     for (let leg = 0; leg < force.length; leg++) {
-      const swing = Math.sin(walker.memory.gait_phase[0] + learning.phases[2 * leg]) / force.length;
+      const swing = Math.sin(walker.memory.gait_phase[0] + learning.leg_phases[leg]) / force.length;
       const missing = 1 - (position[3 * leg + 2] - learning.foot_radius) / learning.foot_lift;
       lifted += swing * Math.max(-1, 1 - 2 * missing * missing);
       carried += swing * (force[leg] > learning.contact_threshold ? -1 : 1);
