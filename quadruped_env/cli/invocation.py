@@ -12,6 +12,7 @@ from quadruped_env.utils.program import HelpFormatter
 
 SUMMARIES: Final = {
     "demo": "see a trained robot walk, at once, in a page in your browser",
+    "robot": "read your own robot from a URDF, a xacro file or an MJCF",
     "train": "train a walking policy with PPO",
     "sweep": "train many policies at once: seeds of one config, or a search over its settings",
     "evaluate": "evaluate a policy against the scripted gaits, and write a report",

@@ -51,8 +51,6 @@ class ControlInterface:
         """All components of the command, in the order of `config.commands`, (N, C)."""
         self.requested: Floats = memory.zeros("requested", config.num_velocities)
         """Requested velocities, which `command` approaches at a limited rate, (N, V)."""
-        self.command: Floats = self.commands[:, : config.num_velocities]
-        """Commanded forward velocity (m/s), yaw rate (rad/s) and any lateral velocity (m/s), (N, V)."""
         self.moving: Floats = memory.zeros("moving")
         """1.0 where a motion is commanded, else 0.0, (N,)."""
         self.phase: Floats = memory.zeros("phase")
@@ -84,13 +82,10 @@ class ControlInterface:
         self._clock: Floats = np.zeros((num_envs, 2))
         self.reset(np.arange(num_envs))
 
-    def __getstate__(self) -> dict[str, object]:
-        # `command` is a view, and unpickling would turn it into a copy.
-        return {name: value for name, value in self.__dict__.items() if name != "command"}
-
-    def __setstate__(self, state: dict[str, object]) -> None:
-        self.__dict__.update(state)
-        self.command = self.commands[:, : self.config.num_velocities]
+    @property
+    def command(self) -> Floats:
+        """Commanded forward velocity (m/s), yaw rate (rad/s) and any lateral velocity (m/s), (N, V); a view."""
+        return self.commands[:, : self.config.num_velocities]
 
     def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0, command: Floats | None = None) -> None:
         """Reset some envs (R,): zero actions, the gait clock at a phase (R,) in rad, commands (R, C); None: zero.

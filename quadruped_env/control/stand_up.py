@@ -5,14 +5,12 @@ from typing import Final, Self
 
 import numpy as np
 
+from quadruped_env.robot.corners import postures_with_feet_at
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
 
 UPRIGHT: Final = 0.6
 """Maximum angle between the trunk's vertical and a leg that can carry load, rad; larger angles are rare in walking."""
-_FORWARD: Final = (-0.5, -1.1)
-_BACK: Final = (1.5, 0.0)
-"""Hip and knee positions of a leg that lies along the trunk, with the foot ahead or behind, rad."""
 
 
 @dataclass(frozen=True)
@@ -36,22 +34,25 @@ class StandUp:
         """Trajectory from the current joint positions.
 
         Args:
-            robot: robot that stands up; each of its legs has a hip and a knee.
+            robot: robot that stands up.
             start: joint positions (J,), rad.
             speed: mean speed of the joint that moves farthest between two waypoints, rad/s.
             min_time: minimum time between two waypoints, s.
         """
         points = [start.copy()]
-        lean = start.reshape(robot.num_legs, 2).sum(axis=1)
-        if np.abs(lean).max() > UPRIGHT:
-            outward = np.where(robot.fore_legs[:, None], _FORWARD, _BACK)
-            legs = np.where(lean[:, None] > 0.0, _BACK, _FORWARD)
-            points.append(legs.ravel())
-            for side in (robot.left_legs, ~robot.left_legs):
-                legs = np.where(side[:, None], outward, legs)
-                if not np.array_equal(legs.ravel(), points[-1]):
-                    points.append(legs.ravel())
-            points[1:] = [np.clip(point, robot.joint_position_low, robot.joint_position_high) for point in points[1:]]
+        legs = np.array(robot.leg_joints)
+        hips, feet = robot.skeleton.joint_anchors(start)[legs[:, -2]], robot.skeleton.foot_centres(start)
+        down = hips[:, 2] - feet[:, 2]
+        if np.arctan2(np.linalg.norm((feet - hips)[:, :2], axis=1), down).max() > UPRIGHT:
+            ahead, behind = _along_the_trunk(robot)
+            outward = np.where(robot.fore_legs[:, None], ahead[legs], behind[legs])
+            folded = np.where((feet < hips)[:, :1], behind[legs], ahead[legs])
+            for moved in (np.zeros(len(legs), dtype=np.bool_), robot.left_legs, ~robot.left_legs):
+                folded = np.where(moved[:, None], outward, folded)
+                point = start.copy()
+                point[legs] = folded
+                if not np.array_equal(point, points[-1]):
+                    points.append(point)
         points.append(robot.stance)
         distances = np.abs(np.diff(points, axis=0)).max(axis=1)
         return cls(np.array(points), np.concatenate([[0.0], np.cumsum(np.maximum(min_time, distances / speed))]))
@@ -68,3 +69,12 @@ class StandUp:
         share = (now - self.times[after - 1]) / (self.times[after] - self.times[after - 1])
         before = self.points[after - 1]
         return before + share * share * (3.0 - 2.0 * share) * (self.points[after] - before)
+
+
+def _along_the_trunk(robot: Robot) -> Floats:
+    """Return joint positions (2, J) in rad with all legs along the trunk: the feet ahead of the hips, and behind."""
+    stance, legs = robot.skeleton.foot_centres(robot.stance), np.array(robot.leg_joints)
+    hips = robot.skeleton.joint_anchors(robot.stance)[legs[:, -2]]
+    feet = np.tile(np.stack([hips[:, 0], stance[:, 1], hips[:, 2]], axis=1), (2, 1, 1))
+    feet[:, :, 0] += np.multiply.outer([1.0, -1.0], hips[:, 2] - stance[:, 2])
+    return postures_with_feet_at(robot, feet)

@@ -25,6 +25,7 @@ SHOWN: Final = (
     "fall_rate",
     "forward_velocity",
     "yaw_rate",
+    "lateral_velocity",
     "distance",
     "electrical_cost_of_transport",
     "mechanical_cost_of_transport",
@@ -63,7 +64,7 @@ class Baseline:
         """Return the metrics as a plain-text table."""
         robot = self.recording.robot
         rows = [("", "mean", "95 % interval", "limit")]
-        for name in SHOWN:
+        for name in filter(self.metrics.__contains__, SHOWN):
             metric, estimate = METRICS[name], self.estimate(name)
             mean, low, high = (metric.show(value) for value in (estimate.mean, estimate.low, estimate.high))
             most = metric.limit_of(robot)

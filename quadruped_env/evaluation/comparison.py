@@ -9,16 +9,18 @@ from typing import Any, Final, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.conditions import (
     MOTIONS,
     Command,
     commands_for,
     evaluation_task,
+    full_command,
     motion_of,
 )
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
-from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW, measure
+from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW, measure, metrics_of
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
@@ -43,9 +45,6 @@ NUM_SEEDS: Final = 8
 MAX_SECONDS: Final = 600.0
 """Maximum length of an episode, s: all episodes are kept in memory."""
 
-ERRORS: Final = ("forward_velocity_error", "yaw_rate_error")
-"""Error metrics of the two velocities of a command."""
-
 _EQUAL: Final = 0.005
 """Difference below which two errors count as equal, for the built-in robot, m/s or rad/s."""
 
@@ -60,7 +59,7 @@ CONTROLLERS: Final = {
 
 def error_of(motion: str) -> str:
     """Return the name of the error metric of a motion."""
-    return "yaw_rate_error" if motion == "turning" else "forward_velocity_error"
+    return f"{MOTIONS[motion]}_error"
 
 
 def equal_up_to(metric: str, robot: Robot) -> float:
@@ -94,6 +93,11 @@ class Comparison:
         if motion is not None and not isinstance(motion, str):
             return list(motion)
         return [i for i, command in enumerate(self.commands) if motion in (None, motion_of(command, self.robot))]
+
+    @property
+    def motions(self) -> list[str]:
+        """Those of `MOTIONS` that a command asks for."""
+        return [motion for motion in MOTIONS if self.conditions(motion)]
 
     def estimate(self, controller: str, metric: str, motion: Motion = None) -> Estimate:
         """Return the mean of a metric over a motion's commands and the seeds, with its confidence interval.
@@ -138,28 +142,28 @@ class Comparison:
 
     def to_dict(self) -> dict[str, Any]:
         """Return all numbers as JSON-serializable values; NaN becomes None."""
+        metrics, velocities = metrics_of(self.robot), [entry.name for entry in velocity_commands(self.robot)]
         return {
             "metrics": {
                 name: {"unit": metric.unit or "1", "meaning": metric.meaning, "limit": metric.limit_of(self.robot)}
-                for name, metric in METRICS.items()
+                for name, metric in metrics.items()
             },
             "commands": [
-                {"forward_velocity": v, "yaw_rate": w, "motion": motion_of((v, w), self.robot)}
-                for v, w in self.commands
+                {**dict(zip(velocities, command, strict=True)), "motion": motion_of(command, self.robot)}
+                for command in self.commands
             ],
             "condition": self.condition,
             "seeds": list(self.seeds),
             "seconds": self.seconds,
             "controllers": {
                 controller: {
-                    "all": {m: self.estimate(controller, m).to_dict() for m in METRICS},
+                    "all": {m: self.estimate(controller, m).to_dict() for m in metrics},
                     "by_motion": {
-                        motion: {m: self.estimate(controller, m, motion).to_dict() for m in METRICS}
-                        for motion in MOTIONS
-                        if self.conditions(motion)
+                        motion: {m: self.estimate(controller, m, motion).to_dict() for m in metrics}
+                        for motion in self.motions
                     },
                     "by_command": [
-                        {m: self.estimate(controller, m, [i]).to_dict() for m in METRICS}
+                        {m: self.estimate(controller, m, [i]).to_dict() for m in metrics}
                         for i in range(len(self.commands))
                     ],
                 }
@@ -202,7 +206,8 @@ def compare(
             methods of `Agent`.
         num_seeds: episodes per command.
         seconds: length of an episode, s.
-        commands: forward velocity in m/s and yaw rate in rad/s; None: `COMMANDS`, in the units of the robot.
+        commands: forward velocity in m/s, yaw rate in rad/s, and for robots that move sideways lateral velocity in m/s;
+            None: `COMMANDS`, and `SIDEWAYS` for such robots, in the units of the robot.
         progress: called with the fraction done.
         terrain: a terrain, or the name of one; None: the tasks' own.
         randomization: a preset, which replaces the tasks' own randomization: `none`, `moderate` or `hard`.
@@ -264,7 +269,7 @@ def run(
     progress: Progress | None = None,
 ) -> Comparison:
     """Run controllers on the same commands and starts, each in its task of `configs`, or else in `config`."""
-    seeds = range(FIRST_SEED, FIRST_SEED + num_seeds)
+    seeds, commands = range(FIRST_SEED, FIRST_SEED + num_seeds), [full_command(one, config.robot) for one in commands]
     rollouts, values = {}, {}
     for i, (name, controller) in enumerate(controllers.items()):
         part = part_of(progress, i / len(controllers), (i + 1) / len(controllers))

@@ -6,14 +6,15 @@ from typing import Final
 
 import numpy as np
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.control.velocity_command import moving_threshold
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.fields import Range
 
-Command = tuple[float, float]
-"""Forward velocity in m/s and yaw rate in rad/s."""
+Command = tuple[float, ...]
+"""Velocity command: a number for each of a robot's `velocity_commands`, in m/s and rad/s."""
 
 COMMANDS: Final[tuple[Command, ...]] = (
     (0.1, 0.0),
@@ -29,22 +30,45 @@ COMMANDS: Final[tuple[Command, ...]] = (
     (0.3, -0.5),
 )
 """Forward velocity in m/s and yaw rate in rad/s of every episode of the default evaluation, for the built-in robot."""
+SIDEWAYS: Final[tuple[Command, ...]] = ((0.0, 0.0, 0.15), (0.0, 0.0, -0.15), (0.3, 0.0, 0.15), (0.3, 0.0, -0.15))
+"""Further commands for robots that move sideways, with the lateral velocity in m/s."""
 
-MOTIONS: Final = ("forwards", "standing", "backwards", "turning")
-"""Motions that commands ask for, in the order of tables."""
+MOTIONS: Final = {
+    "forwards": "forward_velocity",
+    "standing": "forward_velocity",
+    "backwards": "forward_velocity",
+    "turning": "yaw_rate",
+    "sideways": "lateral_velocity",
+}
+"""Motion that commands ask for -> velocity by which it is judged, in the order of tables."""
 
 
-def commands_for(robot: Robot, commands: Sequence[Command] = COMMANDS) -> list[Command]:
-    """Convert commands for the built-in robot to the size of another one, rounded to two digits."""
-    units = scale_of("m/s", robot), scale_of("rad/s", robot)
-    return [(scaled(v, units[0], 2), scaled(w, units[1], 2)) for v, w in commands]
+def commands_for(robot: Robot, commands: Sequence[Command] | None = None) -> list[Command]:
+    """Convert commands for the built-in robot to the size of another one, rounded to two digits.
+
+    None: `COMMANDS`, and for robots that move sideways also `SIDEWAYS`.
+    """
+    if commands is None:
+        commands = (*COMMANDS, *SIDEWAYS) if robot.moves_sideways else COMMANDS
+    units = [scale_of(entry.unit, robot) for entry in velocity_commands(robot)]
+    return [
+        tuple(scaled(v, unit, 2) for v, unit in zip(full_command(command, robot), units, strict=True))
+        for command in commands
+    ]
+
+
+def full_command(command: Command, robot: Robot) -> Command:
+    """Return a command with a number for each of a robot's `velocity_commands`: those that are left out are 0."""
+    return *command, *(0.0,) * (len(velocity_commands(robot)) - len(command))
 
 
 def motion_of(command: Command, robot: Robot) -> str:
-    """Return the motion that a command (m/s, rad/s) requests, one of `MOTIONS`; a curve counts as turning."""
-    forward, yaw_rate = np.abs(command) > moving_threshold(robot)
+    """Return the motion that a command requests, one of `MOTIONS`; a curve is turning, and a diagonal sideways."""
+    forward, yaw_rate, *lateral = np.abs(full_command(command, robot)) > moving_threshold(robot)
     if yaw_rate:
         return "turning"
+    if any(lateral):
+        return "sideways"
     if not forward:
         return "standing"
     return "forwards" if command[0] > 0 else "backwards"
@@ -52,11 +76,11 @@ def motion_of(command: Command, robot: Robot) -> str:
 
 def words(command: Command) -> str:
     """Return a velocity command in words, such as `0.4 m/s and 0.2 rad/s`."""
-    forward, yaw_rate = command
-    if not forward and not yaw_rate:
-        return "stand"
+    forward, yaw_rate, lateral = (*command, 0.0)[:3]
     parts = [f"{forward:g} m/s"] if forward else []
-    return " and ".join(parts + ([f"{yaw_rate:g} rad/s"] if yaw_rate else []))
+    parts += [f"{yaw_rate:g} rad/s"] if yaw_rate else []
+    parts += [f"{abs(lateral):g} m/s to the {'left' if lateral > 0 else 'right'}"] if lateral else []
+    return " and ".join(parts) or "stand"
 
 
 def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomization: str) -> TaskConfig:
@@ -64,11 +88,11 @@ def evaluation_task(config: TaskConfig, commands: Sequence[Command], randomizati
 
     There is no curriculum: on tiles, every episode starts on the tile that its seed gives.
     """
-    ranges = config.command.replace(
-        forward_velocity=_covering(config.command.forward_velocity, [v for v, _ in commands]),
-        yaw_rate=_covering(config.command.yaw_rate, [w for _, w in commands]),
-    )
-    return dataclasses.replace(without_curriculum(config).randomized(randomization), command=ranges)
+    columns = zip(*(full_command(command, config.robot) for command in commands), strict=True)
+    named = zip(velocity_commands(config.robot), columns, strict=True)
+    ranges = {entry.name: _covering(config.command[entry.name], values) for entry, values in named}
+    command = config.command.replace(**ranges)
+    return dataclasses.replace(without_curriculum(config).randomized(randomization), command=command)
 
 
 def without_curriculum(config: TaskConfig) -> TaskConfig:

@@ -8,13 +8,11 @@ import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, error_of, rank, run
-from quadruped_env.evaluation.conditions import MOTIONS, commands_for, evaluation_task, without_curriculum
+from quadruped_env.evaluation.conditions import commands_for, evaluation_task, without_curriculum
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number, proportion
-from quadruped_env.evaluation.measures import CLOSE, METRICS, START_UP, WINDOW, commands_met
+from quadruped_env.evaluation.measures import CLOSE, METRICS, START_UP, WINDOW, commands_met, tolerances
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
-from quadruped_env.robot import Robot
-from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
 
@@ -26,10 +24,6 @@ WALKING_FALL_RATE: Final = 0.5
 NO_GAIN: Final = "no significant gain over the zero action"
 GAIN_HEADER: Final = ("", "policy", "falls", "power", "zero action", "falls", "power", "policy")
 """Titles of the columns of `gain_rows`."""
-TABLE_NOTE: Final = (
-    "The rows of motions have the error of the forward velocity, or on turns of the yaw rate. The last row is in the "
-    "policy's own task, with its commands, randomization and terrain."
-)
 
 
 @dataclass(frozen=True)
@@ -53,8 +47,8 @@ class LearningGain:
     episodes: int
     seconds: float
     """Length of an episode, s"""
-    tolerance: tuple[float, float]
-    """Maximum errors under a command that is met, in the units of the policy's robot, m/s and rad/s"""
+    tolerance: tuple[float, ...]
+    """Maximum errors under a command that is met, in the units of the policy's robot, m/s and rad/s (V,)"""
     policy: Performance
     zero: Performance
     difference: Estimate
@@ -112,9 +106,7 @@ class LearningGain:
 def _motions(comparison: Comparison) -> list[dict[str, Any]]:
     """Return the results of policy and zero action for each motion, metric -> mean, and their comparison."""
     found = []
-    for motion in MOTIONS:
-        if not comparison.conditions(motion):
-            continue
+    for motion in comparison.motions:
         metrics = error_of(motion), "fall_rate", "electrical_power"
         policy, zero = (
             {metric: number(comparison.estimate(name, metric, motion).mean) for metric in metrics}
@@ -144,6 +136,20 @@ def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
         for one in (document["policy"], document["zero"])
     ]
     return [*rows, ("own task", *own[0], *own[1], "")]
+
+
+def table_note(document: Mapping[str, Any]) -> str:
+    """Return what the rows of `gain_rows` show."""
+    sideways = any(gain["motion"] == "sideways" for gain in document.get("motions", ()))
+    errors = (
+        ", on turns of the yaw rate, or sideways of the lateral velocity"
+        if sideways
+        else ", or on turns of the yaw rate"
+    )
+    return (
+        f"The rows of motions have the error of the forward velocity{errors}. The last row is in the policy's own "
+        f"task, with its commands, randomization and terrain."
+    )
 
 
 def _motion_cells(values: Mapping[str, float | None]) -> tuple[str, str, str]:
@@ -231,16 +237,12 @@ def learning_gain(
     return LearningGain(
         episodes,
         seconds,
-        _tolerance(config.robot),
+        tolerances(CLOSE, config.robot),
         _performance(ours),
         _performance(zeros),
         bootstrap_mean(_return_per_second(ours) - _return_per_second(zeros)),
         comparison,
     )
-
-
-def _tolerance(robot: Robot) -> tuple[float, float]:
-    return scaled(CLOSE[0], scale_of("m/s", robot), 3), scaled(CLOSE[1], scale_of("rad/s", robot), 3)
 
 
 def _return_per_second(rollout: Rollout) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -251,7 +253,7 @@ def _return_per_second(rollout: Rollout) -> np.ndarray[Any, np.dtype[np.float64]
 def _performance(rollout: Rollout) -> Performance:
     return Performance(
         return_per_second=bootstrap_mean(_return_per_second(rollout)),
-        commands_met=proportion(commands_met(rollout, _tolerance(rollout.robot))),
+        commands_met=proportion(commands_met(rollout, tolerances(CLOSE, rollout.robot))),
         falls=proportion(rollout.fallen),
         electrical_power=bootstrap_mean(rollout.electrical_power.mean(axis=0, dtype=np.float64)),
     )

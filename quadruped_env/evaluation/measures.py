@@ -9,16 +9,17 @@ suite and the gain over the zero action use these measures, whatever the conditi
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quadruped_env.control.control_config import VELOCITIES, velocity_commands
 from quadruped_env.evaluation.rollout import PhysicsSamples, Rollout
 from quadruped_env.robot import Robot
-from quadruped_env.robot.units import scale_of
+from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.rotations import up_in_body
 
@@ -35,9 +36,9 @@ TILTED: Final = 0.3
 """Tilt in rad of a robot that sits, leans or tumbles: gaits on level ground stay below it."""
 STANDING_SWING: Final = 0.01
 """RMS hip swing below which a robot counts as not stepping, rad."""
-CLOSE: Final = (0.05, 0.1)
-"""Maximum errors of the mean velocities under a command that is met, for the built-in robot, m/s and rad/s."""
-ROUGH: Final = (0.1, 0.2)
+CLOSE: Final = {"m/s": 0.05, "rad/s": 0.1}
+"""Unit of a mean velocity -> its maximum error under a command that is met, for the built-in robot."""
+ROUGH: Final = {"m/s": 0.1, "rad/s": 0.2}
 """The same where the command is followed roughly: with disturbances, and before a measure of the gait counts."""
 CLEARANCE_QUANTILE: Final = 0.05
 """Quantile of the apexes of a foot's swings that is its clearance."""
@@ -80,14 +81,18 @@ class Metric:
 
 METRICS: Final[dict[str, Metric]] = {
     "fall_rate": Metric("Falls", "", "share of episodes that end in a fall", 0, percent=True),
-    "forward_velocity_error": Metric(
-        "Forward velocity error", "m/s", "RMS over time of the 1 s mean of the forward velocity minus its command", 3
-    ),
-    "yaw_rate_error": Metric(
-        "Yaw rate error", "rad/s", "RMS over time of the 1 s mean of the yaw rate minus its command", 3
-    ),
+    **{
+        f"{name}_error": Metric(
+            f"{name.replace('_', ' ').capitalize()} error",
+            unit,
+            f"RMS over time of the 1 s mean of the {name.replace('_', ' ')} minus its command",
+            3,
+        )
+        for name, unit in ((entry.name, entry.unit) for entry in VELOCITIES)
+    },
     "forward_velocity": Metric("Forward velocity", "m/s", "mean, in the robot's own frame", 3),
     "yaw_rate": Metric("Yaw rate", "rad/s", "mean; positive turns left", 3),
+    "lateral_velocity": Metric("Lateral velocity", "m/s", "mean, in the robot's own frame; positive to the left", 3),
     "distance": Metric("Distance", "m", "travelled forwards by the end of the episode, or by the fall"),
     "electrical_cost_of_transport": Metric(
         "Electrical cost of transport", "", "electrical power / (weight x speed); undefined for a robot that stands"
@@ -132,6 +137,24 @@ METRICS: Final[dict[str, Metric]] = {
 }
 """Every measure, in the order of tables."""
 
+
+def metrics_of(robot: Robot) -> dict[str, Metric]:
+    """Return the measures of a robot: all but the velocities, and their errors, that it has no command for."""
+    missing = [entry.name for entry in VELOCITIES[len(velocity_commands(robot)) :]]
+    return {name: metric for name, metric in METRICS.items() if name.removesuffix("_error") not in missing}
+
+
+def errors_of(robot: Robot) -> list[str]:
+    """Return the names of the errors of a robot's velocities, in the order of its `velocity_commands`."""
+    return [f"{entry.name}_error" for entry in velocity_commands(robot)]
+
+
+def tolerances(errors: Mapping[str, float], robot: Robot) -> tuple[float, ...]:
+    """Return errors by unit of the built-in robot, such as `CLOSE`, for each velocity of a robot, in its units."""
+    units = [entry.unit for entry in velocity_commands(robot)]
+    return tuple(scaled(errors[unit], scale_of(unit, robot), 3) for unit in units)
+
+
 OF_FEET: Final[dict[str, Callable[[Floats], Floats]]] = {
     "clearance": lambda feet: feet.min(axis=-1),
     "swings_per_stride": lambda feet: feet.max(axis=-1),
@@ -149,16 +172,16 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
     Those of the gait are left out if the rollout has no physics steps.
     """
     r, dt, counted = rollout, rollout.timestep, counted_samples(rollout)
-    forward, yaw_rate, command = r.velocity[..., 0], r.velocity[..., 1], r.command[0]
-    speed = masked_mean(forward, counted)
+    names = [entry.name for entry in velocity_commands(r.robot)]
+    velocities = dict(zip(names, np.moveaxis(r.velocity, -1, 0), strict=True))
+    commands = dict(zip(names, r.command[0].T, strict=True))
+    speed = masked_mean(r.velocity[..., 0], counted)
     electrical, mechanical = masked_mean(r.electrical_power, counted), masked_mean(r.mechanical_power, counted)
     values: dict[str, Floats] = {
         "fall_rate": r.fallen.astype(np.float64),
-        "forward_velocity_error": tracking_error(forward, command[:, 0], counted, dt),
-        "yaw_rate_error": tracking_error(yaw_rate, command[:, 1], counted, dt),
-        "forward_velocity": speed,
-        "yaw_rate": masked_mean(yaw_rate, counted),
-        "distance": distance(forward, r.valid, dt),
+        **{f"{name}_error": tracking_error(v, commands[name], counted, dt) for name, v in velocities.items()},
+        **{name: masked_mean(v, counted) for name, v in velocities.items()},
+        "distance": distance(r.velocity[..., 0], r.valid, dt),
         "electrical_cost_of_transport": cost_of_transport(electrical, speed, r.robot.total_mass),
         "mechanical_cost_of_transport": cost_of_transport(mechanical, speed, r.robot.total_mass),
         "electrical_power": electrical,
@@ -198,19 +221,19 @@ def gait_measures(rollout: Rollout) -> dict[str, Floats]:
 
 
 def meets(
-    achieved: ArrayLike, command: ArrayLike, still: ArrayLike, fallen: ArrayLike, tolerance: tuple[float, float]
+    achieved: ArrayLike, command: ArrayLike, still: ArrayLike, fallen: ArrayLike, tolerance: Sequence[float]
 ) -> Bools:
     """Return True for each episode, or stretch of one, that meets its command (...).
 
-    Without a fall, the mean velocities (..., 2) must be within `tolerance` of the command (..., 2), m/s and rad/s, and
-    a robot whose command is to stand must stand `still`. Unknown velocities, NaN, do not meet a command.
+    Without a fall, the mean velocities (..., V) must be within `tolerance` (V,) of the command (..., V), m/s and rad/s,
+    and a robot whose command is to stand must stand `still`. Unknown velocities, NaN, do not meet a command.
     """
     command = np.asarray(command, dtype=np.float64)
     close = (np.abs(np.asarray(achieved) - command) <= tolerance).all(axis=-1)
     return np.asarray(close & ~np.asarray(fallen) & (np.asarray(still) | command.any(axis=-1)))
 
 
-def commands_met(rollout: Rollout, tolerance: tuple[float, float]) -> Bools:
+def commands_met(rollout: Rollout, tolerance: Sequence[float]) -> Bools:
     """Return True for each command that was met, robot by robot, (S,).
 
     A command holds until it changes, the robot falls or the time is over, and counts from `START_UP` after its
@@ -228,14 +251,14 @@ def commands_met(rollout: Rollout, tolerance: tuple[float, float]) -> Bools:
             fell = bool(r.fell[stop - 1, robot])
             if fell or stop - start >= shortest:
                 part = slice(start + allowance, stop)
-                achieved = r.velocity[part, robot].mean(axis=0, dtype=np.float64) if not fell else np.full(2, np.nan)
+                achieved = r.velocity[part, robot].mean(axis=0, dtype=np.float64) if not fell else np.nan
                 still = is_still(r.joint_velocity[part, robot], r.robot) if not fell else False
                 met.append(bool(meets(achieved, r.command[start, robot], still, fell, tolerance)))
     return np.array(met, np.bool_)
 
 
 def mean_velocities(rollout: Rollout) -> Floats:
-    """Return the mean forward velocity in m/s and yaw rate in rad/s of each episode (N, 2), after the start-up.
+    """Return the mean of each velocity over each episode after the start-up, m/s and rad/s (N, V).
 
     NaN for an episode that falls during the start-up.
     """

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.conditions import Command
 from quadruped_env.evaluation.measures import TILTED
 from quadruped_env.evaluation.trace import Recorder, Trace
 from quadruped_env.gait import SinusoidalGait
@@ -128,7 +129,7 @@ def play(
 def record(
     controller: Controller,
     seconds: float,
-    command: tuple[float, float] = (0.0, 0.0),
+    command: Command = (0.0, 0.0),
     config: TaskConfig | None = None,
     first_stamp: int = 0,
     progress: Progress | None = None,
@@ -139,7 +140,7 @@ def record(
     Args:
         controller: controller to run.
         seconds: duration, s; the last control step may end later.
-        command: forward velocity in m/s and yaw rate in rad/s.
+        command: forward velocity in m/s, yaw rate in rad/s, and for robots that move sideways lateral velocity in m/s.
         config: task configuration, with its robot; its randomization is ignored, and its action mode is the
             controller's.
         first_stamp: timestamp of the start, ns.
@@ -159,7 +160,7 @@ def record(
     task.place(_ROW, qpos[None], np.zeros((1, robot.num_velocities)))
 
     steps = math.ceil(seconds / config.control_timestep - 1e-6)
-    recorder = Recorder(steps + 1)
+    recorder = Recorder(robot, steps + 1)
     observation = task.observe()
     fell_at = None
     recorder.write(task.simulation.readings, contact=task.context.foot_contact)

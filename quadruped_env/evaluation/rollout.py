@@ -99,7 +99,7 @@ class Rollout(CommandedTrace):
 
 
 def grid(commands: ArrayLike, seeds: Sequence[int]) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Combine every command (K, 2) with each of S seeds: commands (K * S, 2) and seeds (K * S,), grouped by command."""
+    """Combine every command (K, V) with each of S seeds: commands (K * S, V) and seeds (K * S,), grouped by command."""
     commands = np.asarray(commands, dtype=np.float64)
     return np.repeat(commands, len(seeds), axis=0), np.tile(np.asarray(seeds, dtype=np.int64), len(commands))
 
@@ -129,8 +129,8 @@ def roll_out(
 
     Args:
         controller: controller to run.
-        commands: forward velocity in m/s and yaw rate in rad/s, (K, 2); None: one episode per seed, in which the task
-            draws the commands.
+        commands: forward velocity in m/s and yaw rate in rad/s, (K, 2), for robots that move sideways also the lateral
+            velocity in m/s, (K, 3); None: one episode per seed, in which the task draws the commands.
         seeds: one episode per command and seed.
         seconds: length of an episode, s.
         config: task configuration, with its robot; the action mode is the controller's. None takes the defaults.
@@ -155,20 +155,20 @@ def roll_out(
             f"roll_out: expected at least one seed and {config.control_timestep:g} s; "
             f"found {len(seeds)} seeds and {seconds:g} s"
         )
+    robot, velocities = config.robot, config.control.num_velocities
     command, seed = None, np.array(seeds, np.int64)
     if commands is not None:
         command, seed = grid(commands, seeds)
-        if command.ndim != 2 or command.shape[1] != 2 or not len(command):
-            raise QuadrupedError(f"roll_out: commands must have shape (K, 2); found {np.shape(commands)}")
-    robot = config.robot
+        if command.ndim != 2 or not 2 <= command.shape[1] <= velocities or not len(command):
+            raise QuadrupedError(f"roll_out: commands must have shape (K, {velocities}); found {np.shape(commands)}")
     coefficient = config.motor.joule_coefficients(robot.joint_kinds)
     task = Task(engine(config, len(seed)), config)
     _reset(task, command, seed, tiles)
     observation, term_names = task.observe(), task.term_names
-    recorder = Recorder(steps, np.float32)
+    recorder = Recorder(robot, steps, np.float32)
     ended = np.zeros(len(seed), dtype=np.bool_)
     fixed = command is not None and before_step is None
-    commanded = np.broadcast_to(task.command, (steps, len(seed), 2))
+    commanded = np.broadcast_to(task.command, (steps, *task.command.shape))
     commanded = commanded if fixed else commanded.copy()
     samples: PhysicsSamples | None = None
     for step in range(steps):
@@ -218,7 +218,7 @@ def roll_out(
 def _reset(
     task: Task, command: NDArray[np.float64] | None, seed: NDArray[np.int64], tiles: NDArray[np.intp] | None
 ) -> None:
-    """Begin all episodes (N,), consecutive ones with the same command (N, 2) at once."""
+    """Begin all episodes (N,), consecutive ones with the same command (N, V) at once."""
     new = np.zeros(len(seed) - 1, np.bool_) if command is None else (np.diff(command, axis=0) != 0.0).any(axis=1)
     for block in np.split(np.arange(len(seed)), np.flatnonzero(new) + 1):
         task.reset(

@@ -9,6 +9,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot import Robot
 from quadruped_env.robot.readings import Readings
@@ -42,9 +43,9 @@ class Trace:
     joint_torque: Array | None = None
     """Motor torques in the last physics step of each control step, N m (T, N, J)"""
     velocity: Array | None = None
-    """Forward velocity in m/s and yaw rate in rad/s, in the body frame (T, N, 2)"""
+    """Velocities of the robot's `velocity_commands`, in the body frame, m/s and rad/s (T, N, V)"""
     command: Array | None = None
-    """Velocity command in the same units (T, N, 2); None for a controller that follows none"""
+    """Velocity command in the same units (T, N, V); None for a controller that follows none"""
     contact: NDArray[np.bool_] | None = None
     """True for each foot on the ground (T, N, L)"""
     terrain: Terrain = flat
@@ -151,14 +152,16 @@ class CommandedTrace(Trace):
     contact: NDArray[np.bool_] = field()
 
 
-def measured(readings: Readings) -> dict[str, NDArray[np.float64]]:
+def measured(robot: Robot, readings: Readings) -> dict[str, NDArray[np.float64]]:
     """Return the quantities of a `Trace` that readings of N envs hold: name -> (N, ...), in part live views."""
+    linear, angular = readings.linear_velocity_b, readings.angular_velocity_b
+    velocities = [linear[:, 0], angular[:, 2], linear[:, 1]]
     return {
         "base_pose": np.concatenate([readings.base_position, readings.orientation], axis=1),
         "joint_position": readings.joint_position,
         "joint_velocity": readings.joint_velocity,
         "joint_torque": readings.joint_torque,
-        "velocity": np.stack([readings.linear_velocity_b[:, 0], readings.angular_velocity_b[:, 2]], axis=1),
+        "velocity": np.stack(velocities[: len(velocity_commands(robot))], axis=1),
     }
 
 
@@ -166,19 +169,20 @@ class Recorder:
     """Records samples of N envs, one per control step.
 
     Args:
+        robot: robot of the envs.
         steps: number of samples T. Samples that are never written are zero.
         dtype: type of the floating-point quantities.
     """
 
-    def __init__(self, steps: int, dtype: DTypeLike = np.float64) -> None:
-        self._steps, self._dtype = steps, dtype
+    def __init__(self, robot: Robot, steps: int, dtype: DTypeLike = np.float64) -> None:
+        self._robot, self._steps, self._dtype = robot, steps, dtype
         self._arrays: dict[str, Any] = {}
         self.written = 0
         """Number of samples written."""
 
     def write(self, readings: Readings, **values: Array) -> None:
         """Write the next sample: the readings of N envs, and further quantities (N, ...)."""
-        sample = {**measured(readings), **values}
+        sample = {**measured(self._robot, readings), **values}
         if not self._arrays:
             for name, value in sample.items():
                 dtype = np.bool_ if value.dtype == np.bool_ else self._dtype

@@ -8,10 +8,11 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.evaluation.comparison import ERRORS, Comparison, error_of, rank
+from quadruped_env.control.control_config import velocity_commands
+from quadruped_env.evaluation.comparison import Comparison, error_of, rank
 from quadruped_env.evaluation.conditions import MOTIONS, Command, words
 from quadruped_env.evaluation.learning_gain import WALKING_FALL_RATE, LearningGain
-from quadruped_env.evaluation.measures import METRICS, ROUGH
+from quadruped_env.evaluation.measures import METRICS, ROUGH, errors_of
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of
 
@@ -21,8 +22,6 @@ WALKING_SHARE: Final = 0.5
 """Minimum fraction of the commanded velocity at which the robot walks."""
 CREEPING_SHARE: Final = 0.2
 """Minimum fraction of the commanded forward velocity at which the robot moves forward at all."""
-_FOLLOWED: Final = dict(zip(ERRORS, ROUGH, strict=True))
-"""Maximum errors of a policy that follows its commands, for the built-in robot, m/s and rad/s."""
 _STILL: Final = 0.03
 """Maximum error of a robot that stands still, for the built-in robot, m/s or rad/s."""
 
@@ -32,7 +31,8 @@ WORST_SHOWN: Final = 3
 
 def tolerance(metric: str, robot: Robot) -> float:
     """Return the maximum error of a policy that follows its commands."""
-    return scale_of(METRICS[metric].unit, robot) * _FOLLOWED[metric]
+    unit = METRICS[metric].unit
+    return scale_of(unit, robot) * ROUGH[unit]
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def verdict(comparison: Comparison, gain: LearningGain | None = None) -> Verdict
     if share < WALKING_SHARE:
         reached = f"reaches {_percent(share)} of the commanded forward velocity"
         return Verdict("poor", f"Hardly: it {falls}, and {reached}." if unstable else f"Hardly: it {reached}.")
-    ranks = {motion: _rank(comparison, "tuned", motion) for motion in MOTIONS if comparison.conditions(motion)}
+    ranks = {motion: rank(comparison, error_of(motion), "policy", "tuned", motion) for motion in comparison.motions}
     flaws = [falls] if unstable else []
     flaws += [] if gain is None or gain.is_better else [gain.lack]
     flaws += _flaws(comparison)
@@ -88,20 +88,21 @@ def verdict(comparison: Comparison, gain: LearningGain | None = None) -> Verdict
 
 def _flaws(comparison: Comparison) -> list[str]:
     """Return predicates about the commands that the policy does not follow, motion by motion."""
-    robot, flaws = comparison.robot, []
+    robot, metrics, flaws = comparison.robot, errors_of(comparison.robot), []
     unknown: list[str] = []
     missed: list[str] = []
-    for motion in MOTIONS:
-        rows = comparison.conditions(motion)
-        if rows and any(math.isnan(comparison.estimate("policy", metric, motion).mean) for metric in ERRORS):
+    for motion in comparison.motions:
+        if any(math.isnan(comparison.estimate("policy", metric, motion).mean) for metric in metrics):
             unknown.append(motion)
             continue
-        if motion == "backwards":
-            walks = not rows or reached_share(comparison, "policy", motion) >= WALKING_SHARE
-            flaws += [] if walks else ["does not walk backwards"]
+        walks = motion in ("forwards", "standing", "turning")
+        if not walks:
+            walks = reached_share(comparison, "policy", motion) >= WALKING_SHARE
+            flaws += [] if walks else [f"does not walk {motion}"]
+        if not walks or motion == "backwards":
             continue
-        for row in rows:
-            errors = {metric: comparison.estimate("policy", metric, [row]).mean for metric in ERRORS}
+        for row in comparison.conditions(motion):
+            errors = {metric: comparison.estimate("policy", metric, [row]).mean for metric in metrics}
             if motion == "standing":
                 still = all(error < _STILL * scale_of(METRICS[m].unit, robot) for m, error in errors.items())
                 flaws += [] if still else ["does not stand still"]
@@ -115,18 +116,14 @@ def _flaws(comparison: Comparison) -> list[str]:
 
 
 def reached_share(comparison: Comparison, controller: str, motion: str) -> float:
-    """Divide the mean achieved by the mean commanded velocity (the yaw rate for turning); NaN if the commands are 0."""
-    rows = comparison.conditions(motion)
-    column, metric = (1, "yaw_rate") if motion == "turning" else (0, "forward_velocity")
+    """Divide the mean achieved by the mean commanded velocity, the one in `MOTIONS`; NaN if the commands are 0."""
+    rows, metric = comparison.conditions(motion), MOTIONS[motion]
+    column = [entry.name for entry in velocity_commands(comparison.robot)].index(metric)
     command = np.array(comparison.commands)[rows, column]
     achieved = comparison.values[controller][metric][rows] * np.sign(command)[:, None]
     finite = np.isfinite(achieved)
     wanted = float((np.abs(command)[:, None] * finite).sum())
     return float(np.where(finite, achieved, 0.0).sum()) / wanted if wanted else math.nan
-
-
-def _rank(comparison: Comparison, other: str, motion: str) -> str:
-    return rank(comparison, error_of(motion), "policy", other, motion)
 
 
 def _percent(share: float) -> str:
@@ -149,7 +146,7 @@ class Failure:
     fell_at: float | None
     """Time of the fall, s; None without a fall"""
     badness: float
-    """Larger of the two velocity errors, relative to its tolerance; infinite for a fall"""
+    """Largest of the velocity errors, relative to its tolerance; infinite for a fall"""
     story: str
     """Time of the fall, or velocity errors, in words"""
 
@@ -164,7 +161,7 @@ def worst_episodes(comparison: Comparison) -> list[Failure]:
     worst = []
     for i, command in enumerate(comparison.commands):
         rows = comparison.rows(i)
-        errors = {metric: comparison.values["policy"][metric][i] for metric in ERRORS}
+        errors = {metric: comparison.values["policy"][metric][i] for metric in errors_of(comparison.robot)}
         relative = [error / tolerance(metric, comparison.robot) for metric, error in errors.items()]
         badness = np.where(rollout.fallen[rows], np.inf, np.nan_to_num(np.max(relative, axis=0)))
         j = int(np.lexsort((alive[rows], -badness))[0])
@@ -172,6 +169,6 @@ def worst_episodes(comparison: Comparison) -> list[Failure]:
         if rollout.fallen[row]:
             fell_at = float(alive[row] + 1) * rollout.timestep
             story = f"It fell at {fell_at:.1f} s. Errors before: "
-        story += " and ".join(f"{METRICS[m].show(error[j])} {METRICS[m].unit}" for m, error in errors.items()) + "."
+        story += listed([f"{METRICS[m].show(error[j])} {METRICS[m].unit}" for m, error in errors.items()]) + "."
         worst.append(Failure(row, command, comparison.seeds[j], fell_at, float(badness[j]), story))
     return sorted(worst, key=lambda failure: (-failure.badness, alive[failure.row]))[:WORST_SHOWN]

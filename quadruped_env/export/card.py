@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
 from quadruped_env.envs import ENV_ID
-from quadruped_env.evaluation.learning_gain import GAIN_HEADER, TABLE_NOTE, gain_rows, reward_in_words
+from quadruped_env.evaluation.learning_gain import GAIN_HEADER, gain_rows, reward_in_words, table_note
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.c_source import HEADER_FILE, SKETCH_FILE, SOURCE_FILE
 from quadruped_env.export.golden_trace import TRACE_FILE
@@ -194,7 +194,7 @@ def _learning(learning: Mapping[str, Any] | None) -> str:
         return ""
     text = _filled(
         f"Policy and zero action in its own task, over {learning['episodes']} episodes of {learning['seconds']:g} s: "
-        f"{learning['verdict']}; {reward_in_words(learning)}. 95 % intervals are in brackets. {TABLE_NOTE}"
+        f"{learning['verdict']}; {reward_in_words(learning)}. 95 % intervals are in brackets. {table_note(learning)}"
     )
     return f"## What learning added\n\n{text}\n\n{_table(GAIN_HEADER, gain_rows(learning))}"
 

@@ -61,6 +61,51 @@ ARTICLE: Final[dict[str, Any]] = {
 }
 """Parameters of the tutorial's `SinusoidalGait`."""
 
+SINUSOID: Final = "sinusoid"
+"""Name of the trot in closed form, the base of `residual`."""
+
+CLOCK_FREQUENCY: Final = 3.4
+"""Frequency of the tuned robot's gait clock, Hz."""
+LIFT: Final = 0.2
+"""Angle by which the knee folds in a swing, rad."""
+TURN_GAIN: Final = 4.0
+"""Difference of the sides in a turn, relative to wheels that roll. Without sideways joints the feet of a turning robot
+slide sideways, and friction acts along the sliding: only feet that slide faster along x turn the robot."""
+SPEEDS: Final = (-1.0, 1.0)
+"""Forward velocities between which the amplitude is proportional to the velocity, m/s."""
+LARGEST_YAW_RATE: Final = 0.8
+
+
+class Trot(NamedTuple):
+    """Steps of a robot other than the built-in one, for which no gait was searched; of one as tall as that."""
+
+    frequency: float = CLOCK_FREQUENCY
+    """Cycles per second, Hz."""
+    lift: float = 0.12
+    """Height by which a foot rises in its swing, as a part of the stance's height."""
+    height: float = 1.0
+    """Height of the base, as a part of the stance's height."""
+    largest_yaw_rate: float = LARGEST_YAW_RATE
+    """rad/s."""
+    phases: str = "trot"
+    """Key of `LEG_PHASES`."""
+    speed: float = 0.4
+    """Forward velocity of its `SinusoidalGait`, m/s."""
+
+
+TROTS: Final = {
+    SINUSOID: Trot(),
+    "tuned": Trot(),
+    "crouched": Trot(3.6, height=0.9),
+    "low": Trot(5.0, lift=0.06),
+    "fast": Trot(3.2, largest_yaw_rate=1.2),
+    "trot": Trot(),
+    "walk": Trot(phases="walk", speed=0.25),
+    "bound": Trot(phases="bound", speed=0.35),
+    "pace": Trot(phases="pace", speed=0.3),
+}
+"""What takes the place of a preset on a robot other than the built-in one."""
+
 TUNED_FOR_ONE_SPEED: Final = {
     "trot": (
         14.0,
@@ -84,20 +129,6 @@ TUNED_FOR_ONE_SPEED: Final = {
     ),
 }
 """Preset -> angular frequency in rad/s, fore legs, hind legs; `LEG_PHASES` has the phases."""
-
-SINUSOID: Final = "sinusoid"
-"""Name of the trot in closed form, the base of `residual`."""
-
-CLOCK_FREQUENCY: Final = 3.4
-"""Frequency of the tuned robot's gait clock, Hz."""
-LIFT: Final = 0.2
-"""Angle by which the knee folds in a swing, rad."""
-TURN_GAIN: Final = 4.0
-"""Difference of the sides in a turn, relative to wheels that roll. Without sideways joints the feet of a turning robot
-slide sideways, and friction acts along the sliding: only feet that slide faster along x turn the robot."""
-_SPEEDS: Final = (-1.0, 1.0)
-"""Forward velocities between which the amplitude is proportional to the velocity, m/s."""
-_LARGEST_YAW_RATE: Final = 0.8
 
 
 def sinusoid(frequency: float) -> dict[str, Any]:
@@ -127,13 +158,13 @@ def sinusoid(frequency: float) -> dict[str, Any]:
         "knee_cosine": (0.0, 0.0),
         "knee_sine": (-LIFT / 2.0,) * 2,
         "knee_offset": (knee - LIFT / math.pi,) * 2,
-        "hip_cosine": tuple(stride * speed for speed in _SPEEDS),
+        "hip_cosine": tuple(stride * speed for speed in SPEEDS),
     }
     side = {**none, "hip_cosine": (TURN_GAIN * stride * half_track,) * 2}
     return {
         "angular_frequency": math.tau * frequency,
-        "speeds": _SPEEDS,
-        "largest_yaw_rate": _LARGEST_YAW_RATE,
+        "speeds": SPEEDS,
+        "largest_yaw_rate": LARGEST_YAW_RATE,
         **dict.fromkeys(("fore", "hind"), straight),
         **dict.fromkeys(("fore_turn", "hind_turn"), none),
         **dict.fromkeys(("fore_side", "hind_side"), side),

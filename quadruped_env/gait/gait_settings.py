@@ -39,22 +39,22 @@ class GaitSettings:
     @classmethod
     def of(cls, gait: SinusoidalGait) -> Self:
         """Settings that leave a gait unchanged."""
-        phases = tuple(phase / math.tau % 1.0 for phase in gait.phases[::2])
+        phases = tuple(gait.phases[joints[-2]] / math.tau % 1.0 for joints in gait.robot.leg_joints)
         return cls(1.0, gait.angular_frequency / math.tau, phases)
 
 
 def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
-    """A gait with modified amplitudes, frequency and leg phases; each knee keeps its phase lag to the hip.
+    """A gait with modified amplitudes, frequency and leg phases; each joint keeps its phase lag to the knee's hip.
 
     Raises:
         QuadrupedError: if there is not one phase per leg of the robot.
     """
     if len(settings.phases) != gait.robot.num_legs:
         raise QuadrupedError(f"gait: expected {gait.robot.num_legs} phases, one per leg; found {len(settings.phases)}")
-    phases = []
-    for leg, cycles in enumerate(settings.phases):
-        hip, knee = gait.phases[2 * leg : 2 * leg + 2]
-        phases += [math.tau * cycles, math.tau * cycles + knee - hip]
+    phases = list(gait.phases)
+    for joints, cycles in zip(gait.robot.leg_joints, settings.phases, strict=True):
+        for joint in joints:
+            phases[joint] = math.tau * cycles + gait.phases[joint] - gait.phases[joints[-2]]
     return replace(
         gait,
         hip_amplitude=_scaled(gait.hip_amplitude, settings.amplitude),

@@ -8,9 +8,10 @@ For each leg, with phase p of the joint and angular frequency w:
 The ROS 2 tutorial has this form; its parameters are the preset `article`. `CommandedGait` adapts it to a
 commanded forward velocity and yaw rate. Units: rad, rad/s, s.
 
-The other presets are for the built-in robot. On another robot with a hip and a knee per leg, the feet make the same
-motions about its stance, as nearly as sinusoids can, in proportion to the height of its stance; times and speeds are in
-proportion to the square root of it.
+A hip is every joint of a leg but the last one, which is a knee.
+
+The other presets were found or derived for the built-in robot. Another robot with two or three joints per leg gets the
+trot of `quadruped_env.gait.waves` in their place, with the frequency, lift, height and leg phases in `TROTS`.
 """
 
 import functools
@@ -20,7 +21,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_presets import (
@@ -29,26 +30,32 @@ from quadruped_env.gait.gait_presets import (
     LEG_PHASES,
     PRESETS,
     SINUSOID,
+    TROTS,
     TUNED_FOR_ONE_SPEED,
     TUNED_ON,
     LegTable,
+    Trot,
     sinusoid,
 )
-from quadruped_env.gait.waves import Waves, joint_phases, map_waves, wave_positions
-from quadruped_env.robot.corners import corners, half_track
+from quadruped_env.gait.waves import Waves, joint_phases, trot_waves, wave_positions
+from quadruped_env.robot.corners import corners
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import Floats, frozen
 from quadruped_env.utils.plain import plain
 
-_HIPS: Final = slice(0, None, 2)
-_KNEES: Final = slice(1, None, 2)
+LEG_TABLES: Final = ("fore", "hind", "fore_turn", "hind_turn", "fore_side", "hind_side")
+"""Tables of a gait of two joints per leg; see `CommandedGait.of_legs`."""
+_WAVES: Final = ("straight", "turn", "side", "lateral")
 
-_TABLES: Final = ("fore", "hind", "fore_turn", "hind_turn", "fore_side", "hind_side")
-
-_WHOLE_STEPS: Final = (0.05, 0.15)
-"""Forward velocity (m/s) and yaw rate (rad/s) from which on the tuned robot takes whole steps."""
+_WHOLE_STEPS: Final = (0.05, 0.15, 0.05)
+"""Forward velocity (m/s), yaw rate (rad/s) and lateral velocity (m/s) from which on the tuned robot takes whole
+steps."""
+_TROT_SPEEDS: Final = (-1.0, -0.5, 0.0, 0.5, 1.0)
+"""Forward velocities of the tables of a trot, m/s, of a robot as tall as the built-in one."""
+_LATERAL: Final = 0.3
+"""Lateral velocity at which a trot's steps to the side are computed, m/s, of a robot as tall as the built-in one."""
 
 
 @dataclass(frozen=True)
@@ -56,11 +63,11 @@ class SinusoidalGait:
     """An open-loop gait of one sinusoid per joint.
 
     Args:
-        hip_amplitude, knee_amplitude: amplitudes, one number or one per leg, rad.
-        hip_offset, knee_offset: offsets, one number or one per leg, rad.
+        hip_amplitude, knee_amplitude: amplitudes, one number or one per hip or knee, rad.
+        hip_offset, knee_offset: offsets, one number or one per hip or knee, rad.
         angular_frequency: angular frequency, rad/s.
         phases: phase of each joint (J,), rad.
-        robot: robot with a hip and a knee per leg, whose limits apply.
+        robot: robot whose limits apply.
     """
 
     hip_amplitude: float | tuple[float, ...]
@@ -73,29 +80,32 @@ class SinusoidalGait:
     _amplitude: Floats = field(init=False, repr=False, compare=False)
     _offset: Floats = field(init=False, repr=False, compare=False)
     _phases: Floats = field(init=False, repr=False, compare=False)
+    _knees: NDArray[np.bool_] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        num_joints, num_legs = self.robot.num_joints, self.robot.num_legs
+        num_joints, knees = self.robot.num_joints, _knees(self.robot)
         if len(self.phases) != num_joints:
             raise QuadrupedError(
                 f"SinusoidalGait: phases must have {num_joints} values, one per joint; found {len(self.phases)}"
             )
-        for name in ("hip_amplitude", "hip_offset", "knee_amplitude", "knee_offset"):
-            if np.shape(getattr(self, name)) not in ((), (num_legs,)):
-                raise QuadrupedError(f"SinusoidalGait: {name} must be one number or {num_legs}, one per leg")
         amplitude, offset = np.empty(num_joints), np.empty(num_joints)
-        amplitude[_HIPS], amplitude[_KNEES] = self.hip_amplitude, self.knee_amplitude
-        offset[_HIPS], offset[_KNEES] = self.hip_offset, self.knee_offset
+        for kind, joints in (("hip", ~knees), ("knee", knees)):
+            for part, values in (("amplitude", amplitude), ("offset", offset)):
+                given, count = getattr(self, f"{kind}_{part}"), int(joints.sum())
+                if np.shape(given) not in ((), (count,)):
+                    raise QuadrupedError(f"SinusoidalGait: {kind}_{part} must be one number or {count}, one per {kind}")
+                values[joints] = given
         values = np.concatenate([amplitude, offset, self.phases, [self.angular_frequency]])
         if not np.isfinite(values).all():
             raise QuadrupedError("SinusoidalGait: every parameter must be finite; found NaN or infinity")
         object.__setattr__(self, "_amplitude", amplitude)
         object.__setattr__(self, "_offset", offset)
         object.__setattr__(self, "_phases", np.array(self.phases, dtype=np.float64))
+        object.__setattr__(self, "_knees", knees)
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
-        """A gait by name: `article` as published, or one tuned for the built-in robot and mapped to another.
+        """A gait by name: `article` as published, one found for the built-in robot, or another robot's of `TROTS`.
 
         `sinusoid`, `tuned`, `crouched`, `low` and `fast` are the gaits of `CommandedGait` at 0.4 m/s straight ahead.
 
@@ -110,7 +120,10 @@ class SinusoidalGait:
             )
         if robot == TUNED_ON:
             return _PRESETS[name]
-        return _published(robot) if name == "article" else _mapped(_PRESETS[name], robot)
+        if name == "article":
+            return _published(robot)
+        root, trot = scale_of("m/s", robot), TROTS[name]
+        return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0))
 
     def parameters(self) -> dict[str, Any]:
         """The numbers of the gait as plain values for JSON."""
@@ -120,17 +133,12 @@ class SinusoidalGait:
     def positions(self, t: ArrayLike) -> Floats:
         """Joint positions (..., J) in rad at times t (...,) in s."""
         angle = self._angle(t)
-        wave = np.empty_like(angle)
-        wave[..., _HIPS] = np.sin(angle[..., _HIPS])
-        wave[..., _KNEES] = np.cos(angle[..., _KNEES])
-        return self._amplitude * wave + self._offset
+        return self._amplitude * np.where(self._knees, np.cos(angle), np.sin(angle)) + self._offset
 
     def velocities(self, t: ArrayLike) -> Floats:
         """Joint velocities (..., J) in rad/s at times t (...,) in s: the derivative of `positions`."""
         angle = self._angle(t)
-        wave = np.empty_like(angle)
-        wave[..., _HIPS] = np.cos(angle[..., _HIPS])
-        wave[..., _KNEES] = -np.sin(angle[..., _KNEES])
+        wave = np.where(self._knees, -np.sin(angle), np.cos(angle))
         return self.angular_frequency * self._amplitude * wave
 
     def _angle(self, t: ArrayLike) -> Floats:
@@ -169,48 +177,47 @@ def limit_violations(robot: Robot, low: Floats, high: Floats, speed: Floats, tol
     return found
 
 
+def _knees(robot: Robot) -> NDArray[np.bool_]:
+    """Return True for the last joint of each leg (J,)."""
+    return np.isin(np.arange(robot.num_joints), [joints[-1] for joints in robot.leg_joints])
+
+
 def _published(robot: Robot) -> SinusoidalGait:
-    """The gait `article` on another robot: each corner's leg keeps its angles and phases."""
-    article = _PRESETS["article"]
-    phases = np.array(article.phases).reshape(4, 2)[list(corners(robot))]
-    return replace(article, phases=tuple(phases.ravel().tolist()), robot=robot)
+    """Return the gait `article` on another robot: hips and knees have the angles and phases of their corner.
 
-
-def _mapped(gait: SinusoidalGait, robot: Robot) -> SinusoidalGait:
-    """A gait of the tuned robot on another one, with the same motions of the feet."""
-    legs = list(corners(robot))
-    hip_amplitude, hip_offset, knee_amplitude, knee_offset = (
-        np.broadcast_to(value, 4)[legs]
-        for value in (gait.hip_amplitude, gait.hip_offset, gait.knee_amplitude, gait.knee_offset)
+    The first of three joints of a leg stays as in the stance.
+    """
+    article, knees = _PRESETS["article"], _knees(robot)
+    phases, still = np.empty(robot.num_joints), np.zeros(robot.num_joints, dtype=np.bool_)
+    for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
+        hip, knee = article.phases[2 * corner : 2 * corner + 2]
+        phases[list(joints)] = [hip] * (len(joints) - 1) + [knee]
+        still[list(joints[:-2])] = True
+    hips = still[~knees]
+    return replace(
+        article,
+        hip_amplitude=tuple(np.where(hips, 0.0, article.hip_amplitude).tolist()),
+        hip_offset=tuple(np.where(hips, robot.stance[~knees], article.hip_offset).tolist()),
+        phases=tuple(phases.tolist()),
+        robot=robot,
     )
-    phases = np.array(gait.phases).reshape(4, 2)[legs]
-    lag = phases[:, 1] - phases[:, 0]
-    waves = (
-        np.stack([hip_amplitude, -knee_amplitude * np.sin(lag)], axis=1).ravel(),
-        np.stack([np.zeros(4), knee_amplitude * np.cos(lag)], axis=1).ravel(),
-        np.stack([hip_offset, knee_offset], axis=1).ravel(),
-    )
-    mapped = map_waves(robot, *waves)
-    frequency = gait.angular_frequency / scale_of("m/s", robot)
-    return _sinusoids(robot, frequency, np.repeat(phases[:, 0], 2), *mapped)
 
 
 def _sinusoids(
     robot: Robot, angular_frequency: float, phases: Floats, sine: Floats, cosine: Floats, offset: Floats
 ) -> SinusoidalGait:
     """A gait from sine and cosine parts and offsets of all joints (J,) at the phases of their legs (J,)."""
-    hip_sine, hip_cosine, knee_sine, knee_cosine = sine[_HIPS], cosine[_HIPS], sine[_KNEES], cosine[_KNEES]
-    plain = hip_cosine == 0.0
-    phases = phases.copy()
-    phases[_HIPS] += np.where(plain, 0.0, np.arctan2(hip_cosine, hip_sine))
-    phases[_KNEES] += np.arctan2(-knee_sine, knee_cosine)
+    knees = _knees(robot)
+    plain = ~knees & (cosine == 0.0)
+    shift = np.where(knees, np.arctan2(-sine, cosine), np.arctan2(cosine, sine))
+    amplitude = np.where(plain, sine, np.hypot(sine, cosine))
     return SinusoidalGait(
-        hip_amplitude=tuple(np.where(plain, hip_sine, np.hypot(hip_sine, hip_cosine)).tolist()),
-        hip_offset=tuple(offset[_HIPS].tolist()),
-        knee_amplitude=tuple(np.hypot(cosine, sine)[_KNEES].tolist()),
-        knee_offset=tuple(offset[_KNEES].tolist()),
+        hip_amplitude=tuple(amplitude[~knees].tolist()),
+        hip_offset=tuple(offset[~knees].tolist()),
+        knee_amplitude=tuple(amplitude[knees].tolist()),
+        knee_offset=tuple(offset[knees].tolist()),
         angular_frequency=angular_frequency,
-        phases=tuple(phases.tolist()),
+        phases=tuple((phases + np.where(plain, 0.0, shift)).tolist()),
         robot=robot,
     )
 
@@ -241,95 +248,63 @@ def turn_size(yaw_rate: Floats, largest: float) -> Floats:
     return np.copysign(np.sqrt(np.minimum(np.abs(yaw_rate), largest) * largest), yaw_rate)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class CommandedGait:
-    """The sinusoidal trot as a function of a commanded forward velocity and yaw rate.
+    """The sinusoidal trot as a function of a command: forward velocity, yaw rate and, on some robots, lateral velocity.
 
-    The parameters of a leg are interpolated in tables over forward velocity, one for the fore and one for the hind
-    legs. To the straight gait's parameters a yaw rate adds |r| times the columns of `turn` on all legs, and r times the
-    columns of `side` on the right, which it subtracts on the left; r is the yaw rate's `turn_size`. Towards a command
-    of zero the gait fades into the stance.
+    The waves of all joints are interpolated in tables over forward velocity. To those of the straight gait a yaw rate
+    adds |r| times `turn` and r times `side`; r is the yaw rate's `turn_size`. A lateral velocity adds `lateral` times
+    itself. Towards a command of zero the gait fades into the stance.
 
     Args:
         angular_frequency: angular frequency, rad/s.
         speeds: forward velocities of the tables (K,), increasing, m/s.
-        largest_yaw_rate: yaw rate up to which the columns for turning hold, rad/s; for a larger one it is used.
-        fore, hind: tables of the straight gait, for the fore and the hind legs.
-        fore_turn, hind_turn: what a turn of either sign adds, per rad/s of its size.
-        fore_side, hind_side: what a turn adds on the right and subtracts on the left, per rad/s of its size.
+        largest_yaw_rate: yaw rate up to which the tables for turning hold, rad/s; for a larger one it is used.
+        straight: waves of the joints without a yaw rate, (K, J) each, rad.
+        turn: what a turn of either sign adds, per rad/s of its size, (K, J) each.
+        side: what a turn to the left adds and one to the right subtracts, per rad/s of its size, (K, J) each.
         robot: robot that walks.
-        native: True if the tables are joint angles of that robot; else they are of the robot on which the presets were
-            tuned, and are mapped.
+        lateral: what motion to the left adds and to the right subtracts, per m/s, (K, J) each; only of a robot whose
+            legs can move their feet sideways.
+        legs: the tables of a fore and a hind leg from which the waves were made, if they were.
     """
 
     angular_frequency: float
     speeds: Sequence[float]
     largest_yaw_rate: float
-    fore: LegTable
-    hind: LegTable
-    fore_turn: LegTable
-    hind_turn: LegTable
-    fore_side: LegTable
-    hind_side: LegTable
+    straight: Waves
+    turn: Waves
+    side: Waves
     robot: Robot = MINI_QUADRUPED
-    native: bool = False
-    _phases: Floats = field(init=False, repr=False, compare=False)
-    _tables: Floats = field(init=False, repr=False, compare=False)
-    """The nine waves below side by side, (K, 9 J)."""
-    straight: Waves = field(init=False, repr=False, compare=False)
-    """Waves of all joints at the speeds without a yaw rate, (K, J) each."""
-    turn: Waves = field(init=False, repr=False, compare=False)
-    """Change of the waves in a turn of either sign, per rad/s of its size, (K, J) each."""
-    side: Waves = field(init=False, repr=False, compare=False)
-    """Change of the waves times the signed size of the turn, per rad/s, (K, J) each."""
+    lateral: Waves | None = None
+    legs: Mapping[str, LegTable] | None = None
+    _phases: Floats = field(init=False, repr=False)
+    _tables: Floats = field(init=False, repr=False)
+    """The waves side by side, (K, 9 J) or (K, 12 J)."""
 
     def __post_init__(self) -> None:
-        legs = corners(self.robot)
-        straight = self._waves_of(self.fore, self.hind, legs)
-        turn = self._waves_of(self.fore_turn, self.hind_turn, legs)
-        side = self._waves_of(self.fore_side, self.hind_side, legs)
-        if not self.native and self.robot != TUNED_ON:
-            straight, turn, side = self._mapped(straight, turn, side)
-        right = np.repeat([(-1.0, 1.0)[corner % 2] for corner in legs], 2)
-        for name, waves in (("straight", straight), ("turn", turn), ("side", side * right)):
-            object.__setattr__(self, name, tuple(waves))
-        tables = np.concatenate([*straight, *turn, *(side * right)], axis=1)
+        tables = np.concatenate([*self.straight, *self.turn, *self.side, *(self.lateral or ())], axis=1)
         object.__setattr__(self, "_tables", frozen(tables))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
 
-    def _mapped(self, straight: Floats, turn: Floats, side: Floats) -> tuple[Floats, Floats, Floats]:
-        """Waves of the tuned robot (3, K, J), of the sides those on the right, mapped to the gait's robot.
+    @classmethod
+    def of_legs(cls, numbers: Mapping[str, Any], robot: Robot) -> "CommandedGait":
+        """A gait of a robot with two joints per leg from the tables of a fore and a hind leg, as in `COMMANDED`.
 
-        Every leg is mapped as one on the outer and as one on the inner side of the largest turn, so that a turn to the
-        right is the mirror image of one to the left.
+        `fore` and `hind` are the straight gait, `fore_turn` and `hind_turn` what a turn of either sign adds, and
+        `fore_side` and `hind_side` what a turn adds on the right and subtracts on the left.
         """
-        # A wider robot's feet are moved farther by the same yaw rate.
-        width = half_track(self.robot) / half_track(TUNED_ON) / scale_of("m", self.robot)
-        largest = self.largest_yaw_rate * scale_of("m/s", self.robot)  # of the tuned robot
-        ahead, outer, inner = (
-            np.array(map_waves(self.robot, *(straight + width * largest * change)))
-            for change in (0.0 * turn, turn + side, turn - side)
-        )
-        return (
-            ahead,
-            (0.5 * (outer + inner) - ahead) / self.largest_yaw_rate,
-            0.5 * (outer - inner) / self.largest_yaw_rate,
-        )
-
-    def _waves_of(self, fore: LegTable, hind: LegTable, legs: tuple[int, ...]) -> Floats:
-        """Sine part, cosine part and offset of all joints at all speeds (3, K, J), rad, of the tuned robot."""
-        waves = np.zeros((3, len(self.speeds), 2 * len(legs)))
-        for leg, corner in enumerate(legs):
-            table = fore if corner < 2 else hind
-            waves[:, :, 2 * leg] = table.hip_sine, table.hip_cosine, table.hip_offset
-            waves[:, :, 2 * leg + 1] = table.knee_sine, table.knee_cosine, table.knee_offset
-        return waves
+        legs = {name: LegTable(**numbers[name]) for name in LEG_TABLES}
+        others = {name: value for name, value in numbers.items() if name not in LEG_TABLES}
+        straight, turn, side = (_waves_of(legs, part, robot) for part in ("", "_turn", "_side"))
+        return cls(**others, straight=straight, turn=turn, side=side, robot=robot, legs=legs)
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """A gait by name: the robot's own of `Robot.gaits`, or else the preset, mapped to it.
+        """A gait by name: the robot's own of `Robot.gaits`, or else the preset.
 
-        `sinusoid` is the trot in closed form, `tuned`, `crouched`, `low` and `fast` were found by searches.
+        Of the built-in robot `sinusoid` is the trot in closed form, and `tuned`, `crouched`, `low` and `fast` were
+        found by searches. Of another robot they are those of `TROTS`.
 
         Raises:
             QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
@@ -343,7 +318,7 @@ class CommandedGait:
 
     @classmethod
     def sinusoid(cls, robot: Robot, frequency: float) -> "CommandedGait":
-        """The trot in closed form, with the strides of a gait clock.
+        """The preset `sinusoid` with the strides of a gait clock.
 
         Args:
             robot: robot that walks.
@@ -356,7 +331,7 @@ class CommandedGait:
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """The preset `tuned`, mapped to a robot.
+        """The preset `tuned`.
 
         Raises:
             QuadrupedError: if the scripted gaits do not fit the robot.
@@ -365,37 +340,53 @@ class CommandedGait:
 
     def parameters(self) -> dict[str, Any]:
         """The numbers of the gait as plain values for JSON."""
+        waves = {name: getattr(self, name) for name in _WAVES if getattr(self, name) is not None}
         return {
             "angular_frequency": self.angular_frequency,
             "speeds": plain(self.speeds),
             "largest_yaw_rate": self.largest_yaw_rate,
-            **{name: plain(getattr(self, name)) for name in _TABLES},
+            **{name: plain(values) for name, values in (self.legs or waves).items()},
         }
 
     def waves(self, command: Floats) -> Waves:
-        """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2) in m/s and rad/s."""
-        size = turn_size(command[:, 1], self.largest_yaw_rate)[:, None]
+        """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2 or 3)."""
+        size = self.turn_size(command[:, 1])[:, None]
         row = np.interp(command[:, 0], self.speeds, np.arange(len(self.speeds)))
         below = np.minimum(row.astype(np.int64), len(self.speeds) - 2)[:, None]
         low, high = (np.take_along_axis(self._tables, index, axis=0) for index in (below, below + 1))
-        straight, turn, side = np.split(low + (row[:, None] - below) * (high - low), 3, axis=1)
-        sine, cosine, offset = np.split(straight + np.abs(size) * turn + size * side, 3, axis=1)
+        straight, turn, side, *lateral = np.split(
+            low + (row[:, None] - below) * (high - low), 3 + (self.lateral is not None), axis=1
+        )
+        whole = straight + np.abs(size) * turn + size * side
+        if lateral and command.shape[1] > 2:
+            whole += command[:, 2:3] * lateral[0]
+        sine, cosine, offset = np.split(whole, 3, axis=1)
         fade, stance = self.fade(command)[:, None], self.robot.stance
         return fade * sine, fade * cosine, stance + fade * (offset - stance)
 
+    def turn_size(self, yaw_rate: Floats) -> Floats:
+        """Size of turns (N,) in rad/s, for yaw rates (N,) in rad/s: `turn_size`, or the yaw rate where `lateral` is.
+
+        Feet that can step sideways do not slide in a turn. In both cases it is at most the largest yaw rate.
+        """
+        largest = self.largest_yaw_rate
+        return turn_size(yaw_rate, largest) if self.lateral is None else np.clip(yaw_rate, -largest, largest)
+
     @property
-    def whole_steps(self) -> tuple[float, float]:
-        """Forward velocity (m/s) and yaw rate (rad/s) from which on a command is followed with whole steps."""
+    def whole_steps(self) -> tuple[float, ...]:
+        """Velocities from which on a command is followed with whole steps, in its order; (2,) or (3,)."""
         root = scale_of("m/s", self.robot)
-        return _WHOLE_STEPS[0] * root, _WHOLE_STEPS[1] / root
+        forward, turning, sideways = _WHOLE_STEPS
+        steps = (forward * root, turning / root, sideways * root)
+        return steps[:2] if self.lateral is None else steps
 
     def fade(self, command: Floats) -> Floats:
         """Size of the steps (N,), 0 for a command of zero and 1 for one that is worth whole steps."""
-        forward, turning = self.whole_steps
-        return np.minimum(1.0, np.maximum(np.abs(command[:, 0]) / forward, np.abs(command[:, 1]) / turning))
+        shares = np.abs(command[:, : len(self.whole_steps)]) / self.whole_steps[: command.shape[1]]
+        return np.minimum(1.0, shares.max(axis=1))
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> Floats:
-        """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2)."""
+        """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2 or 3)."""
         waves = self.waves(np.asarray(command, dtype=np.float64))
         return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *waves)
 
@@ -405,9 +396,22 @@ class CommandedGait:
         return self.at((0.4 * scale_of("m/s", self.robot), 0.0))
 
     def at(self, command: Sequence[float]) -> SinusoidalGait:
-        """The sinusoidal gait for one command."""
+        """The sinusoidal gait for one command (2,) or (3,)."""
         sine, cosine, offset = (values[0] for values in self.waves(np.array([command])))
         return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
+
+
+def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
+    """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is of the right."""
+    waves = np.zeros((3, len(legs["fore"].hip_sine), robot.num_joints))
+    for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
+        hip, knee = joints
+        table = legs[("fore", "hind")[corner // 2] + part]
+        sign = -1.0 if part == "_side" and corner % 2 == 0 else 1.0
+        waves[:, :, hip] = np.multiply(sign, (table.hip_sine, table.hip_cosine, table.hip_offset))
+        waves[:, :, knee] = np.multiply(sign, (table.knee_sine, table.knee_cosine, table.knee_offset))
+    sine, cosine, offset = waves
+    return sine, cosine, offset
 
 
 @functools.cache
@@ -418,10 +422,12 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
             f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
             f"{', '.join(COMMANDED)}"
         )
+    if name not in gaits and robot == TUNED_ON:
+        return CommandedGait.of_legs(COMMANDED[name], robot)
     if name not in gaits:
-        return _from_numbers(COMMANDED[name], robot)
+        return _trot(robot, TROTS[name], TROTS[name].frequency / scale_of("m/s", robot))
     try:
-        return _from_numbers(gaits[name], robot, native=True)
+        return CommandedGait.of_legs(gaits[name], robot)
     except (TypeError, KeyError, ValueError) as error:
         raise QuadrupedError(
             f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
@@ -432,17 +438,34 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
 def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
     if SINUSOID in (robot.gaits or {}):
         return _commanded(SINUSOID, robot)
-    return _from_numbers(sinusoid(frequency * scale_of("m/s", robot)), robot)
+    if robot == TUNED_ON:
+        return CommandedGait.of_legs(sinusoid(frequency), robot)
+    return _trot(robot, TROTS[SINUSOID], frequency)
 
 
-def _from_numbers(numbers: Mapping[str, Any], robot: Robot, native: bool = False) -> CommandedGait:
-    tables = {table: LegTable(**numbers[table]) for table in _TABLES}
-    if not native:
-        root = scale_of("m/s", robot)
-        numbers = {
-            **numbers,
-            "angular_frequency": numbers["angular_frequency"] / root,
-            "speeds": tuple(speed * root for speed in numbers["speeds"]),
-            "largest_yaw_rate": numbers["largest_yaw_rate"] / root,
-        }
-    return CommandedGait(**{**numbers, **tables}, robot=robot, native=native)
+def _trot(robot: Robot, trot: Trot, frequency: float) -> CommandedGait:
+    """The trot of a robot other than the built-in one, at a frequency in Hz."""
+    root = scale_of("m/s", robot)
+    largest, speeds = trot.largest_yaw_rate / root, tuple(speed * root for speed in _TROT_SPEEDS)
+    lateral = _LATERAL * root if robot.moves_sideways else 0.0
+    aside = ((0.0, 0.0), (largest, 0.0), (-largest, 0.0), (0.0, lateral), (0.0, -lateral))
+    velocities = np.array([(speed, *other) for other in aside for speed in speeds])
+    found = np.stack(trot_waves(robot, frequency, velocities, trot)).reshape(3, len(aside), len(speeds), -1)
+    straight, left, right, to_left, to_right = np.moveaxis(found, 1, 0)
+    turn, side = 0.5 * (left + right) - straight, 0.5 * (left - right)
+    return CommandedGait(
+        math.tau * frequency,
+        speeds,
+        largest,
+        straight=_rounded(straight),
+        turn=_rounded(turn / largest),
+        side=_rounded(side / largest),
+        robot=robot,
+        lateral=_rounded(0.5 * (to_left - to_right) / lateral) if lateral else None,
+    )
+
+
+def _rounded(waves: Floats) -> Waves:
+    """Return waves to 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums."""
+    sine, cosine, offset = waves.round(6)
+    return sine, cosine, offset

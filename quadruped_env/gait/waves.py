@@ -1,4 +1,4 @@
-"""Joint positions as waves, and their mapping from the robot on which the presets were tuned to another one.
+"""Joint positions as waves, and the trot of any robot, from the path of its feet.
 
 A joint's wave at its leg's angle a is sine * sin(a) + cosine * cos(a) + offset.
 """
@@ -8,22 +8,29 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.gait.gait_presets import LEG_PHASES, TUNED_ON
-from quadruped_env.robot.corners import check_bent_legs, corners, postures_with_feet_at
+from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait.gait_presets import LEG_PHASES, Trot
+from quadruped_env.robot.corners import corners, postures_with_feet_at
 from quadruped_env.robot.robot import Robot
-from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import Floats
 
 Waves = tuple[Floats, Floats, Floats]
 """Sine part, cosine part and offset of joint positions (..., J), rad."""
 
-
-_SAMPLES: Final = 12
+_SAMPLES: Final = 24
 """Samples of a cycle."""
+_GRAVITY: Final = 9.81
+_LIFTS: Final = 4
+_SPEED: Final = 0.45
+"""Speed of a joint for the lift alone, as a part of its limit."""
+_SLIDING: Final = 1.7
+"""Difference of the sides in a turn, relative to the balance of the friction on feet that slide."""
+_DRAG: Final = 0.3
+"""Part by which strides grow where feet do not rise."""
 
 
 def joint_phases(robot: Robot, gait: str = "trot") -> Floats:
-    """Phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
+    """Return the phase of each joint's leg in a gait of `LEG_PHASES` (J,), rad."""
     phases = np.empty(robot.num_joints)
     for joints, phase in zip(robot.leg_joints, leg_phases(robot, gait), strict=True):
         phases[list(joints)] = phase
@@ -31,36 +38,96 @@ def joint_phases(robot: Robot, gait: str = "trot") -> Floats:
 
 
 def leg_phases(robot: Robot, gait: str = "trot") -> Floats:
-    """Phase of each leg in a gait of `LEG_PHASES` (L,), rad."""
+    """Return the phase of each leg in a gait of `LEG_PHASES` (L,), rad."""
     return np.array([LEG_PHASES[gait][corner] for corner in corners(robot)]) * math.tau
 
 
-def map_waves(robot: Robot, sine: Floats, cosine: Floats, offset: Floats) -> Waves:
-    """Waves of the tuned robot's joints (..., J), in the order of a robot's legs, mapped to that robot.
+def trot_waves(robot: Robot, frequency: float, velocities: Floats, trot: Trot) -> Waves:
+    """Return the waves (K, J) of joint targets with which a robot's feet walk at velocities (K, 3).
 
-    Its feet make the same motions about its stance, in proportion to its height and as nearly as sinusoids can: inverse
-    kinematics gives the joint positions of a cycle, and projection their waves.
+    Of each cycle of a leg's angle a, its foot is in the air while sin(a) > 0, swings forward and rises; then it moves
+    backward on the ground, at the velocity commanded. Inverse kinematics gives the joint positions, projection their
+    waves. The targets lead these by what the servos need to follow: the torque that holds the weight on two legs, by
+    the feet's Jacobians, and the torques of damping and inertia, divided by the gain, and their delay.
+
+    Joints that are too slow for the whole lift get a smaller one, and longer strides, since feet drag.
+
+    Args:
+        robot: robot that walks.
+        frequency: cycles per second, Hz.
+        velocities: forward (m/s), yaw rate (rad/s), to the left (m/s).
+        trot: size of the steps.
 
     Raises:
-        QuadrupedError: if the robot has not one leg with hip and knee in each corner, or a straight one in the stance.
+        QuadrupedError: if the robot has not one leg of two or three joints in each corner, or its feet cannot rise.
     """
-    if robot == TUNED_ON:
-        return sine, cosine, offset
-    check_bent_legs(robot)
-    legs = list(corners(robot))
-    angle = math.tau * np.arange(_SAMPLES).reshape(-1, *(1,) * np.ndim(sine)) / _SAMPLES
-    joints = (sine * np.sin(angle) + cosine * np.cos(angle) + offset).reshape(-1, robot.num_legs, 2)
-    # The tuned robot's legs are in the order of the corners.
-    feet = TUNED_ON.skeleton.foot_centres(joints[:, np.argsort(legs)].reshape(len(joints), -1))
-    away = scale_of("m", robot) * (feet - TUNED_ON.skeleton.foot_centres(TUNED_ON.stance))[:, legs, ::2]
-    mapped = postures_with_feet_at(robot, robot.skeleton.foot_centres(robot.stance)[:, ::2] + away)
-    mapped = mapped.reshape(_SAMPLES, *np.shape(sine))
+    corners(robot)
+    rate, lift = math.tau * frequency, trot.lift
+    for _ in range(_LIFTS):
+        sine, cosine, _ = _joint_waves(robot, frequency, np.zeros((1, 3)), lift, trot.height)
+        lift *= min(1.0, float((_SPEED * robot.velocity_limit / (rate * np.hypot(sine, cosine)[0] + 1e-9)).min()))
+    _check_lift(robot, lift, *_joint_waves(robot, frequency, np.zeros((1, 3)), lift, trot.height))
+    gain = 1.0 + _DRAG * (1.0 - lift / trot.lift)
+    return _leading(robot, rate, *_joint_waves(robot, frequency, gain * velocities, lift, trot.height))
+
+
+def _joint_waves(robot: Robot, frequency: float, velocities: Floats, lift: float, height: float) -> Waves:
+    """Return the waves of the joints (K, J) with the feet on the path of a trot."""
+    angle = math.tau * np.arange(_SAMPLES) / _SAMPLES
+    along = np.where(angle < math.pi, -np.cos(angle), 3.0 - 2.0 / math.pi * angle)  # from -1 to 1 and back
+    home = robot.skeleton.foot_centres(robot.stance)
+    forward, yaw_rate, lateral = velocities.T[:, :, None]
+    speed = np.zeros((len(velocities), *home.shape))
+    if robot.moves_sideways:
+        speed[..., 0], speed[..., 1] = forward - yaw_rate * home[:, 1], lateral + yaw_rate * home[:, 0]
+    else:
+        # Feet at (x, y) that slide sideways by w x balance those that slide along x by (k - 1) w y at 1 + (x / y)^2.
+        x, y = np.abs(home[:, :2]).mean(axis=0)
+        speed[..., 0] = forward - _SLIDING * (1.0 + (x / y) ** 2) * yaw_rate * home[:, 1]
+    feet = home + speed[:, None] * along[:, None, None] / (4.0 * frequency)
+    up = lift * np.maximum(0.0, np.sin(angle)) + 1.0 - height
+    feet[..., 2] += robot.stance_height * up[:, None]
+    joints = postures_with_feet_at(robot, feet.reshape(-1, *home.shape)).reshape(*feet.shape[:2], -1)
     wave = 2.0 / _SAMPLES
-    return wave * (mapped * np.sin(angle)).sum(0), wave * (mapped * np.cos(angle)).sum(0), mapped.mean(0)
+    sine = wave * (joints * np.sin(angle)[:, None]).sum(axis=1)
+    cosine = wave * (joints * np.cos(angle)[:, None]).sum(axis=1)
+    return sine, cosine, joints.mean(axis=1)
+
+
+def _check_lift(robot: Robot, lift: float, sine: Floats, cosine: Floats, offset: Floats) -> None:
+    """Check that the feet of a robot that marches on the spot rise by a part of the stance's height."""
+    middle = np.concatenate([offset + sine, offset - sine])  # of the swing, and of the time on the ground
+    top, bottom = robot.skeleton.foot_centres(middle)[..., 2]
+    leg = int((top - bottom).argmin())
+    rise, wanted = (top - bottom)[leg], lift * robot.stance_height
+    if rise < 0.5 * wanted:
+        raise QuadrupedError(
+            f"gait: leg {robot.leg_names[leg]} of {robot.name!r} can lift its foot by {1e3 * rise:.0f} mm of the "
+            f"{1e3 * wanted:.0f} mm of a trot: bend the knees of its stance, or widen the ranges of its joints"
+        )
+
+
+def _leading(robot: Robot, rate: float, sine: Floats, cosine: Floats, offset: Floats) -> Waves:
+    """Return the waves of the targets for those of the joints, at an angular frequency in rad/s."""
+    motors = robot.motors.of_joints(robot.joint_kinds)
+    kp = np.array([motor.kp for motor in motors])
+    damping = np.array([motor.kd + motor.damping for motor in motors])
+    inertia = np.array([motor.armature for motor in motors])
+    held = _weight_torque(robot) / kp
+    # As cosine - i sine times e^(i a). A foot carries while sin(a) < 0: by half of the time, and -2/pi sin(a).
+    wave = (cosine - 1j * sine) * (1.0 + (1j * rate * damping - rate * rate * inertia) / kp) + 2j / math.pi * held
+    wave = wave * np.exp(1j * rate * robot.motors.delay)
+    return -wave.imag, wave.real, offset + 0.5 * held
+
+
+def _weight_torque(robot: Robot) -> Floats:
+    """Return the torque of each joint (J,) in N m with which its leg carries half of the robot's weight."""
+    jacobians = robot.skeleton.foot_jacobians(robot.stance)
+    return -0.5 * robot.total_mass * _GRAVITY * jacobians[:, 2].sum(axis=0)
 
 
 def wave_positions(phase: Floats, phases: Floats, sine: Floats, cosine: Floats, offset: Floats) -> Floats:
-    """Joint positions (N, J) in rad at gait phases (N,) in rad.
+    """Return joint positions (N, J) in rad at gait phases (N,) in rad.
 
     Args:
         phase: phase of the gait, (N,), rad.

@@ -97,7 +97,7 @@ class LiveRobot(ViewedRobot):
         self._smooth_velocity = np.zeros(2)
         self.reset(0, (0.0, 0.0))
 
-    def reset(self, seed: int, command: tuple[float, float]) -> None:
+    def reset(self, seed: int, command: tuple[float, ...]) -> None:
         """Clear the plots and set the command; the robot stays where it is."""
         self._command = np.array(command)
         self._steps = 0
@@ -105,8 +105,8 @@ class LiveRobot(ViewedRobot):
         self.history.clear()
         self._place()
 
-    def set_command(self, command: tuple[float, float]) -> None:
-        """Set the velocity command: forward velocity in m/s and yaw rate in rad/s. Sent with the next message."""
+    def set_command(self, command: tuple[float, ...]) -> None:
+        """Set the velocity command, m/s and rad/s. Sent with the next message."""
         self._command = np.array(command)
 
     def push(self, velocity: tuple[float, float]) -> None:

@@ -50,6 +50,8 @@ ACTIVATIONS: Final[Mapping[str, Activation]] = MappingProxyType(
     }
 )
 """Activation functions between layers, by name."""
+BY_CLASS: Final = MappingProxyType({name.replace("_", ""): name for name in ACTIVATIONS} | {"swish": "silu"})
+"""Name by the lower case of torch's module or ONNX's operator."""
 OUTPUTS: Final[Mapping[str, Activation]] = MappingProxyType(
     {"clip": lambda x: np.minimum(np.maximum(x, -1.0), 1.0), "tanh": np.tanh}
 )

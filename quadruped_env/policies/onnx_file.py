@@ -11,26 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
+from quadruped_env.policies.activations import ACTIVATIONS, BY_CLASS
 from quadruped_env.policies.layers import SAMPLES, Network, check_fits, check_same_actions
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.documents import check_regular
 
-_ACTIVATIONS: Final = MappingProxyType(
-    {
-        "Tanh": "tanh",
-        "Elu": "elu",
-        "Relu": "relu",
-        "LeakyRelu": "leaky_relu",
-        "Gelu": "gelu",
-        "Softplus": "softplus",
-        "Selu": "selu",
-        "Sigmoid": "sigmoid",
-        "Mish": "mish",
-        "Swish": "silu",
-    }
-)
-"""ONNX operator -> activation function of a policy. Other attributes than the default ones show in the actions."""
 _TRANSPARENT: Final = ("Identity", "Flatten", "Dropout", "Cast")
 """Operators that change nothing in float32."""
 
@@ -98,7 +84,7 @@ def _refused(path: Path) -> Callable[[str], QuadrupedError]:
     def refused(reason: str) -> QuadrupedError:
         return QuadrupedError(
             f"{path}: {reason}; a policy can be a chain of linear layers (Gemm, MatMul and Add) with one activation "
-            f"function between them ({', '.join(_ACTIVATIONS)}, x * Sigmoid(x)), with or without a normalization "
+            f"function between them ({', '.join(ACTIVATIONS)}, x * Sigmoid(x)), with or without a normalization "
             f"before it; export its actor alone, or use the protocol of two methods, reset and predict "
             f"(docs/training.md#your-own-algorithm)"
         )
@@ -174,8 +160,8 @@ class _Chain:
             else:
                 scale, shift = self._before
                 self._before = scale * factor, shift * factor + offset
-        elif kind in _ACTIVATIONS and linear:
-            self.activations.append(_ACTIVATIONS[kind])
+        elif kind.lower() in BY_CLASS and linear:
+            self.activations.append(BY_CLASS[kind.lower()])
         elif kind == "Clip" and [*given, attributes.get("min"), attributes.get("max")][:2] == [-1.0, 1.0]:
             self._clipped = True
         else:

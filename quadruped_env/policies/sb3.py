@@ -16,24 +16,10 @@ from numpy.typing import NDArray
 from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
+from quadruped_env.policies.activations import ACTIVATIONS, BY_CLASS
 from quadruped_env.policies.layers import SAMPLES, Layer, Network, affine_before, check_same_actions
 from quadruped_env.task import Task, TaskConfig
 
-MODULES: Final = MappingProxyType(
-    {
-        "Tanh": "tanh",
-        "ELU": "elu",
-        "ReLU": "relu",
-        "LeakyReLU": "leaky_relu",
-        "SiLU": "silu",
-        "GELU": "gelu",
-        "Softplus": "softplus",
-        "SELU": "selu",
-        "Sigmoid": "sigmoid",
-        "Mish": "mish",
-    }
-)
-"""Class of torch's module -> activation function of a policy."""
 _ARGUMENTS: Final = MappingProxyType(
     {"alpha": 1.0, "negative_slope": 0.01, "beta": 1.0, "threshold": 20.0, "approximate": "none"}
 )
@@ -56,7 +42,8 @@ def refused(reason: str) -> QuadrupedError:
     """Return the error for a model that a policy's file cannot hold."""
     return QuadrupedError(
         f"Policy.from_sb3: {reason}; a policy's file holds linear layers with one activation function between them "
-        f"({', '.join(MODULES)}, with their default arguments), for the export and for a robot's controller: {PROTOCOL}"
+        f"({', '.join(ACTIVATIONS)}, each with its default arguments), for the export and for a robot's controller: "
+        f"{PROTOCOL}"
     )
 
 
@@ -222,11 +209,11 @@ def linear_layers(modules: Iterable[Any]) -> tuple[list[Layer], str]:
             bias = np.zeros(weight.shape[1], np.float32) if module.bias is None else _array(module.bias).copy()
             layers.append((weight, bias) if renorm is None else affine_before((weight, bias), *renorm))
             renorm, activated = None, False
-        elif MODULES.get(kind, "") in {activation or MODULES.get(kind)} and not activated:
+        elif (found := BY_CLASS.get(kind.lower())) and found == (activation or found) and not activated:
             for name, default in _ARGUMENTS.items():
                 if vars(module).get(name, default) != default:
                     raise refused(f"its actor has {kind}({name}={vars(module)[name]})")
-            activation, activated = MODULES[kind], True
+            activation, activated = found, True
         elif kind == "BatchRenorm1d" and activated and renorm is None:
             factor = module.scale / (module.ra_var + module.eps).sqrt()
             renorm = _array(factor), _array(module.bias - module.ra_mean * factor)

@@ -12,7 +12,7 @@ MAPS = ("dyna1.toml",)
 
 @functools.cache
 def _asset_directory() -> Path:
-    """Directory of the assets: inside an installed package, or next to it in a checkout."""
+    """Return the directory of the assets: inside an installed package, or next to it in a checkout."""
     # An editable install maps the package `quadruped_env.assets` to the checkout's folder, and a wheel holds a
     # copy inside the package: find_spec finds both. A checkout on sys.path has only the folder.
     spec = importlib.util.find_spec("quadruped_env.assets")
@@ -22,7 +22,7 @@ def _asset_directory() -> Path:
 
 
 def asset_path(name: str) -> Path:
-    """Path of a file of the robot (URDF, MJCF, MJCF scene), or of a map for recordings.
+    """Return the path of a file of the robot (URDF, MJCF, MJCF scene), or of a map for recordings.
 
     Raises:
         QuadrupedError: if there is no such asset.

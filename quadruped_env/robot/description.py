@@ -1,4 +1,4 @@
-"""Recognition of robot descriptions in XML, which no importer reads: a URDF, an MJCF, a xacro file or an SDF."""
+"""Recognition of robot descriptions in XML: a URDF, an MJCF, a xacro file or an SDF."""
 
 import os
 import re
@@ -16,14 +16,16 @@ _ROOT: Final = re.compile(
 
 
 def description_problem(content: bytes) -> str:
-    """Kind of a robot's description in XML, and how a robot is given; empty for other content, or its beginning."""
+    """Return the kind of a robot's description in XML, and how it becomes a robot; nothing for other content."""
     root = _ROOT.match(content)
     if root is None:
         return ""
     kind = "a xacro file" if b"xmlns:xacro" in root[2] else _KINDS[root[1].decode()]
+    if kind == "an SDF":
+        return f"this is {kind} and cannot be imported; convert it to URDF or MJCF (docs/robots.md)"
     return (
-        f"this is {kind} and cannot be imported; give the robot as a QuadrupedDesign or a Robot in a Python file, with "
-        f"--task FILE or task_file=... (docs/robots.md)"
+        f"this is {kind}, not a Python file; 'mini-quadruped robot FILE' reads it and writes a Python file for --task "
+        f"FILE or task_file=... (docs/robots.md)"
     )
 
 

@@ -21,7 +21,7 @@ JOINT_NAMES: Final = MINI_QUADRUPED.joint_names
 def forward_kinematics(
     positions: ArrayLike, base_pose: ArrayLike | None = None, robot: Robot = MINI_QUADRUPED
 ) -> dict[str, Pose]:
-    """Pose of every link of a robot, by default the built-in one.
+    """Return the pose of every link of a robot, by default the built-in one.
 
     Position (..., 3) in m and quaternion wxyz (..., 4) by link, for joint positions (..., J) in rad. Arguments and
     errors are as in `Robot.forward_kinematics`.

@@ -41,7 +41,7 @@ the first link of each leg."""
 
 
 def read_model(path: Path) -> tuple[str, dict[str, bytes]]:
-    """An MJCF, and the files that it names: meshes, textures and included MJCF, searched next to it.
+    """Return an MJCF, and the files that it names: meshes, textures and included MJCF, searched next to it.
 
     Raises:
         QuadrupedError: if a file is missing or cannot be read, or the MJCF is not XML.
@@ -72,7 +72,7 @@ def _read(path: Path, folder: Path, assets: dict[str, bytes], fix: str) -> bytes
 
 
 def parsed(text: str, assets: Mapping[str, bytes] | None, main: Mapping[str, str] | None = None) -> mujoco.MjSpec:
-    """Specification of an MJCF, or of another text that includes it.
+    """Return the specification of an MJCF, or of another text that includes it.
 
     Args:
         text: the MJCF.
@@ -131,7 +131,7 @@ def _check_order(what: str, found: Sequence[str], joint_names: Sequence[str]) ->
 
 
 def _fixed_geoms(body: mujoco.MjsBody) -> list[mujoco.MjsGeom]:
-    """Geoms of a body without joints, and of all that is fixed to it."""
+    """Return the geoms of a body without joints, and of all that is fixed to it."""
     return [*body.geoms, *(geom for child in body.bodies if not child.joints for geom in _fixed_geoms(child))]
 
 
@@ -155,7 +155,7 @@ def make_servos(spec: mujoco.MjSpec, joint_names: Sequence[str]) -> None:
 
 
 def own_sensors(joint_names: Sequence[str], leg_names: Sequence[str]) -> dict[str, tuple[str, ...]]:
-    """Names of the sensors that `add_sensors` adds, for each field of `Readings`."""
+    """Return the names of the sensors that `add_sensors` adds, for each field of `Readings`."""
     names = {
         **dict.fromkeys(("JOINT", "ACTUATOR"), joint_names),
         **dict.fromkeys(("base", "world"), ("base",)),

@@ -50,12 +50,12 @@ def foot_places(model: mujoco.MjModel) -> dict[str, Place]:
 
 
 def _gap(data: mujoco.MjData, site: int, geom: int) -> float:
-    """Distance between a site and a geom, m."""
+    """Return the distance between a site and a geom, m."""
     return float(np.linalg.norm(data.site_xpos[site] - data.geom_xpos[geom]))
 
 
 def _last_links(model: mujoco.MjModel) -> list[int]:
-    """Last body with a joint of each leg."""
+    """Return the last body with a joint of each leg."""
     (moving,) = np.nonzero(model.body_jntnum)
     inner = model.body_weldid[model.body_parentid[moving]]
     return [int(body) for body in moving if body not in inner and body != model.jnt_bodyid[0]]

@@ -81,7 +81,7 @@ class JointMotor(_MotorFields):
         backlash: float = math.radians(1.0),
         target_step: float = math.radians(1.0),
     ) -> Self:
-        """A position-only servo from the numbers of its data sheet, in N m, rad/s and rad.
+        """Return a position-only servo from the numbers of its data sheet, in N m, rad/s and rad.
 
         A data sheet gives the dead band in microseconds; most servos turn by 0.1 degrees in one. Arduino's
         `Servo.write` takes whole degrees, and a PCA9685 at 50 Hz has steps of 4.9 us.
@@ -157,19 +157,19 @@ class MotorConfig(_MotorFields):
         return {name: value for name, value in super().to_dict().items() if value is not None}
 
     def of_joints(self, kinds: Sequence[str]) -> list[JointMotor]:
-        """The motor of each joint, for the kinds of the joints (`Robot.joint_kinds`)."""
+        """Return the motor of each joint, for the kinds of the joints (`Robot.joint_kinds`)."""
         return [getattr(self, kind) or self.hip for kind in kinds]
 
     def joule_coefficients(self, kinds: Sequence[str]) -> Floats:
-        """Heat in each joint's winding per squared torque (J,), W/(N m)^2; `kinds` as in `of_joints`."""
+        """Return the heat in each joint's winding per squared torque (J,), W/(N m)^2; `kinds` as in `of_joints`."""
         return np.array([motor.joule_coefficient for motor in self.of_joints(kinds)])
 
     def servo_errors(self, kinds: Sequence[str]) -> list[Floats]:
-        """The `SERVO_ERRORS` of each joint, (J,) each, rad; `kinds` as in `of_joints`."""
+        """Return the `SERVO_ERRORS` of each joint, (J,) each, rad; `kinds` as in `of_joints`."""
         return [np.array([getattr(motor, name) for motor in self.of_joints(kinds)]) for name in SERVO_ERRORS]
 
     def content(self) -> dict[str, Any]:
-        """Plain values, with the `SERVO_ERRORS` only of servos that have them: a part of a robot's identity."""
+        """Return plain values, with the `SERVO_ERRORS` only of servos that have them: a part of a robot's identity."""
         values = self.to_dict()
         for kind in MOTOR_KINDS & values.keys():
             values[kind] = {k: v for k, v in values[kind].items() if v or k not in SERVO_ERRORS}
@@ -214,7 +214,7 @@ def servo_target(
     backlash: Floats,
     dead_band: Floats,
 ) -> Floats:
-    """Position that a servo's gains pull to, for a joint target; all arrays (N, J) or broadcastable, in rad.
+    """Return the position that a servo's gains pull to, for a joint target; all arrays (N, J) or broadcastable, in rad.
 
     The target is rounded to a multiple of the step. The joint's end of the gears follows it as a play operator: pushed
     from either side of the backlash, and else at rest. Within the dead band the servo pulls to where the joint is, and

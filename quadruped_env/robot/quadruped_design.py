@@ -28,7 +28,7 @@ Mass = Annotated[float, Parameter.positive("kg")]
 
 
 def _lengths(value: Plain, path: str) -> tuple[float, ...]:
-    """Two or three lengths in m, as many as the field's default has."""
+    """Convert to two or three lengths in m, as many as the field's default has."""
     count = 3 if path.endswith("base_size") else 2
     check(_are_numbers(value, count) and min(value) > 0, path, value, f"{count} positive numbers (m)")
     return tuple(map(float, value))
@@ -106,14 +106,14 @@ class QuadrupedDesign(Fields, path="QuadrupedDesign"):
         check(condition, f"{type(self).path}.{name}", getattr(self, name), rule)
 
     def _stance_under_hip(self) -> tuple[float, float]:
-        """Hip and knee with the foot under the hip, rad."""
+        """Return hip and knee with the foot under the hip, rad."""
         offset = self.hip_to_knee * math.sin(_STANCE_HIP) / -self.foot_height
         reaches = f"given: with the hip at {_STANCE_HIP} rad the foot does not reach under it"
         self._check(offset <= 1.0, "stance_angles", reaches)
         return _STANCE_HIP, round(-_STANCE_HIP - math.asin(offset), 2)
 
     def robot(self) -> Robot:
-        """The robot, with its MJCF and its URDF."""
+        """Return the robot, with its MJCF and its URDF."""
         joints, legs = self.joint_names, self.leg_names
         motors = self.motors.of_joints(JOINT_KINDS * len(legs))
         return Robot(
@@ -160,7 +160,7 @@ class QuadrupedDesign(Fields, path="QuadrupedDesign"):
         return round(height, 7)
 
     def hip_position(self, leg: str) -> tuple[float, float]:
-        """Position (x, y) of a hip in the base frame, m."""
+        """Return the position (x, y) of a hip in the base frame, m."""
         x, y = self.hip_offset
         return (x if leg[1] == "F" else -x, y if leg[0] == "L" else -y)
 
@@ -194,7 +194,7 @@ def _mirror(names: tuple[str, ...]) -> tuple[int, ...]:
 
 
 def _sensors(joint_names: tuple[str, ...], legs: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
-    """Sensors of the MJCF for each field of `Readings`, in order."""
+    """Return the sensors of the MJCF for each field of `Readings`, in order."""
     joints = [name.removesuffix("_joint") for name in joint_names]
     return {
         "joint_position": tuple(f"{joint}_position" for joint in joints),

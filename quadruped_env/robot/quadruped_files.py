@@ -23,7 +23,7 @@ _TOUCH_MARGIN: Final = 0.005
 
 
 def mjcf(design: "QuadrupedDesign") -> str:
-    """The robot alone: bodies, joints, motors, sensors, home keyframe; the ground is in scene.xml."""
+    """Return the robot alone: bodies, joints, motors, sensors, home keyframe; the ground is in scene.xml."""
     values, legs, joints = _values(design), design.leg_names, design.joint_names
     pairs = [[leg for leg in legs if leg[0] == side] for side in sorted({leg[0] for leg in legs})]
     short = {name.removesuffix("_joint"): name for name in joints}
@@ -46,7 +46,7 @@ def mjcf(design: "QuadrupedDesign") -> str:
 
 
 def urdf(design: "QuadrupedDesign") -> str:
-    """The robot for ROS and other simulators: links, joints, limits, inertia, collision, and its drives."""
+    """Return the robot for ROS and other simulators: links, joints, limits, inertia, collision, and its drives."""
     values = _values(design)
     motors = design.motors.of_joints([_kind(name) for name in design.joint_names])
     ranges = [getattr(design, f"{_kind(name)}_range") for name in design.joint_names]
@@ -61,7 +61,7 @@ def urdf(design: "QuadrupedDesign") -> str:
 def drives(
     name: str, joint_names: Sequence[str], ranges: Iterable[Sequence[float]], motors: Iterable[JointMotor]
 ) -> str:
-    """A URDF's transmissions for Drake, and its system for ros2_control; ranges of the joints in rad."""
+    """Return a URDF's transmissions for Drake, and its system for ros2_control; ranges of the joints in rad."""
     values = [
         {
             "joint": joint,
@@ -84,7 +84,7 @@ def drives(
 
 
 def filled(name: str, values: Mapping[str, str], **more: str) -> str:
-    """The text of a template with its `${names}` replaced by values."""
+    """Return the text of a template with its `${names}` replaced by values."""
     return _template(name).substitute(values, **more)
 
 
@@ -94,12 +94,12 @@ def _template(name: str) -> Template:
 
 
 def numbers(*values: float) -> str:
-    """Numbers, separated by spaces, with 15 digits, which are enough for dimensions that are given as decimals."""
+    """Return numbers with spaces between, and 15 digits, enough for dimensions that are given as decimals."""
     return " ".join(f"{float(value) + 0.0:.15g}" for value in values)  # + 0.0 turns -0.0 into 0.0
 
 
 def _values(design: "QuadrupedDesign") -> dict[str, str]:
-    """Numbers of the whole robot and of each of its legs, by their names in the templates."""
+    """Return the numbers of the whole robot and of each of its legs, by their names in the templates."""
     length, width, height = design.base_size
     front = _FRONT_SHARE * length + _PROUD, width + 2.0 * _PROUD, height + 2.0 * _PROUD
     values = {

@@ -15,7 +15,7 @@ _FOOT_VECTORS: Final = ("foot_position", "foot_velocity", "foot_angular_velocity
 
 
 def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
-    """Columns of the model's sensor data for each field of `Readings`.
+    """Return the columns of the model's sensor data for each field of `Readings`.
 
     Raises:
         QuadrupedError: if the robot names no sensors for a field, or for an unknown one, or the model lacks a sensor,
@@ -92,7 +92,7 @@ class Readings:
 
     @classmethod
     def from_sensordata(cls, model: mujoco.MjModel, sensordata: Floats, robot: Robot) -> Self:
-        """Readings as views of sensordata (..., model.nsensordata), with its leading axes instead of N."""
+        """Return readings as views of sensordata (..., model.nsensordata), with its leading axes instead of N."""
         views = {}
         for field, columns in sensor_columns(model, robot).items():
             view = sensordata[..., columns]
@@ -101,7 +101,7 @@ class Readings:
 
     @classmethod
     def of_a_real_robot(cls, robot: Robot) -> Self:
-        """Readings of one robot at rest in its stance, to be overwritten with its measurements.
+        """Return readings of one robot at rest in its stance, to be overwritten with its measurements.
 
         A real robot measures joint positions, joint velocities, attitude and angular velocity. All other readings are
         NaN, so that a value computed from them is noticed.
@@ -116,7 +116,7 @@ class Readings:
 
 
 def _shapes(robot: Robot) -> dict[str, tuple[int, ...]]:
-    """Shape of each reading of one robot, by its field of `Readings`."""
+    """Return the shape of each reading of one robot, by its field of `Readings`."""
     shapes = {
         "orientation": (4,),
         "foot_force": (robot.num_legs,),

@@ -377,7 +377,7 @@ class Robot:
         return np.sign(cosines).astype(np.float32)
 
     def spec(self, scene: str = "") -> mujoco.MjSpec:
-        """A new specification of the robot with its motors, but for their delay, to be changed and compiled.
+        """Return a new specification of the robot with its motors, but for their delay, to be changed and compiled.
 
         Args:
             scene: MJCF that includes the robot's as `ROBOT_FILE`; by default the robot is alone.
@@ -429,7 +429,7 @@ class Robot:
         return spec.to_xml()
 
     def _parsed(self, scene: str = "") -> mujoco.MjSpec:
-        """The MJCF as it was given, or a scene that includes it."""
+        """Return the MJCF as it was given, or a scene that includes it."""
         try:
             spec = parsed(scene or self.mjcf, self.assets, {ROBOT_FILE: self.mjcf} if scene else None)
             if not scene:  # which has a ground
@@ -468,7 +468,7 @@ class Robot:
         return Skeleton(spec, model, self.joint_names, self.link_names, self.foot_sites)
 
     def _link_of(self, joint: int) -> str:
-        """Link that a joint moves."""
+        """Return the link that a joint moves."""
         model = self._skeleton.model
         return str(model.body(int(model.jnt_bodyid[1 + joint])).name)
 
@@ -496,7 +496,7 @@ class Robot:
         self._set(_restated=True)
 
     def _found_in_model(self) -> Iterator[Any]:
-        """Values of the fields of `_RESTATED` but for the names, in order."""
+        """Return the values of the fields of `_RESTATED` but for the names, in order."""
         model = self._skeleton.model
         yield from model.jnt_range[1:].T.copy()
         motors = self.motors.of_joints(self.joint_kinds)
@@ -514,15 +514,15 @@ class Robot:
         return self.skeleton.total_mass
 
     def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
-        """Pose of every link; see `Skeleton.forward_kinematics`."""
+        """Return the pose of every link; see `Skeleton.forward_kinematics`."""
         return self.skeleton.forward_kinematics(positions, base_pose)
 
     def sole_heights(self, positions: ArrayLike, base_pose: ArrayLike) -> Floats:
-        """Height of each foot's lowest point above the ground (..., L) in m; arguments as in `forward_kinematics`."""
+        """Return the height of each foot's lowest point (..., L), m; arguments as in `forward_kinematics`."""
         return self.skeleton.foot_centres(positions, base_pose)[..., 2] - self.foot_radius
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values for `from_dict` and JSON."""
+        """Return plain values for `from_dict` and JSON."""
         values = {
             entry.name: value.content() if isinstance(value, MotorConfig) else value
             for entry, value in self._content()
@@ -602,7 +602,7 @@ class Robot:
 
 
 def _line(error: ValueError) -> str:
-    """MuJoCo's message on one line, with the fix for meshes that it does not find."""
+    """Return MuJoCo's message on one line, with the fix for meshes that it does not find."""
     text = " ".join(str(error).split())
     return f"{text}; meshes are searched next to a file: mjcf=Path(...)" if "opening file" in text else text
 

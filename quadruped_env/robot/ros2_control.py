@@ -7,7 +7,7 @@ from quadruped_env.robot.quadruped_files import filled
 
 
 def controllers_yaml(joint_names: Sequence[str], base_name: str) -> str:
-    """The parameter file of the controller manager.
+    """Return the parameter file of the controller manager.
 
     Args:
         joint_names: joints in the order of the commands of `controller --arrays`.

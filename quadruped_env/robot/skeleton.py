@@ -84,7 +84,7 @@ class Skeleton:
         """See `Robot.leg_joints`."""
 
     def _joints_up_to(self, link: str) -> tuple[int, ...]:
-        """Indices of the joints between the base and a link, from the base on."""
+        """Return the indices of the joints between the base and a link, from the base on."""
         model, body, joints = self.model, self.model.body(link).id, []
         while body != model.body(self.link_names[0]).id:
             # Joint 0 is the free joint of the base.
@@ -93,7 +93,7 @@ class Skeleton:
         return tuple(int(joint) for joint in reversed(joints))
 
     def forward_kinematics(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> dict[str, Pose]:
-        """Pose of every link, computed with MuJoCo's kinematics.
+        """Return the pose of every link, computed with MuJoCo's kinematics.
 
         Args:
             positions: joint positions in rad, shape (..., J).
@@ -159,14 +159,14 @@ class Skeleton:
             xpos[block], xquat[block] = positions[:count, links], quaternions[:count, links]
 
     def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
-        """Centres of the foot balls (..., L, 3) in m, in the order of `leg_names`.
+        """Return the centres of the foot balls (..., L, 3) in m, in the order of `leg_names`.
 
         Arguments and errors are as in `forward_kinematics`.
         """
         return self._points(self.feet, self.forward_kinematics(positions, base_pose))
 
     def foot_jacobians(self, positions: ArrayLike) -> Floats:
-        """Derivatives of the foot centres in the base frame by the joint positions (L, 3, J), m/rad, at (J,) in rad."""
+        """Return derivatives (L, 3, J) in m/rad of the foot centres in the base frame by the joints, at (J,) in rad."""
         data = self._data(positions)
         found = np.zeros((len(self.feet), 3, self.model.nv))
         for jacobian, (link, _), centre in zip(found, self.feet, self.foot_centres(positions), strict=True):
@@ -174,7 +174,7 @@ class Skeleton:
         return found[:, :, 6:]
 
     def foot_radii(self, positions: ArrayLike) -> Floats:
-        """Distance of each foot's centre from the lowest point of its link (L,), m; NaN for a link without a shape."""
+        """Return the distance (L,) of each foot's centre from its link's lowest point, m; NaN without a shape."""
         (points, radii), poses = self._collision, self.forward_kinematics(positions)
         heights = self._points(points, poses)[..., 2] - radii if points else np.zeros(0)
         found = []
@@ -184,12 +184,16 @@ class Skeleton:
         return np.array(found)
 
     def joint_axes(self, positions: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
-        """Axes of the joints (J, 3) in the base frame, and which of them are hinges (J,), for positions (J,) in rad."""
+        """Return the joints' axes (J, 3) in the base frame, and which are hinges (J,), for positions (J,) in rad."""
         data = self._data(positions)
         return data.xaxis[1:].copy(), self.model.jnt_type[1:] == mujoco.mjtJoint.mjJNT_HINGE
 
+    def joint_anchors(self, positions: ArrayLike) -> Floats:
+        """Return the points about which the joints turn (J, 3) in the base frame, m, for positions (J,) in rad."""
+        return self._data(positions).xanchor[1:].copy()
+
     def lowest(self, positions: ArrayLike, up: Floats) -> float:
-        """Height of the robot's lowest point relative to its base's centre, along a direction in the base frame, m.
+        """Return the height of the robot's lowest point over its base's centre, along a direction in the base frame, m.
 
         Args:
             positions: joint positions in rad (J,).
@@ -199,12 +203,12 @@ class Skeleton:
         return float((self._points(points, self.forward_kinematics(positions)) @ up - radii).min())
 
     def centre_of_mass(self, positions: ArrayLike) -> Floats:
-        """Centre of mass of the robot (3,) in the base frame, m, for joint positions (J,) in rad."""
+        """Return the centre of mass of the robot (3,) in the base frame, m, for joint positions (J,) in rad."""
         data = self._data(positions)
         return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
 
     def resting_pose(self, positions: ArrayLike) -> Floats:
-        """Pose (7,) of the base with the robot resting on its feet, above the origin and facing along x.
+        """Return the pose (7,) of the base with the robot resting on its feet, above the origin and facing along x.
 
         The three feet whose support triangle contains the centre of mass touch the ground; every other foot touches it
         or is in the air. If no three feet can carry the robot, its base is level. If another part would penetrate the
@@ -229,7 +233,7 @@ class Skeleton:
         return pose
 
     def joint_transforms(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
-        """Transforms that `robot_state_publisher` sends on `/tf`: one per moving joint, from parent to child link.
+        """Return the transforms that `robot_state_publisher` sends on `/tf`: one per joint, from parent to child link.
 
         Args:
             positions: joint positions in rad, shape (..., J).
@@ -264,7 +268,7 @@ class Skeleton:
         return tuple(transforms)
 
     def fixed_transforms(self) -> tuple[Transform, ...]:
-        """Transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
+        """Return the transforms that `robot_state_publisher` sends once on `/tf_static`: one per link without a joint.
 
         If every link has a joint, the result is empty; the publisher then sends an empty message.
         """
@@ -275,7 +279,7 @@ class Skeleton:
         )
 
     def _data(self, positions: ArrayLike) -> mujoco.MjData:
-        """Kinematics and centres of mass for joint positions (J,) in rad, with the base at the origin."""
+        """Return the kinematics and centres of mass for joint positions (J,) in rad, with the base at the origin."""
         data = mujoco.MjData(self.model)
         data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], positions
         mujoco.mj_kinematics(self.model, data)
@@ -284,7 +288,7 @@ class Skeleton:
 
     @staticmethod
     def _points(points: Sequence[tuple[str, Floats]], poses: dict[str, Pose]) -> Floats:
-        """Positions (..., P, 3) of points that are given by link and position in the link's frame, m."""
+        """Return the positions (..., P, 3) of points that are given by link and position in the link's frame, m."""
         found = []
         for link, point in points:
             origin, orientation = poses[link]
@@ -293,12 +297,12 @@ class Skeleton:
 
 
 def _links(model: mujoco.MjModel, body: int) -> tuple[str, str]:
-    """Names of a body's parent and of the body."""
+    """Return the names of a body's parent and of the body."""
     return model.body(model.body_parentid[body]).name, model.body(body).name
 
 
 def _support_normal(feet: Floats, centre: Floats) -> Floats:
-    """Normal of the ground (3,) in the base frame, for feet (L, 3) and a centre of mass (3,)."""
+    """Return the normal of the ground (3,) in the base frame, for feet (L, 3) and a centre of mass (3,)."""
     for i, j, k in itertools.combinations(range(len(feet)), 3):
         normal = np.cross(feet[j] - feet[i], feet[k] - feet[i])
         length = np.linalg.norm(normal)
@@ -320,7 +324,7 @@ def _name(model: mujoco.MjModel, body: int) -> str:
 
 
 def _collision_points(model: mujoco.MjModel) -> tuple[list[tuple[str, Floats]], Floats]:
-    """Points by link and radii (P,) of the balls whose convex hulls are the collision shapes."""
+    """Return the points by link and radii (P,) of the balls whose convex hulls are the collision shapes."""
     points: list[tuple[str, Floats]] = []
     radii: list[float] = []
     for geom in np.flatnonzero(model.geom_contype | model.geom_conaffinity):
@@ -336,7 +340,7 @@ def _collision_points(model: mujoco.MjModel) -> tuple[list[tuple[str, Floats]], 
 
 
 def _balls(model: mujoco.MjModel, geom: int) -> tuple[Floats, float]:
-    """Centres (P, 3) in the frame of a geom, and the radius, of the balls whose convex hull is its shape."""
+    """Return the centres (P, 3) in the frame of a geom, and the radius, of the balls whose convex hull is its shape."""
     kind, size = model.geom_type[geom], model.geom_size[geom]
     signs = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
     if kind == mujoco.mjtGeom.mjGEOM_SPHERE:

@@ -29,7 +29,7 @@ _FACTOR: Final = re.compile(r"(?P<over>/?) *(?:\((?P<inner>[^()]+)\)|(?P<name>[A
 
 
 def scale_of(unit: str, robot: Robot) -> float:
-    """Size of a unit for a robot relative to the built-in robot; exactly 1 for the latter.
+    """Return the size of a unit for a robot relative to the built-in robot; exactly 1 for the latter.
 
     Args:
         unit: such as `m/s`, `rad/s`, `N m` or `1/(m^2/s^2)`. Of several units, separated by commas, the first counts.
@@ -44,7 +44,7 @@ def scale_of(unit: str, robot: Robot) -> float:
 
 
 def scaled(value: Plain, factor: float, digits: int = 6) -> Plain:
-    """A number, or each of a list or tuple, times a factor, rounded to some digits; unchanged if the factor is 1."""
+    """Return a number, or each in a list or tuple, times a factor, rounded to some digits; a factor of 1 keeps it."""
     if isinstance(value, (list, tuple)):
         return type(value)(scaled(entry, factor, digits) for entry in value)
     if factor == 1.0 or isinstance(value, bool) or not isinstance(value, (int, float)):
@@ -53,7 +53,7 @@ def scaled(value: Plain, factor: float, digits: int = 6) -> Plain:
 
 
 def scaled_values(values: Mapping[str, Plain], units: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
-    """Nested values for the built-in robot as those for another one.
+    """Return nested values for the built-in robot in the units of another one.
 
     Args:
         values: numbers, ranges and other values by name, nested.
@@ -72,7 +72,7 @@ def scaled_values(values: Mapping[str, Plain], units: Mapping[str, Plain], robot
 
 @functools.lru_cache(maxsize=64)
 def _sizes(robot: Robot) -> tuple[float, float]:
-    """Mass and leg length relative to the built-in robot."""
+    """Return the mass and leg length relative to the built-in robot."""
     own, built_in = ((r.total_mass, r.stance_height) for r in (robot, MINI_QUADRUPED))
     # Rounded like the heights themselves, so that half the size is one half.
     mass, length = (_rounded(x / y) for x, y in zip(own, built_in, strict=True))
@@ -80,13 +80,13 @@ def _sizes(robot: Robot) -> tuple[float, float]:
 
 
 def _rounded(value: float, digits: int = 6) -> float:
-    """A number with some significant digits."""
+    """Return a number with some significant digits."""
     return float(f"{value:.{digits}g}")
 
 
 @functools.cache
 def _exponents(unit: str) -> tuple[float, float]:
-    """Exponents of mass and leg length in a unit."""
+    """Return the exponents of mass and leg length in a unit."""
     mass = length = 0.0
     end = 0
     text = unit.strip() or "1"

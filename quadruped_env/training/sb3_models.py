@@ -14,7 +14,7 @@ from typing import Any, Final
 os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
-from quadruped_env.policies.sb3 import MODULES
+from quadruped_env.policies.activations import BY_CLASS
 from quadruped_env.training.algorithms import ALGORITHMS
 from quadruped_env.training.resume import Parent
 from quadruped_env.training.run_directory import RESUME_FILE
@@ -32,7 +32,7 @@ try:
 except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
-_ACTIVATIONS = {name: getattr(torch.nn, module) for module, name in MODULES.items()}
+_ACTIVATIONS = {BY_CLASS[name.lower()]: getattr(torch.nn, name) for name in dir(torch.nn) if name.lower() in BY_CLASS}
 _OTHERWISE: Final = frozenset({"learning_rate", "log_std_init", "final_log_std", "symmetric", "action_noise"})
 """Settings that are not arguments of an algorithm's class as they are."""
 

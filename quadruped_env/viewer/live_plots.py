@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.control_config import Command
 from quadruped_env.report import palette
 from quadruped_env.robot import Robot
-from quadruped_env.task import CommandSection
 from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.viewed_robot import HISTORY_SECONDS, ViewedTrace
 
@@ -29,20 +29,21 @@ _POINTS: Final = 125
 
 
 class Plots:
-    """A panel of charts at the left edge, for ranges of the velocity command; `reward` is False without terms."""
+    """A panel of charts at the left edge, for the velocity command with its ranges; `reward` is False without terms."""
 
     def __init__(
-        self, server: "viser.ViserServer", commands: CommandSection, robot: Robot, reward: bool = True
+        self, server: "viser.ViserServer", commands: Sequence[Command], robot: Robot, reward: bool = True
     ) -> None:
         panel = server.gui.add_panel()
         panel.dock_left()
         panel.set_width(_WIDTH)
         self._shown: tuple[str, float, int] | None = None
-        ahead, turn = (_padded(bounds) for bounds in (commands.forward_velocity, commands.yaw_rate))
         with panel.add_tab("Walk"):
             self._unknown = server.gui.add_html(_NO_MOTION, visible=False)
-            self._forward = _Chart(server, "Forward velocity, m/s", _VELOCITY_LINES, ahead)
-            self._yaw = _Chart(server, "Yaw rate, rad/s", _VELOCITY_LINES, turn)
+            self._velocities = [
+                _Chart(server, f"{name.capitalize()}, {entry.unit}", _VELOCITY_LINES, _padded(entry.range))
+                for name, entry in ((entry.name.replace("_", " "), entry) for entry in commands)
+            ]
             self._gait = server.gui.add_html(gait_diagram(robot, np.zeros((0, robot.num_legs), np.bool_), 0.02))
         with panel.add_tab("Joints"):
             self._kinds = [self._add_kind(server, robot, kind) for kind in robot.joints_by_kind]
@@ -70,7 +71,7 @@ class Plots:
         robot, motion = view.robots[view.watched], view.offered.motion
         if self._unknown.visible == motion:
             self._unknown.visible = not motion
-            for shown in (*self._forward.handles, *self._yaw.handles, self._gait):
+            for shown in (*(handle for chart in self._velocities for handle in chart.handles), self._gait):
                 shown.visible = motion
         shown = robot.name, float(robot.now.time), len(robot.history)
         if shown == self._shown:
@@ -82,7 +83,7 @@ class Plots:
         times = drawn.time
         # NaN is not drawn.
         command = drawn.command if robot.follows_command else np.full_like(drawn.command, np.nan)
-        for i, chart in enumerate((self._forward, self._yaw)):
+        for i, chart in enumerate(self._velocities):
             chart.show(times, drawn.velocity[:, i], drawn.smooth_velocity[:, i], command[:, i])
         for chart, joints, limits in self._kinds:
             bounds = (np.full(len(times), limit) for limit in limits)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import AMPLITUDES, FREQUENCIES
 from quadruped_env.simulation.terrain import LEVELS
-from quadruped_env.viewer.panel_text import KEY_HTML, keys_html, legend_html, status_html
+from quadruped_env.viewer.panel_text import key_html, keys_html, legend_html, status_html
 from quadruped_env.viewer.snapshot import View
 from quadruped_env.viewer.view_controller import MAX_PUSH, MAX_ROBOTS, SPEEDS, ViewController
 from quadruped_env.viewer.viewed_robot import RANDOMIZATIONS
@@ -26,6 +26,8 @@ ROBOTS: Final = ("Robot", "Compare with", "And with")
 """Labels of the lists of sources."""
 PAUSE, RESUME, STEP, RESET = "Pause", "Resume", "Step", "Reset"
 RECORD, SAVE = "Record", "Stop and save"
+_SLIDERS: Final = ("Forward, m/s", "Turn left, rad/s", "To the left, m/s")
+"""Labels of the velocities' sliders."""
 
 _WIDTH: Final = 310
 """Panel width, pixels."""
@@ -48,7 +50,7 @@ class Panel:
         gui = server.gui
         gui.main_panel.dock_right()
         gui.main_panel.set_width(_WIDTH)
-        gui.add_html(KEY_HTML + _UNFADED)
+        gui.add_html(key_html(controller.robot) + _UNFADED)
         self._status = gui.add_html("")
         self._clock_buttons = gui.add_button_group("", (PAUSE, STEP, RESET))
         self._on(self._clock_buttons, lambda: self._press(self._clock_buttons.value))
@@ -111,15 +113,15 @@ class Panel:
     # --- controls
 
     def _add_command(self) -> None:
-        gui, ranges = self._server.gui, self._controller.command_ranges
-        velocity, yaw_rate = self._controller.command
-        self._command_folder = gui.add_folder("Command")
+        self._command_folder = self._server.gui.add_folder("Command")
         with self._command_folder:
-            low, high = ranges.forward_velocity
-            self._velocity = gui.add_slider("Forward, m/s", min=low, max=high, step=0.01, initial_value=velocity)
-            low, high = ranges.yaw_rate
-            self._yaw_rate = gui.add_slider("Turn left, rad/s", min=low, max=high, step=0.01, initial_value=yaw_rate)
-        for slider in (self._velocity, self._yaw_rate):
+            self._velocities = [
+                self._server.gui.add_slider(label, min=entry.range[0], max=entry.range[1], step=0.01, initial_value=v)
+                for label, entry, v in zip(
+                    _SLIDERS, self._controller.command_ranges, self._controller.command, strict=False
+                )
+            ]
+        for slider in self._velocities:
             self._on(slider, self._command)
 
     def _add_push(self) -> None:
@@ -193,11 +195,16 @@ class Panel:
         self._on(follow, lambda: setattr(self._scene, "follow", follow.value))
 
     def _add_keys(self) -> None:
+        sideways = (
+            ("Sideways to the left", "Q", lambda: self._steer(lambda: self._controller.nudge(0, 0, 1))),
+            ("Sideways to the right", "E", lambda: self._steer(lambda: self._controller.nudge(0, 0, -1))),
+        )
         for label, key, action in (
             ("Faster", "arrowup", lambda: self._steer(lambda: self._controller.nudge(1, 0))),
             ("Slower, backwards", "arrowdown", lambda: self._steer(lambda: self._controller.nudge(-1, 0))),
             ("Turn left", "arrowleft", lambda: self._steer(lambda: self._controller.nudge(0, 1))),
             ("Turn right", "arrowright", lambda: self._steer(lambda: self._controller.nudge(0, -1))),
+            *(sideways if self._controller.robot.moves_sideways else ()),
             ("Stand", "0", lambda: self._steer(lambda: self._controller.set_command(0.0, 0.0))),
             ("Pause or resume", "space", lambda: self._press(PAUSE)),
             ("One step", "N", lambda: self._press(STEP)),
@@ -224,7 +231,7 @@ class Panel:
             self._record.label = RECORD
 
     def _command(self) -> None:
-        self._shown_command = self._controller.set_command(self._velocity.value, self._yaw_rate.value)
+        self._shown_command = self._controller.set_command(*(slider.value for slider in self._velocities))
 
     def _steer(self, change: Callable[[], object]) -> None:
         if self._controller.offered.command:
@@ -279,7 +286,8 @@ class Panel:
             return
         self._shown_command = command
         with self._without_actions():
-            self._velocity.value, self._yaw_rate.value = command
+            for slider, velocity in zip(self._velocities, command, strict=True):
+                slider.value = velocity
 
     def _show_offered(self) -> None:
         """Hide controls without an effect."""
@@ -289,7 +297,7 @@ class Panel:
         _set(self._push_folder, "visible", offered.push)
         _set(self._overlays[CONTACT_FORCES], "visible", offered.motion)
         _set(self._overlays[VELOCITIES], "visible", offered.motion or offered.command)
-        _set(self._keys, "content", keys_html(offered))
+        _set(self._keys, "content", keys_html(self._controller.robot, offered))
         _set(self._legend, "content", legend_html(self._controller.robot, offered, self._scene.visible))
 
     def _show_terrain(self) -> None:

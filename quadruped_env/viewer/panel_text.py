@@ -18,13 +18,13 @@ _FRONT_GEOM: Final = "front_visual"
 Mark = tuple[str, str, str]
 """Symbol, colour and name."""
 
-# viser moves its camera with the arrow keys, focused sliders and buttons consume keys, and held keys repeat. Therefore
-# the script captures these keys before other listeners and dispatches them only to the hotkeys, which listen on the
-# document element. Text fields keep their keys.
+# viser moves its camera with the arrow keys, Q and E, focused sliders and buttons consume keys, and held keys repeat.
+# Therefore the script captures these keys before other listeners and dispatches them only to the hotkeys, which listen
+# on the document element. Text fields keep their keys.
 _KEY_SCRIPT: Final = """
 document.title = 'MiniQuadruped';
 if (!window.quadrupedKeys) {
-  window.quadrupedKeys = ['ArrowUp', 'ArrowDown', 'ArrowLeft', 'ArrowRight', 'Space'];
+  window.quadrupedKeys = {keys};
   window.addEventListener('keydown', function (event) {
     var typing = event.target.closest &amp;&amp; event.target.closest('input:not([type=checkbox]), textarea, [contenteditable]');
     var held = event.ctrlKey || event.altKey || event.metaKey || event.shiftKey;
@@ -42,8 +42,19 @@ if (!window.quadrupedKeys) {
 # HTML inserted into a page later does not run <script> elements; the load event of an image does.
 _PIXEL: Final = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
 
-KEY_HTML: Final = f'<img alt="" hidden src="{_PIXEL}" onload="{" ".join(_KEY_SCRIPT.split())}">'
-"""HTML that sets the title of the page and makes arrow keys and the space bar control the robot."""
+
+def key_html(robot: Robot) -> str:
+    """Return HTML that sets the title of the page and makes arrow keys, the space bar, Q and E control the robot."""
+    keys = [
+        "ArrowUp",
+        "ArrowDown",
+        "ArrowLeft",
+        "ArrowRight",
+        "Space",
+        *(["KeyQ", "KeyE"] if robot.moves_sideways else []),
+    ]
+    script = _KEY_SCRIPT.replace("{keys}", str(keys))
+    return f'<img alt="" hidden src="{_PIXEL}" onload="{" ".join(script.split())}">'
 
 
 def legend(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> dict[str, list[Mark]]:
@@ -74,11 +85,13 @@ def legend_html(robot: Robot, offered: Offered, visible: Mapping[str, bool]) -> 
     return f'<div style="{SMALL};color:{INK}" data-legend>{"<br>".join(lines)}</div>'
 
 
-def keys_html(offered: Offered) -> str:
+def keys_html(robot: Robot, offered: Offered) -> str:
     """Return the keys that have an effect, as HTML."""
     keys = []
     if offered.command:
-        keys += ["<b>↑ ↓</b> faster, slower", "<b>← →</b> turn", "<b>0</b> stand"]
+        keys += ["<b>↑ ↓</b> faster, slower", "<b>← →</b> turn"]
+        keys += ["<b>Q E</b> sideways"] if robot.moves_sideways else []
+        keys.append("<b>0</b> stand")
     if offered.sources:
         keys += ["<b>Space</b> pause", "<b>N</b> step", "<b>R</b> reset"]
     if offered.push:
@@ -92,16 +105,16 @@ def status_html(view: View) -> str:
     """Return the first lines of the panel, as HTML."""
     robot, offered = view.robots[view.watched], view.offered
     commanded = robot.follows_command and offered.command
-    (velocity, yaw_rate), (asked_velocity, asked_yaw_rate) = robot.now.smooth_velocity, robot.now.command
-    of_velocity, of_yaw_rate = (f"of {asked:z.2f} " if commanded else "" for asked in (asked_velocity, asked_yaw_rate))
     number = "font-size:22px;font-variant-numeric:tabular-nums"
     pace = "paused" if view.paused else f"{view.speed:g} &times; real time" if offered.sources else ""
     lines = [f'<span style="color:{GREY}">{escape(robot.name)} &ensp; {view.time:.1f} s &ensp; {pace}</span>']
     if offered.motion:
-        lines.append(
-            f'<span style="{number}">{velocity:z.2f}</span> {of_velocity}m/s &ensp; '
-            f'<span style="{number}">{yaw_rate:z.2f}</span> {of_yaw_rate}rad/s'
+        units = ("m/s", "rad/s", "m/s to the left")
+        shown = (
+            f'<span style="{number}">{v:z.2f}</span> {f"of {asked:z.2f} " if commanded else ""}{unit}'
+            for v, asked, unit in zip(robot.now.smooth_velocity, robot.now.command, units, strict=False)
         )
+        lines.append(" &ensp; ".join(shown))
     warnings = []
     if robot.fell_at is not None:
         warnings.append(f"fell at {robot.fell_at:.1f} s")

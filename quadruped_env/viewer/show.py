@@ -5,13 +5,12 @@ import os
 import threading
 import time
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.control_config import COMMANDS
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.conditions import Command
 from quadruped_env.policies import Agent, find_controllers
 from quadruped_env.policies.choices import RUNS
 from quadruped_env.policies.policy import task_definition
@@ -24,7 +23,7 @@ from quadruped_env.viewer.live_plots import Plots
 from quadruped_env.viewer.panel import Panel
 from quadruped_env.viewer.server import LOOPBACK, PORT, import_viser, start_server, stop_server
 from quadruped_env.viewer.snapshot import View
-from quadruped_env.viewer.view_controller import Command, ViewController
+from quadruped_env.viewer.view_controller import ViewController
 from quadruped_env.viewer.viewer_recording import RESULTS
 from quadruped_env.viewer.viewer_scene import Scene
 
@@ -128,7 +127,8 @@ def open_show(
         asked: up to three of: a run's directory, a shipped policy, a scripted gait, a Python file of a policy, a file
             of joint states, or an object with the two methods of `Agent`. By default the latest run, or else the
             shipped policy.
-        command: initial forward velocity in m/s and yaw rate in rad/s.
+        command: initial forward velocity in m/s, yaw rate in rad/s, and for robots that move sideways lateral velocity
+            in m/s.
         host: the address to listen on.
         port: the first port to try; 0 takes any free port.
         results: directory for recordings.
@@ -151,9 +151,7 @@ def open_show(
     sources, chosen = find_controllers(asked, task_file=task_file, trust_task=trust_task, robot=definition.robot)
     controller = ViewController(sources, chosen, results, definition.robot, ground, definition.terrains)
     try:
-        ranges = controller.command_ranges
-        entries = [replace(entry, range=getattr(ranges, entry.name)) for entry in COMMANDS]
-        if outside := out_of_range(command, entries):
+        if outside := out_of_range(command, controller.command_ranges):
             raise QuadrupedError(f"command: {outside}; give a command in this range")
         controller.set_command(*command)
         return Show(controller, host, port, allowed_hosts)

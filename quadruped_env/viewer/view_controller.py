@@ -14,8 +14,11 @@ from typing import Final
 
 import mujoco
 
+from quadruped_env.control.control_config import VELOCITIES, velocity_commands
+from quadruped_env.control.control_config import Command as Component
 from quadruped_env.control.steering import key_steps, next_step
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.conditions import Command, full_command
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec
 from quadruped_env.report.films.film import size_of
@@ -23,7 +26,6 @@ from quadruped_env.robot import MINI_QUADRUPED, Robot
 from quadruped_env.simulation import TERRAINS, Terrain
 from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
 from quadruped_env.simulation.push_limit import PushLimit
-from quadruped_env.task import CommandConfig, CommandSection
 from quadruped_env.viewer.snapshot import View, robot_view
 from quadruped_env.viewer.viewed_robot import LANE, RANDOMIZATIONS, Offered, TaskRobot, ViewedRobot
 from quadruped_env.viewer.viewer_recording import MAX_SECONDS, RESULTS, RecordingSaver, ViewerRecording
@@ -38,7 +40,6 @@ RESTART_AFTER: Final = 2.0
 _MAX_LAG: Final = 0.25
 """Maximum playback time that is caught up after a delay, s; the rest is skipped."""
 
-Command = tuple[float, float]
 Source = ControllerSpec | Callable[[], ViewedRobot]
 
 
@@ -79,7 +80,7 @@ class ViewController:
         self._seed = 0
         self._paused = False
         self._speed = 1.0
-        self._command: Command = (0.0, 0.0)
+        self._command: Command = full_command((), robot)
         self._push_limit = PushLimit("push")
         self._watched = 0
         self.restart_after_fall = True
@@ -202,29 +203,29 @@ class ViewController:
 
     @property
     def command(self) -> Command:
-        """Velocity command of all robots: forward velocity in m/s and yaw rate in rad/s."""
+        """Velocity command of all robots: a number for each of the `velocity_commands`, m/s and rad/s."""
         return self._command
 
-    def set_command(self, forward_velocity: float, yaw_rate: float) -> Command:
-        """Set the velocity command of all robots, forward velocity in m/s and yaw rate in rad/s, clipped to its ranges.
+    def set_command(self, *command: float) -> Command:
+        """Set the velocity command of all robots, m/s and rad/s, clipped to its ranges; what is left out is 0.
 
         Raises:
             QuadrupedError: if a number is not finite.
         """
-        if not (math.isfinite(forward_velocity) and math.isfinite(yaw_rate)):
-            raise QuadrupedError(f"command: expected finite numbers; found {forward_velocity} and {yaw_rate}")
-        ranges = self.command_ranges
+        if not all(map(math.isfinite, command)):
+            raise QuadrupedError(f"command: expected finite numbers; found {' and '.join(map(str, command))}")
+        wanted = full_command(command, self.robot)
         with self._lock:
-            self._command = (_cut(forward_velocity, ranges.forward_velocity), _cut(yaw_rate, ranges.yaw_rate))
+            self._command = tuple(_cut(v, entry.range) for v, entry in zip(wanted, self.command_ranges, strict=True))
             for robot in self._robots:
                 robot.set_command(self._command)
             return self._command
 
-    def nudge(self, forward: int, left: int) -> Command:
-        """Change the command by a number of steps, like a key press; the result is a multiple of the step."""
+    def nudge(self, *steps: int) -> Command:
+        """Change each velocity by a number of steps, like a key press; the result is a multiple of the step."""
         with self._lock:
-            (velocity, yaw_rate), steps = self._command, key_steps(self.robot)
-            return self.set_command(next_step(velocity, steps[0], forward), next_step(yaw_rate, steps[1], left))
+            changes = zip(self._command, key_steps(self.robot), full_command(steps, self.robot), strict=True)
+            return self.set_command(*(next_step(v, size, int(count)) for v, size, count in changes))
 
     def set_speed(self, speed: float) -> None:
         """Set the playback speed, as a multiple of real time."""
@@ -371,17 +372,19 @@ class ViewController:
         self._robots = made
         self.reset()
 
-    def _widest_ranges(self) -> CommandSection:
-        """Return the widest ranges of the velocity command, of the default task and of the robots' tasks."""
-        tasks = [
-            CommandConfig(),
-            *(robot.task.config.command for robot in self._robots if isinstance(robot, TaskRobot)),
+    def _widest_ranges(self) -> tuple[Component, ...]:
+        """Return the velocity command with its widest ranges, of the default task and of the robots' tasks."""
+        entries = VELOCITIES[: len(velocity_commands(self.robot))]
+        ranges = [[entry.range for entry in entries]]
+        ranges += [
+            [entry.range for entry in robot.task.config.commands]
+            for robot in self._robots
+            if isinstance(robot, TaskRobot)
         ]
-        forward, turn = (
-            tuple(end(getattr(task, name)[i] for task in tasks) for i, end in enumerate((min, max)))
-            for name in ("forward_velocity", "yaw_rate")
+        return tuple(
+            replace(entry, range=(min(low for low, _ in own), max(high for _, high in own)))
+            for entry, own in zip(entries, zip(*ranges, strict=False), strict=False)
         )
-        return CommandConfig(forward_velocity=forward, yaw_rate=turn)
 
     @property
     def _watched_robot(self) -> ViewedRobot:

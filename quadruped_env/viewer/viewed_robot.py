@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.controllers import GaitController
 from quadruped_env.envs.arguments import task_config
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.evaluation.conditions import Command, full_command
 from quadruped_env.evaluation.trace import Array, CommandedTrace, measured
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.policies import ControllerSpec, task_of
@@ -55,7 +56,7 @@ class ViewedTrace(CommandedTrace):
     time: Array
     """Time since the start of the episode, s (T,)"""
     smooth_velocity: Array
-    """Velocity averaged over about one gait cycle, m/s and rad/s (T, 2)"""
+    """Velocity averaged over about one gait cycle, m/s and rad/s (T, V)"""
     foot_position: Array
     """Centre of each foot's sphere in the world frame, m (T, L, 3)"""
     reward_terms: Array
@@ -64,7 +65,7 @@ class ViewedTrace(CommandedTrace):
 
 def sample(robot: Robot, timestep: float, terrain: Terrain, readings: Readings, **values: NDArray[Any]) -> ViewedTrace:
     """Return a sample of a robot, copied from readings of one env and from further quantities (1, ...)."""
-    both = {**measured(readings), "foot_position": readings.foot_position, **values}
+    both = {**measured(robot, readings), "foot_position": readings.foot_position, **values}
     copies: dict[str, Any] = {name: np.array(value[0]) for name, value in both.items()}
     return ViewedTrace(robot=robot, timestep=timestep, terrain=terrain, **copies)
 
@@ -145,12 +146,12 @@ class ViewedRobot(ABC):
         """Return descriptions of the joint limits that its scripted gait exceeds."""
 
     @abstractmethod
-    def reset(self, seed: int, command: tuple[float, float]) -> None:
+    def reset(self, seed: int, command: Command) -> None:
         """Start again with a velocity command."""
 
     @abstractmethod
-    def set_command(self, command: tuple[float, float]) -> None:
-        """Set the velocity command: forward velocity in m/s and yaw rate in rad/s."""
+    def set_command(self, command: Command) -> None:
+        """Set the velocity command: a number for each of the robot's `velocity_commands`, m/s and rad/s."""
 
     @abstractmethod
     def push(self, velocity: tuple[float, float]) -> None:
@@ -191,7 +192,7 @@ class TaskRobot(ViewedRobot):
         self.task = Task(self._simulation, config)
         self.term_names = self.task.term_names
         self.lane = lane
-        self.reset(0, (0.0, 0.0))
+        self.reset(0, full_command((), robot))
 
     @property
     def gait(self) -> GaitSettings | None:
@@ -208,7 +209,7 @@ class TaskRobot(ViewedRobot):
         """Return descriptions of the joint limits that its scripted gait exceeds."""
         return self._controller.complaints() if isinstance(self._controller, GaitController) else []
 
-    def reset(self, seed: int, command: tuple[float, float]) -> None:
+    def reset(self, seed: int, command: Command) -> None:
         """Begin an episode at the origin, or in the lane, facing along x; identically with the same seed."""
         self.task.reset(_ROW, seeds=[seed], command=self._within(command))
         self._place()
@@ -217,8 +218,8 @@ class TaskRobot(ViewedRobot):
         self.history.append(self._sample())
         self.fell_at, self.diverged = None, False
 
-    def set_command(self, command: tuple[float, float]) -> None:
-        """Set the velocity command, forward velocity in m/s and yaw rate in rad/s, clipped to its task's ranges."""
+    def set_command(self, command: Command) -> None:
+        """Set the velocity command, m/s and rad/s, clipped to its task's ranges."""
         self.task.set_command(_ROW, self._within(command))
 
     def push(self, velocity: tuple[float, float]) -> None:
@@ -253,10 +254,9 @@ class TaskRobot(ViewedRobot):
             reward_terms=np.zeros((1, len(self.term_names))) if transition is None else transition.terms,
         )
 
-    def _within(self, command: tuple[float, float]) -> tuple[float, float]:
-        ranges = self.task.config.command
-        (slow, fast), (right, left) = ranges.forward_velocity, ranges.yaw_rate
-        return float(np.clip(command[0], slow, fast)), float(np.clip(command[1], right, left))
+    def _within(self, command: Command) -> Command:
+        ranges = (entry.range for entry in self.task.config.commands)
+        return tuple(float(np.clip(v, low, high)) for v, (low, high) in zip(command, ranges, strict=False))
 
     def _place(self) -> None:
         """Rotate the initial state, which has a random heading, and its base velocity to face along x, in the lane."""

@@ -200,10 +200,12 @@ class Scene:
         arrows, arcs, heads = [], [], []
         for i, robot in enumerate(robots):
             above = robot.now.base_position + shift[i] + (0.0, 0.0, _ARROW_HEIGHT * self._size)
-            for lane, (velocity, yaw_rate) in enumerate((robot.now.command, robot.now.smooth_velocity)):
+            for lane, (velocity, yaw_rate, *lateral) in enumerate((robot.now.command, robot.now.smooth_velocity)):
                 # Offset vertically, so that one does not hide the other.
                 origin = above + np.array([0.0, 0.0, 0.028 * lane])
                 tip = _METRES_PER_VELOCITY * velocity * _direction(robot.heading)
+                for v in lateral:
+                    tip += _METRES_PER_VELOCITY * v * _direction(robot.heading + math.pi / 2)
                 arrows.append([origin, origin + tip])
                 ground = 0.0 if self._field is None else self._field.at(robot.now.base_position.astype(np.float64))
                 centre = np.array([*above[:2], ground + _TURN_HEIGHT])
@@ -217,11 +219,9 @@ class Scene:
         visible = self.visible[VELOCITIES]
         colours = np.tile(np.array([scene_rgb(COMMANDED), scene_rgb(ACTUAL)], np.uint8), (len(robots), 1))
         follows = np.array([shown for robot in robots for shown in (robot.follows_command, True)])
-        moving, turning = (
-            follows
-            & (np.abs([v for robot in robots for v in (robot.now.command[i], robot.now.smooth_velocity[i])]) > least)
-            for i, least in enumerate((0.03, 0.06))
-        )
+        velocities = np.array([v for robot in robots for v in (robot.now.command, robot.now.smooth_velocity)])
+        moving = follows & (np.linalg.norm(np.delete(velocities, 1, axis=1), axis=1) > 0.03)
+        turning = follows & (np.abs(velocities[:, 1]) > 0.06)
         _draw(self._velocities, np.array(arrows)[moving], colours[moving], visible)
         kept = np.repeat(colours[turning], _ARC_POINTS, axis=0)
         segments = np.array(arcs)[turning].reshape(-1, 2, 3)

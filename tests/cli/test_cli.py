@@ -171,6 +171,7 @@ def test_every_script_of_train_and_evaluate_is_a_command_or_a_tool():
         "demo",
         "page",
         "import-policy",
+        "robot",
     }
 
 

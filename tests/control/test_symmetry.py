@@ -20,13 +20,14 @@ MIRROR = MirrorMap.of(ObservationLayout(MINI_QUADRUPED, history=3))
 
 
 CASES = [
-    *((MINI_QUADRUPED, mode, given) for mode in ACTION_MODES for given in [(0.4, 0.5), (-0.2, -0.3), (0.0, 0.0)]),
-    *((twelve_joints.ROBOT, "position", given) for given in [(0.4, 0.5, -0.2), (0.0, 0.0, 0.2)]),
+    *((MINI_QUADRUPED, given) for given in [(0.4, 0.5), (-0.2, -0.3), (0.0, 0.0)]),
+    *((twelve_joints.ROBOT, given) for given in [(0.4, 0.5, -0.2), (0.0, 0.0, 0.2)]),
 ]
 
 
-@pytest.mark.parametrize(("kind", "mode", "command"), CASES, ids=lambda case: getattr(case, "name", str(case)))
-def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(kind, mode, command):
+@pytest.mark.parametrize("mode", ACTION_MODES)
+@pytest.mark.parametrize(("kind", "command"), CASES, ids=lambda case: getattr(case, "name", str(case)))
+def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, kind, command):
     rng = np.random.default_rng(0)
     robot, mirror = (gymnasium.make("MiniQuadruped-v0", action_mode=mode, robot=kind).unwrapped for _ in range(2))
     columns = MirrorMap.of(ObservationLayout(kind, history=3))

@@ -66,9 +66,8 @@ def test_native_vector_environment_describes_itself():
 # --- single == vector, to the last bit ---
 
 
-@pytest.mark.parametrize(
-    ("mode", "robot"), [*((mode, None) for mode in ACTION_MODES), ("position", twelve_joints.ROBOT)]
-)
+@pytest.mark.parametrize("robot", [None, twelve_joints.ROBOT], ids=["built-in", "twelve"])
+@pytest.mark.parametrize("mode", ACTION_MODES)
 def test_native_vector_environment_equals_single_environments_to_the_last_bit(mode, robot):
     kwargs = {"action_mode": mode, "config": ROUGH, "robot": robot, "max_episode_steps": EPISODE_STEPS}
     expected = episodes(make_sync(**kwargs), 160)

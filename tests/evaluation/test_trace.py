@@ -146,7 +146,7 @@ class TestRecorder:
 
     @pytest.mark.parametrize("dtype", [np.float32, np.float64])
     def test_trace_holds_the_readings_in_the_type_asked_for(self, readings, dtype):
-        recorder = Recorder(3, dtype)
+        recorder = Recorder(MINI_QUADRUPED, 3, dtype)
         for sample, reading in enumerate(readings):
             recorder.write(reading, **self.extras(sample))
         assert recorder.written == 2
@@ -166,7 +166,7 @@ class TestRecorder:
         assert trace.label == "recorded"
 
     def test_samples_are_copies_of_the_live_readings(self, readings):
-        recorder = Recorder(1)
+        recorder = Recorder(MINI_QUADRUPED, 1)
         before = readings[0].joint_position.copy()
         recorder.write(readings[0])
         readings[0].joint_position[:] = 0.0

@@ -16,7 +16,6 @@ from quadruped_env.export.manifest import metadata
 from quadruped_env.export.onnx_graph import OPSET, policy_graph
 from quadruped_env.policies import Policy, load_policy
 from quadruped_env.policies.activations import ACTIVATIONS
-from quadruped_env.policies.sb3 import MODULES
 from quadruped_env.robot.readings import Readings
 from quadruped_env.task import ActionConfig, TaskConfig, load_task_file
 
@@ -91,7 +90,9 @@ def network(policy, observation):
     """Actions of the policy's network by torch."""
     import torch
 
-    activation = getattr(torch.nn, {name: module for module, name in MODULES.items()}[policy.activation])
+    from quadruped_env.training.sb3_models import _ACTIVATIONS
+
+    activation = _ACTIVATIONS[policy.activation]
     layers = []
     for weight, bias in zip(policy.weights, policy.biases, strict=True):
         layer = torch.nn.Linear(*weight.shape)

@@ -122,7 +122,7 @@ def test_unknown_preset_names_the_valid_ones():
     ("changes", "message"),
     [
         ({"phases": (0.0,) * 7}, r"phases must have 8 values, one per joint; found 7"),
-        ({"hip_amplitude": (0.1, 0.2)}, r"hip_amplitude must be one number or 4, one per leg"),
+        ({"hip_amplitude": (0.1, 0.2)}, r"hip_amplitude must be one number or 4, one per hip"),
         ({"knee_offset": ((0.1,) * 4,)}, r"knee_offset must be one number or 4"),
         ({"knee_amplitude": math.nan}, r"every parameter must be finite"),
         ({"angular_frequency": math.inf}, r"every parameter must be finite"),

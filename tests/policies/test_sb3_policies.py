@@ -12,11 +12,12 @@ from stable_baselines3.common.vec_env import DummyVecEnv, SubprocVecEnv, VecChec
 from quadruped_env import QuadrupedError, QuadrupedWarning
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.policies import Policy, load_policy
-from quadruped_env.policies.activations import ACTIVATIONS
-from quadruped_env.policies.sb3 import MODULES, linear_layers
+from quadruped_env.policies.activations import ACTIVATIONS, BY_CLASS
+from quadruped_env.policies.sb3 import linear_layers
 from quadruped_env.training.actor_critic import ActorCritic
 
 NN = torch.nn
+MODULES = ("Tanh", "ELU", "ReLU", "LeakyReLU", "SiLU", "GELU", "Softplus", "SELU", "Sigmoid", "Mish")
 RANDOM = np.random.default_rng(0)
 OFF_POLICY = {"buffer_size": 9}
 LOW = np.full(8, -0.5, np.float32)
@@ -46,13 +47,13 @@ def algorithm(name):
 def test_activation_is_torchs(module):
     x = np.concatenate([np.linspace(-30.0, 30.0, 2001), [-1e4, -1e-6, 0.0, 1e-6, 1e4]]).astype(np.float32)
     expected = getattr(NN, module)()(torch.from_numpy(x)).numpy()
-    found = ACTIVATIONS[MODULES[module]](x)
+    found = ACTIVATIONS[BY_CLASS[module.lower()]](x)
     assert found.dtype == np.float32
     np.testing.assert_allclose(found, expected, atol=1e-6, rtol=1e-6)
 
 
 def test_every_activation_has_its_module():
-    assert set(MODULES.values()) == set(ACTIVATIONS)
+    assert {BY_CLASS[module.lower()] for module in MODULES} == set(ACTIVATIONS)
 
 
 @pytest.mark.parametrize(

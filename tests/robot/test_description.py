@@ -9,7 +9,7 @@ from quadruped_env.robot import MINI_QUADRUPED, asset_path
 from quadruped_env.robot.description import description_problem
 
 XACRO = '<robot xmlns:xacro="http://ros.org/wiki/xacro" name="dog"><xacro:include filename="leg.xacro"/></robot>'
-HOW = "QuadrupedDesign or a Robot in a Python file, with --task FILE or task_file=... (docs/robots.md)"
+HOW = "'mini-quadruped robot FILE' reads it and writes a Python file for --task FILE or task_file=... (docs/robots.md)"
 
 
 @pytest.mark.parametrize(
@@ -31,7 +31,8 @@ HOW = "QuadrupedDesign or a Robot in a Python file, with --task FILE or task_fil
 )
 def test_description_is_recognised_by_its_content(content, kind):
     problem = description_problem(content)
-    assert problem.startswith(f"this is {kind} and cannot be imported; ") if kind else not problem
+    assert problem.startswith(f"this is {kind}") if kind else not problem
+    assert ("cannot be imported" in problem) == (kind == "an SDF")
 
 
 @pytest.mark.parametrize(
@@ -53,13 +54,13 @@ def test_program_says_that_a_file_is_a_urdf_and_how_a_robot_is_given(command, do
         status = end.code
     error = capsys.readouterr().err
     assert status == 2
-    assert "dog.txt: this is a URDF and cannot be imported; " in error
+    assert "dog.txt: this is a URDF, not a Python file; " in error
     assert HOW in error
 
 
 def test_env_says_that_its_robot_is_an_mjcf(tmp_path):
     for path in (asset_path("mini_quadruped.xml"), str(asset_path("mini_quadruped.xml"))):
-        with pytest.raises(QuadrupedError, match=r"mini_quadruped\.xml: this is an MJCF and cannot be imported"):
+        with pytest.raises(QuadrupedError, match=r"mini_quadruped\.xml: this is an MJCF, not a Python file"):
             gymnasium.make("MiniQuadruped-v0", robot=path)
     with pytest.raises(QuadrupedError, match=r"robot: expected a Robot.*found 'go1'"):
         gymnasium.make("MiniQuadruped-v0", robot="go1")

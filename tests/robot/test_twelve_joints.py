@@ -1,5 +1,7 @@
 """A robot with three joints per leg in recordings, maps, replay and ROS: as with two, by the robot's own names."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from twelve_joints import JOINTS, ROBOT
@@ -33,12 +35,16 @@ def recording():
 
 
 def test_bag_and_csv_hold_the_same_recording(recording, task):
-    pytest.importorskip("rosbags")
+    highlevel = pytest.importorskip("rosbags.highlevel")
     recording.save("a.csv")
     assert main(["convert", "a.csv", "bag", *task]) == 0
     assert main(["convert", "bag", "b.csv", *task]) == 0
     with open("a.csv", "rb") as one, open("b.csv", "rb") as other:
         assert one.read() == other.read()
+    with highlevel.AnyReader([Path("bag")]) as reader:
+        (topic,) = (one for one in reader.connections if one.topic == "/robot_description")
+        ((_, _, message),) = reader.messages([topic])
+        assert reader.deserialize(message, topic.msgtype).data == ROBOT.description
 
 
 def test_recording_with_other_names_and_signs_is_mapped(recording, task):

@@ -226,7 +226,6 @@ def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, ca
     gaits = json.loads(output.read_text())
     robot = dataclasses.replace(TALL, gaits=gaits)
     gait = CommandedGait.preset("low", robot)
-    assert gait.native
     assert gait.angular_frequency == pytest.approx(CommandedGait.preset("low").angular_frequency * Scale(TALL).rate)
     assert gait.parameters() == gaits["low"]
     assert CommandedGait.preset("fast", robot).parameters() == CommandedGait.preset("fast", TALL).parameters()

@@ -28,8 +28,8 @@ def test_client_that_sends_nonsense_is_closed_without_a_traceback_and_others_con
         assert close_of(socket) == (1009 if len(nonsense) > MAX_MESSAGE else 1011)
         time = show.controller.view().time
         wait_until(lambda: show.controller.view().time > time + 0.1)
-        send(other, type="GuiUpdateMessage", uuid=show.panel._velocity._impl.uuid, updates={"value": 0.25})
+        send(other, type="GuiUpdateMessage", uuid=show.panel._velocities[0]._impl.uuid, updates={"value": 0.25})
         wait_until(lambda: show.controller.command[0] == 0.25)
         show.controller.set_command(0.0, 0.0)
-        wait_until(lambda: show.panel._velocity.value == 0.0)
+        wait_until(lambda: show.panel._velocities[0].value == 0.0)
     assert "Traceback" not in "".join(capfd.readouterr())

@@ -11,7 +11,6 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.measures import TILTED, counted_samples, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.verdict import verdict
@@ -139,7 +138,8 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
     policy = load_policy(run)
     comparison = compare(policy, progress=part_of(progress, 0.0, 0.4))
     metrics = {
-        motion: {m: round(comparison.estimate("policy", m, motion).mean, 4) for m in _SUMMARY} for motion in MOTIONS
+        motion: {m: round(comparison.estimate("policy", m, motion).mean, 4) for m in _SUMMARY}
+        for motion in comparison.motions
     }
     card = {
         **policy.card,

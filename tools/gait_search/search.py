@@ -17,6 +17,7 @@ from gait_search.trial import Achieved, Scale, Targets, draw_starts, measure, ne
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.gait import LEG_PHASES, CommandedGait, LegTable, turn_size
 from quadruped_env.gait.gait_presets import TUNED_FOR_ONE_SPEED, TUNED_ON
+from quadruped_env.gait.gaits import LEG_TABLES
 from quadruped_env.robot import Robot
 from quadruped_env.robot.corners import corners
 from quadruped_env.utils.arrays import Floats
@@ -208,22 +209,14 @@ def commanded_gait(
     """Return the robot's own gait whose tables have a candidate (3, 2, 6) at each speed in m/s, increasing."""
     # Part, leg, column, speed.
     columns = np.round(list(table.values()), 4).transpose(1, 2, 3, 0)
-    fore, hind, fore_turn, hind_turn, fore_side, hind_side = (
-        LegTable(*map(tuple, leg)) for part in columns.tolist() for leg in part
-    )
-    return CommandedGait(
-        angular_frequency,
-        tuple(table),
-        largest_yaw_rate,
-        fore,
-        hind,
-        fore_turn,
-        hind_turn,
-        fore_side,
-        hind_side,
-        robot,
-        native=True,
-    )
+    legs = dict(zip(LEG_TABLES, (leg for part in columns.tolist() for leg in part), strict=True))
+    numbers = {
+        "angular_frequency": angular_frequency,
+        "speeds": tuple(table),
+        "largest_yaw_rate": largest_yaw_rate,
+        **{name: dict(zip(LegTable.__dataclass_fields__, leg, strict=True)) for name, leg in legs.items()},
+    }
+    return CommandedGait.of_legs(numbers, robot)
 
 
 def candidates_of(gait: CommandedGait) -> dict[float, Floats]:

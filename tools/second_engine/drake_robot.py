@@ -90,7 +90,7 @@ class DrakeRobot:
         self._simulator.AdvanceTo(self._steps * self._timestep)
 
     def joints(self) -> tuple[Floats, Floats]:
-        """Positions in rad and velocities in rad/s of the joints, (J,) each."""
+        """Return the positions in rad and velocities in rad/s of the joints, (J,) each."""
         position = self.plant.GetPositions(self.context)[self._model.joint_position]
         return position, self.plant.GetVelocities(self.context)[self._model.joint_velocity]
 
@@ -100,20 +100,20 @@ class DrakeRobot:
         return quaternion / np.linalg.norm(quaternion)
 
     def body(self, link: str) -> BodyState:
-        """Motion of a link."""
+        """Return the motion of a link."""
         body = self._model.bodies[link]
         pose = body.EvalPoseInWorld(self.context)
         velocity = body.EvalSpatialVelocityInWorld(self.context)
         return BodyState(pose.translation(), pose.rotation().matrix(), velocity.rotational(), velocity.translational())
 
     def acceleration(self, link: str) -> tuple[Floats, Floats]:
-        """Angular and linear acceleration (3,) of a link in the last step in the world frame, rad/s^2, m/s^2."""
+        """Return a link's angular and linear acceleration (3,) in the last step, world frame, rad/s^2 and m/s^2."""
         accelerations = self.plant.get_body_spatial_accelerations_output_port().Eval(self.context)
         found = accelerations[self._model.bodies[link].index()]
         return found.rotational(), found.translational()
 
     def touches(self) -> list[Touch]:
-        """Contacts of the robot's links in the last step, one entry for each of the two links that touch."""
+        """Return the contacts of the robot's links in the last step, one entry for each of the two links that touch."""
         results = self.plant.get_contact_results_output_port().Eval(self.context)
         found = []
         for i in range(results.num_point_pair_contacts()):

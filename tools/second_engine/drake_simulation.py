@@ -96,7 +96,7 @@ class DrakeSimulation:
         self.substeps = Readings.from_sensordata(self.model, self._recorded, self.robot)
 
     def _steps_in(self, substeps: int) -> int:
-        """Steps of Drake in a number of physics steps of the task."""
+        """Return the steps of Drake in a number of physics steps of the task."""
         exact = substeps * self._substep / self.timestep
         steps = round(exact)
         if abs(steps - exact) > 1e-6:

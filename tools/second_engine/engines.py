@@ -58,7 +58,7 @@ class MuJoCo:
         _check("friction", self.friction, lambda value: 0.0 <= value < math.inf, "0 or more")
 
     def __call__(self, config: TaskConfig, num_envs: int) -> Simulation:
-        """N robots of a task, on its ground."""
+        """Return N robots of a task, on its ground."""
         model = config.compiled_model()
         if self.cone is not None:
             model.opt.cone = _CONES[self.cone]
@@ -73,7 +73,7 @@ class MuJoCo:
         return BatchSimulation(model, num_envs, robot=config.robot)
 
     def settings(self, config: TaskConfig) -> dict[str, Any]:
-        """Version, time step and contact model for a task, as plain values."""
+        """Return the version, time step and contact model for a task, as plain values."""
         model = config.compiled_model()
         option = model.opt
         return {
@@ -123,7 +123,7 @@ class Drake:
         _check("friction", self.friction, lambda value: 0.0 <= value < math.inf, "0 or more")
 
     def __call__(self, config: TaskConfig, num_envs: int) -> Simulation:
-        """N robots of a task, on level ground.
+        """Return N robots of a task, on level ground.
 
         Raises:
             QuadrupedError: if Drake is not installed, the task's ground is not level, or the URDF is not the robot's.
@@ -134,7 +134,7 @@ class Drake:
         return DrakeSimulation(config, num_envs, self.timestep(config), self._contact(config))
 
     def timestep(self, config: TaskConfig) -> float:
-        """Time step for a task, s."""
+        """Return the time step for a task, s."""
         # Rounding must not add a step.
         return config.control_timestep / math.ceil(config.control_timestep / self.max_timestep - 1e-9)
 
@@ -143,7 +143,7 @@ class Drake:
         return Contact(self.approximation, friction, self.relaxation_time)
 
     def settings(self, config: TaskConfig) -> dict[str, Any]:
-        """Version, time step and contact model for a task, as plain values."""
+        """Return the version, time step and contact model for a task, as plain values."""
         check_drake()
         return {
             "version": metadata.version("drake"),
@@ -162,7 +162,7 @@ def check_drake() -> None:
 
 
 def friction_of(config: TaskConfig) -> float:
-    """Coefficient of sliding friction between the feet and the ground in a task's model; MuJoCo takes the larger."""
+    """Return the sliding friction between feet and ground in a task's model: MuJoCo takes the larger one."""
     model = config.compiled_model()
     feet = {int(model.site_bodyid[model.site(site).id]) for site in config.robot.foot_sites}
     touching = [geom for geom in range(model.ngeom) if model.geom_contype[geom] and model.geom_bodyid[geom] in feet]

@@ -48,7 +48,7 @@ class Servos:
         self._targets[:, robots] = position
 
     def torque(self, target: Floats, position: Floats, velocity: Floats) -> Floats:
-        """Torques of the motors (N, J) in N m for the next step of the engine, for joint targets sent now (N, J)."""
+        """Return the motors' torques (N, J) in N m for the engine's next step, for joint targets sent now (N, J)."""
         if len(self._targets) > 1:
             self._targets[1:] = self._targets[:-1].copy()
         self._targets[0] = target
@@ -58,7 +58,7 @@ class Servos:
         return np.clip(within_line, -self._stall, self._stall)
 
     def friction(self, velocity: Floats) -> Floats:
-        """Torques of the joints' dry friction (N, J) in N m at velocities (N, J) in rad/s.
+        """Return the torques of the joints' dry friction (N, J) in N m at velocities (N, J) in rad/s.
 
         Below friction * timestep / armature, where full friction would turn the rotor back within a step, it is in
         proportion to the speed: a joint at rest creeps under a load instead of sticking.

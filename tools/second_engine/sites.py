@@ -38,14 +38,14 @@ class Site:
         return cls(site.name, link, site.pos.copy(), site.quat.copy(), int(site.type[0]), site.size.copy())
 
     def motion(self, robot: DrakeRobot) -> BodyState:
-        """Motion of the site; its rotation is its link's."""
+        """Return the motion of the site; its rotation is its link's."""
         body = robot.body(self.link)
         arm = body.rotation @ self.position
         velocity = body.linear_velocity + np.cross(body.angular_velocity, arm)
         return body._replace(position=body.position + arm, linear_velocity=velocity)
 
     def acceleration(self, robot: DrakeRobot) -> Floats:
-        """Acceleration in the last step (3,), in the world frame, m/s^2."""
+        """Return the acceleration in the last step (3,), in the world frame, m/s^2."""
         body = robot.body(self.link)
         arm = body.rotation @ self.position
         angular, linear = robot.acceleration(self.link)

@@ -10,11 +10,19 @@ import numpy as np
 
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.evaluation.conditions import Command, commands_for, evaluation_task, motion_of
+from quadruped_env.evaluation.conditions import (
+    SIDEWAYS,
+    Command,
+    commands_for,
+    evaluation_task,
+    full_command,
+    motion_of,
+)
 from quadruped_env.evaluation.confidence import bootstrap_mean
-from quadruped_env.evaluation.measures import START_UP, counted_samples, masked_mean, measure
+from quadruped_env.evaluation.measures import METRICS, START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import Controller, GaitController, Policy, PolicyController, ZeroController
+from quadruped_env.robot import Robot
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
@@ -32,17 +40,16 @@ COMMANDS: Final[tuple[Command, ...]] = (
     (0.3, 0.5),
     (0.0, 0.0),
 )
-"""Forward velocity in m/s and yaw rate in rad/s of the default episodes, for the built-in robot."""
+"""Forward velocity in m/s and yaw rate in rad/s of the default episodes, for the built-in robot; robots that move
+sideways also get the first of `SIDEWAYS`."""
 NUM_SEEDS: Final = 3
 SECONDS: Final = 10.0
 MAX_SECONDS: Final = 120.0
 """Maximum length of an episode, s: Drake simulates one robot after the other."""
 
 _LABELS: Final = {"policy": "Trained policy", "tuned": "Searched gait", "zero": "Standing still"}
-QUANTITIES: Final = ("forward_velocity", "yaw_rate", "base_height", "fallen")
-"""Quantities of an episode: means in m/s, rad/s and m after the start-up and before a fall; 1 for a fall, else 0."""
-TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2}
-"""Velocity -> maximum loss of a policy that carries over, as a share of the velocity here."""
+TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2, "lateral_velocity": 0.05}
+"""Velocity -> maximum loss of a policy that carries over, as a share of the velocity here; in the order of commands."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +63,14 @@ class Transfer:
     engines: tuple[dict[str, Any], dict[str, Any]]
     """Name, version, time step and contact model of each engine"""
     values: dict[str, tuple[dict[str, Floats], dict[str, Floats]]]
-    """Controller -> engine -> quantity -> (K, S)"""
+    """Controller -> engine -> quantity -> (K, S): the mean of each velocity in m/s or rad/s and of `base_height` in m,
+    after the start-up and before a fall; `fallen` is 1 for a fall, else 0"""
+
+    @property
+    def targets(self) -> dict[str, float]:
+        """Those of `TARGETS` whose velocities are commanded."""
+        command = next(iter(self.commands.values()))[0]
+        return {name: limit for (name, limit), _ in zip(TARGETS.items(), command, strict=False)}
 
     def means(self, controller: str, quantity: str, command: int) -> tuple[float, float]:
         """Mean over the seeds in both engines for one of the controller's commands (its index); NaN without data."""
@@ -91,7 +105,7 @@ class Transfer:
         return [
             command
             for i, command in enumerate(self.commands[controller])
-            for name, wanted in zip(TARGETS, command, strict=True)
+            for name, wanted in zip(TARGETS, command, strict=False)
             if wanted and math.isnan(self.loss(controller, name, i))
         ]
 
@@ -100,7 +114,7 @@ class Transfer:
 
         None if that is so, but it does not follow some command here.
         """
-        largest = [(self.largest_loss("policy", name), limit) for name, limit in TARGETS.items()]
+        largest = [(self.largest_loss("policy", name), limit) for name, limit in self.targets.items()]
         here, there = self.falls("policy")
         if there > here or any(found is not None and found[0] > limit for found, limit in largest):
             return False
@@ -109,14 +123,15 @@ class Transfer:
     def tables(self) -> list[str]:
         """Return results of each controller as text: the mean of each quantity in both engines, and what is lost."""
         here, there = (str(engine["name"]) for engine in self.engines)
-        velocities = (f"m/s {here}", there, "loss", f"rad/s {here}", there, "loss")
-        header = ("m/s, rad/s", *velocities, f"height mm {here}", there, f"falls {here}", there)
+        units = [METRICS[velocity].unit for velocity in self.targets]
+        velocities = (title for unit in units for title in (f"{unit} {here}", there, "loss"))
+        header = (", ".join(units), *velocities, f"height mm {here}", there, f"falls {here}", there)
         found = []
         for controller, commands in self.commands.items():
             rows = []
-            for i, (forward, yaw_rate) in enumerate(commands):
-                cells = [f"{forward:g}, {yaw_rate:g}"]
-                for velocity in TARGETS:
+            for i, command in enumerate(commands):
+                cells = [", ".join(f"{v:g}" for v in command)]
+                for velocity in self.targets:
                     cells += [_shown(value, 3) for value in self.means(controller, velocity, i)]
                     cells.append(_percent(self.loss(controller, velocity, i)))
                 cells += [_shown(1000.0 * value, 0) for value in self.means(controller, "base_height", i)]
@@ -131,19 +146,18 @@ class Transfer:
         carries_over = self.carries_over()
         sentences = [f"The policy {'carries' if carries_over else 'does not carry'} over to {there}."]
         if carries_over is None:
-            forward, yaw_rate = self.not_followed("policy")[0]
             sentences = [
                 f"Whether the policy carries over to {there} is open: in {here} it does not follow the command of "
-                f"{forward:g} m/s and {yaw_rate:g} rad/s."
+                f"{_in_words(self.not_followed('policy')[0])}."
             ]
-        for velocity, target in TARGETS.items():
+        for velocity, target in self.targets.items():
             found = self.largest_loss("policy", velocity)
             if found is not None:
-                loss, (forward, yaw_rate) = found
+                loss, command = found
                 judged = "reached" if loss <= target else "missed"
                 sentences.append(
                     f"Largest loss of {velocity.replace('_', ' ')} against {here}: {_percent(loss)}, "
-                    f"at {forward:g} m/s and {yaw_rate:g} rad/s; target {_percent(target)}: {judged}."
+                    f"at {_in_words(command)}; target {_percent(target)}: {judged}."
                 )
         episodes = self.values["policy"][0]["fallen"].size
         first, second = self.falls("policy")
@@ -161,6 +175,10 @@ class Transfer:
             + "."
             for engine in self.engines
         )
+
+
+def _in_words(command: Command) -> str:
+    return " and ".join(f"{v:g} {METRICS[name].unit}" for name, v in zip(TARGETS, command, strict=False))
 
 
 def _shown(value: float, digits: int) -> str:
@@ -187,8 +205,8 @@ def run_transfer(
 
     Args:
         policy: the trained policy.
-        commands: forward velocity in m/s and yaw rate in rad/s; they may lie outside the training ranges. None:
-            `COMMANDS`, in the units of the robot.
+        commands: forward velocity in m/s, yaw rate in rad/s, and for robots that move sideways lateral velocity in m/s;
+            they may lie outside the training ranges. None: `COMMANDS`, in the units of the robot.
         num_seeds: episodes per command.
         seconds: length of an episode, s.
         here: the engine to compare with. None: MuJoCo, with the task's contact model.
@@ -200,8 +218,9 @@ def run_transfer(
             Drake is needed and not installed, or it cannot simulate the robot.
     """
     if commands is None:
-        commands = commands_for(policy.config.robot, COMMANDS)
-    checked = _checked(commands, num_seeds, seconds)
+        robot = policy.config.robot
+        commands = commands_for(robot, (*COMMANDS, *SIDEWAYS[:1]) if robot.moves_sideways else COMMANDS)
+    checked = _checked(commands, num_seeds, seconds, policy.config.robot)
     for command in checked:
         if outside := out_of_range(command, policy.config.commands):
             warnings.warn(f"--command: {outside}, for which the policy was not trained", QuadrupedWarning, stacklevel=2)
@@ -236,10 +255,10 @@ def run_transfer(
     )
 
 
-def _checked(commands: Sequence[Command], num_seeds: int, seconds: float) -> list[Command]:
-    """Return the commands as pairs of numbers."""
-    values = np.asarray(commands, dtype=np.float64)
-    if values.ndim != 2 or values.shape[1] != 2 or not len(values) or not np.isfinite(values).all():
+def _checked(commands: Sequence[Command], num_seeds: int, seconds: float, robot: Robot) -> list[Command]:
+    """Return the commands with a number for each velocity of the robot."""
+    values = np.array([full_command(command, robot) for command in commands], dtype=np.float64)
+    if values.ndim != 2 or values.shape[1] != len(full_command((), robot)) or not np.isfinite(values).all():
         raise QuadrupedError(
             f"command: expected one or more pairs of finite numbers, forward velocity in m/s and yaw rate in rad/s; "
             f"found {short(list(commands))}"
@@ -251,16 +270,15 @@ def _checked(commands: Sequence[Command], num_seeds: int, seconds: float) -> lis
             f"seconds: expected more than {START_UP:g}, which do not count, and at most {MAX_SECONDS:g}; found "
             f"{seconds:g}"
         )
-    return [(float(forward), float(yaw_rate)) for forward, yaw_rate in values]
+    return [tuple(command) for command in values.tolist()]
 
 
 def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
     """Return the quantities of a rollout: name -> (K, S)."""
     metrics = measure(rollout)
     values: dict[str, Floats] = {
-        "forward_velocity": metrics["forward_velocity"],
-        "yaw_rate": metrics["yaw_rate"],
+        **{name: metrics[name] for name in TARGETS if name in metrics},
         "base_height": masked_mean(rollout.base_position[..., 2], counted_samples(rollout)),
         "fallen": rollout.fallen.astype(np.float64),
     }
-    return {name: np.reshape(values[name], (-1, num_seeds)) for name in QUANTITIES}
+    return {name: np.reshape(value, (-1, num_seeds)) for name, value in values.items()}

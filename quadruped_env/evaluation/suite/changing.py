@@ -39,19 +39,19 @@ def run_joystick(part: Joystick, candidate: Candidate, progress: Progress | None
 
 
 def schedule(part: Joystick, seed: int, dt: float) -> Floats:
-    """Return the command in each control step of `dt` seconds (T, 2) of the episode of a seed."""
+    """Return the command in each control step of `dt` seconds (T, V) of the episode of a seed."""
     generator = np.random.default_rng(seed)
     low, high = np.array(part.rectangle)
-    steps, command, now = round(part.seconds / dt), np.zeros(2), 0
-    commands = np.zeros((steps, 2))
+    steps, command, now = round(part.seconds / dt), np.zeros(len(low)), 0
+    commands = np.zeros((steps, len(low)))
     stand, reverse, full = np.cumsum(part.shares)
     while now < steps:
         kind = generator.random()
         drawn = generator.uniform(low, high)
-        # Not both in the middle, which would be standing.
-        end = generator.choice([-1, 1, 0, -1, 1], 2, replace=False)
+        # Not all in the middle, which would be standing.
+        end = generator.choice([-1, 1, 0, -1, 1], len(low), replace=False)
         if kind < stand:
-            command = np.zeros(2)
+            command = np.zeros(len(low))
         elif kind < reverse and command.any():
             command = np.clip(-command, low, high)
         elif kind < full:
@@ -67,7 +67,7 @@ def schedule(part: Joystick, seed: int, dt: float) -> Floats:
 def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict[str, Any]:
     """Return falls per hour until each robot's fall, errors, and the share of met windows, as plain values.
 
-    `command` (T, N, 2) are the commands that were given, whatever the task makes of them.
+    `command` (T, N, V) are the commands that were given, whatever the task makes of them.
     """
     valid = rollout.valid
     error = stretch_errors(rollout.velocity, command, valid, part, rollout.timestep)
@@ -81,19 +81,19 @@ def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict
         "robot_hours": hours,
         "falls": int(rollout.fallen.sum()),
         "falls_per_hour": poisson_rate(int(rollout.fallen.sum()), hours).to_dict(),
-        "mean_error": mean_of(np.abs(counted)) if len(counted) else [None, None],
+        "mean_error": mean_of(np.abs(counted)) if len(counted) else [None] * command.shape[-1],
         "windows_met": proportion(windows[~trivial]).to_dict(),
     }
 
 
 def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Bools, part: Joystick, dt: float) -> Floats:
-    """Return the error of the mean velocity over the stretch of one command that each sample belongs to (T, N, 2).
+    """Return the error of the mean velocity over the stretch of one command that each sample belongs to (T, N, V).
 
     A stretch begins `allowance` after a change of the command, and ends at the next change or a fall. NaN outside
     stretches, and in those shorter than `shortest`.
     """
     steps, robots = valid.shape
-    error = np.full((steps, robots, 2), np.nan)
+    error = np.full((steps, robots, command.shape[-1]), np.nan)
     allowance, shortest = round(part.allowance / dt), round(part.shortest / dt)
     for robot in range(robots):
         alive = int(valid[:, robot].sum())
@@ -114,7 +114,7 @@ def met_windows(error: Floats, valid: Bools, part: Joystick, dt: float) -> Bools
     length = round(part.window / dt)
     count = len(valid) // length
     shape = count, length, valid.shape[1]
-    size = np.abs(error[: count * length]).reshape(*shape, 2)
+    size = np.abs(error[: count * length]).reshape(*shape, error.shape[-1])
     known = np.isfinite(size)
     mean = np.where(known, size, 0.0).sum(axis=1) / np.maximum(known.sum(axis=1), 1)
     whole = valid[: count * length].reshape(shape).all(axis=1)

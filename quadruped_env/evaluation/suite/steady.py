@@ -7,6 +7,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quadruped_env.control.control_config import VELOCITIES
 from quadruped_env.evaluation.confidence import mean_of, number, proportion
 from quadruped_env.evaluation.measures import (
     counted_samples,
@@ -38,7 +39,7 @@ def run_command_map(part: CommandMap, candidate: Candidate, progress: Progress |
     drawn, on_axes = list(part.drawn), [command for axis in part.axes.values() for command in axis]
     rollout = candidate.run([*drawn, *on_axes], part.seeds, part.seconds, progress)
     shape = len(drawn) + len(on_axes), part.num_seeds
-    achieved = mean_velocities(rollout).reshape(*shape, 2)
+    achieved = mean_velocities(rollout).reshape(*shape, -1)
     fallen = rollout.fallen.reshape(shape)
     still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
     commands = np.array([*drawn, *on_axes])
@@ -56,13 +57,13 @@ def run_command_map(part: CommandMap, candidate: Candidate, progress: Progress |
 
 
 def summary(commands: ArrayLike, achieved: Floats, fallen: Bools, met: Bools) -> dict[str, Any]:
-    """Summarize K commands from mean velocities (K, S, 2), falls and the result of `meets` (K, S)."""
+    """Summarize K commands from mean velocities (K, S, V), falls and the result of `meets` (K, S)."""
     error = achieved - np.asarray(commands, dtype=np.float64)[:, None]
     result: dict[str, Any] = {"met": proportion(met).to_dict(), "falls": proportion(fallen).to_dict()}
-    for column, name in enumerate(("forward_velocity", "yaw_rate")):
-        signed = np.array([mean_of(episodes) for episodes in error[..., column]], dtype=np.float64)
+    for entry, errors in zip(VELOCITIES, np.moveaxis(error, -1, 0), strict=False):
+        signed = np.array([mean_of(episodes) for episodes in errors], dtype=np.float64)
         known = np.abs(signed[np.isfinite(signed)])
-        result[f"{name}_error"] = {
+        result[f"{entry.name}_error"] = {
             "signed": [number(value) for value in signed.tolist()],
             "mean": number(float(known.mean())) if known.size else None,
             "largest": number(float(known.max())) if known.size else None,
@@ -73,7 +74,7 @@ def summary(commands: ArrayLike, achieved: Floats, fallen: Bools, met: Bools) ->
 def envelope(part: CommandMap, met: Bools) -> dict[str, float]:
     """Return the largest command in each direction up to which every episode meets its command; 0 if none does.
 
-    Forwards and backwards in m/s, left and right in rad/s. `met` (commands of all axes, S) is the result of `meets`.
+    In m/s, left and right in rad/s. `met` (commands of all axes, S) is the result of `meets`.
     """
     found, place = {}, 0
     for name, axis in part.axes.items():
@@ -197,7 +198,7 @@ def _place(task: Task, angle: float) -> None:
 
 def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
     """Return falls, and the signed share of each command that is kept, of episodes grouped by command."""
-    achieved = mean_velocities(rollout).reshape(len(part.commands), -1, 2)
+    achieved = mean_velocities(rollout).reshape(len(part.commands), -1, rollout.velocity.shape[-1])
     kept = keeps(part, achieved, rollout.fallen.reshape(len(part.commands), -1))
     return {
         "falls": proportion(rollout.fallen).to_dict(),
@@ -214,9 +215,9 @@ def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
 
 
 def keeps(part: Regulation, achieved: ArrayLike, fallen: Bools) -> Bools:
-    """Return True for each of S episodes that keeps both velocities of its command without a fall (K, S).
+    """Return True for each of S episodes that keeps the velocities of its command without a fall (K, S).
 
-    `achieved` are mean velocities (K, S, 2), NaN if unknown.
+    `achieved` are mean velocities (K, S, V), NaN if unknown.
     """
     command = np.array(part.commands)[:, None]
     allowed = np.where(command != 0.0, part.share * np.abs(command), part.tolerance)

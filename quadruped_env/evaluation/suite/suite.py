@@ -17,7 +17,13 @@ from quadruped_env.evaluation.suite.steady import (
     run_regulation,
     run_terrain,
 )
-from quadruped_env.evaluation.suite.suite_definition import Suite, TerrainPart, for_robot, full_suite
+from quadruped_env.evaluation.suite.suite_definition import (
+    Suite,
+    TerrainPart,
+    for_robot,
+    full_suite,
+    with_velocities,
+)
 from quadruped_env.simulation.height_field import GROUND
 from quadruped_env.utils.progress import Progress, part_of
 
@@ -79,7 +85,8 @@ def run_suite(
 
     Args:
         candidate: the controller, in its task.
-        suite: definition of the suite, which is measured in the units of the controller's robot.
+        suite: definition of the suite, which is measured in the units of the controller's robot, and with lateral
+            velocities if that moves sideways.
         progress: called with the fraction done.
         zero_action: also measure the zero action in the controller's task.
 
@@ -90,7 +97,7 @@ def run_suite(
     Raises:
         QuadrupedError: if the controller cannot run in the task.
     """
-    suite = suite or full_suite()
+    suite = with_velocities(suite or full_suite(), candidate.robot)
     share = 0.6 if zero_action else 1.0
     result = _results(candidate, suite, part_of(progress, 0.0, share))
     result["definition"] = for_robot(suite, candidate.robot).to_dict()

@@ -8,13 +8,14 @@ import dataclasses
 import functools
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.evaluation.conditions import COMMANDS, Command
+from quadruped_env.control.control_config import VELOCITIES
+from quadruped_env.evaluation.conditions import COMMANDS, SIDEWAYS, Command, full_command
 from quadruped_env.evaluation.measures import BOUNCE, CLOSE, ROUGH, SPEED_SHARE, SWING_SHARE
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
@@ -33,8 +34,11 @@ _SEEDS_PER_PART: Final = 10_000
 
 RECTANGLE: Final[tuple[Command, Command]] = ((-0.3, -0.8), (0.6, 0.8))
 """Ranges of the commands that are drawn, as in the task; not in the hash."""
-_R2: Final = np.array([0.7548776662466927, 0.5698402909980532])
-"""Steps of the sequence R2: 1 / g and 1 / g^2, where g^3 = g + 1."""
+_STEPS: Final = {
+    2: np.array([0.7548776662466927, 0.5698402909980532]),
+    3: np.array([0.8191725133961644, 0.6710436067037892, 0.5497004779019702]),
+}
+"""Dimensions d -> steps of the sequence R_d: 1 / g, 1 / g^2, ... 1 / g^d, where g^(d + 1) = g + 1."""
 
 
 def _steps(first: int, last: int, step: int, unit: float) -> tuple[float, ...]:
@@ -66,8 +70,8 @@ class CommandMap(Part):
     """Commands that are drawn."""
     standing: int = 8
     """Commands to stand, besides."""
-    smallest: tuple[float, float] = (0.1, 0.2)
-    """A command below both of these is not drawn, m/s and rad/s."""
+    smallest: Command = (0.1, 0.2)
+    """A command below all of these is not drawn, m/s and rad/s."""
     axes: dict[str, tuple[Command, ...]] = field(
         default_factory=lambda: {
             "forwards": tuple((v, 0.0) for v in _steps(2, 18, 1, 0.05)),
@@ -78,25 +82,25 @@ class CommandMap(Part):
     )
     """Commands in one direction alone, the smallest first, for the envelope."""
     seconds: float = 10.0
-    tolerance: tuple[float, float] = CLOSE
+    tolerance: tuple[float, ...] = tuple(CLOSE.values())
     """Errors of the mean velocities up to which an episode meets its command, m/s and rad/s."""
 
     @property
     def drawn(self) -> tuple[Command, ...]:
         """The commands that are drawn, and those to stand.
 
-        Points of the additive sequence R2, which covers the rectangle evenly (Roberts 2018, The Unreasonable
-        Effectiveness of Quasirandom Sequences), from a start that the seed gives.
+        Points of an additive sequence, which covers the rectangle evenly (Roberts 2018, The Unreasonable Effectiveness
+        of Quasirandom Sequences), from a start that the seed gives.
         """
         low, high = np.array(self.rectangle)
-        at = np.random.default_rng(self.first_seed).random(2)
+        at = np.random.default_rng(self.first_seed).random(len(low))
         points: list[Command] = []
         while len(points) < self.points:
-            at = (at + _R2) % 1.0
-            v, w = (round(float(value), 4) for value in low + at * (high - low))
-            if abs(v) >= self.smallest[0] or abs(w) >= self.smallest[1]:
-                points.append((v, w))
-        return (*points, *((0.0, 0.0),) * self.standing)
+            at = (at + _STEPS[len(low)]) % 1.0
+            command = tuple(round(float(value), 4) for value in low + at * (high - low))
+            if (np.abs(command) >= self.smallest).any():
+                points.append(command)
+        return (*points, *((0.0,) * len(low),) * self.standing)
 
 
 @dataclass(frozen=True)
@@ -129,7 +133,7 @@ class Joystick(Part):
     """Time after the allowance from which a held command counts, s: a stride."""
     window: float = 5.0
     """Length of the windows of the score, s."""
-    tolerance: tuple[float, float] = ROUGH
+    tolerance: tuple[float, ...] = tuple(ROUGH.values())
     """Mean errors up to which a window is met, m/s and rad/s."""
 
 
@@ -139,7 +143,7 @@ class GaitPart(Part):
 
     commands: tuple[Command, ...] = tuple(command for command in COMMANDS if any(command))
     seconds: float = 15.0
-    tolerance: tuple[float, float] = ROUGH
+    tolerance: tuple[float, ...] = tuple(ROUGH.values())
     """Errors of the mean velocities up to which the gait of an episode counts in the score, m/s and rad/s."""
     swing_share: float = SWING_SHARE
     """Share of a stride from which a time in the air is a swing; shorter ones are within a stance."""
@@ -190,7 +194,7 @@ class Transients(Part):
     """Time at the end whose mean is the final value, s."""
     band: float = 0.1
     """Half width of the band around the final value, relative to the commanded change."""
-    narrowest: tuple[float, float] = (0.05, 0.1)
+    narrowest: tuple[float, ...] = (0.05, 0.1)
     """Least half width of the band, m/s and rad/s."""
     followed_share: float = 0.5
     """Share of the commanded change from which it was followed."""
@@ -206,7 +210,7 @@ class Pushes(Part):
     """Sizes of the scored pushes: factors on `unit`."""
     unit: tuple[float, ...] = (1.0, 1.0, 0.5, 2.0, 2.0, 2.0)
     """Factors on a direction drawn on the sphere in six dimensions: m/s in the world frame, rad/s in the body frame."""
-    tolerance: tuple[float, float] = ROUGH
+    tolerance: tuple[float, ...] = tuple(ROUGH.values())
     """Errors of the mean velocities after a push up to which the episode follows its command, m/s and rad/s."""
     final: float = 2.0
     """Time at the end over which these means are, s."""
@@ -242,13 +246,13 @@ class Regulation(Part):
     """Time from the start until the command, s."""
     share: float = 0.2
     """Error up to which an episode keeps a velocity that is commanded, relative to the command."""
-    tolerance: tuple[float, float] = CLOSE
+    tolerance: tuple[float, ...] = tuple(CLOSE.values())
     """The same for a velocity whose command is 0, m/s and rad/s."""
     together: Disturbance = field(default_factory=lambda: Disturbance("hard", dict(PRESETS["hard"])))
     together_seeds: int = 32
     """Episodes per command with all disturbances together."""
     together_seconds: float = 20.0
-    together_tolerance: tuple[float, float] = ROUGH
+    together_tolerance: tuple[float, ...] = tuple(ROUGH.values())
     """Errors up to which an episode with all disturbances holds its command, m/s and rad/s."""
 
 
@@ -320,10 +324,12 @@ class Suite:
         return f"{NAME} {VERSION}{' (quick)' if self.quick else ''}"
 
 
-_VELOCITIES: Final = ("m/s", "rad/s")
+_COMMANDS: Final = ("rectangle", "axes", "command", "commands", "first", "then")
+"""Fields that hold commands."""
+_SIZES: Final = ("smallest", "tolerance", "narrowest", "together_tolerance")
+"""Fields that hold a size of each velocity."""
 _UNITS: Final[Mapping[str, str | tuple[str, ...]]] = {
-    **dict.fromkeys(("rectangle", "smallest", "axes", "command", "commands", "first", "then"), _VELOCITIES),
-    **dict.fromkeys(("tolerance", "narrowest", "together_tolerance"), _VELOCITIES),
+    **dict.fromkeys((*_COMMANDS, *_SIZES), tuple(entry.unit for entry in VELOCITIES)),
     **dict.fromkeys(("soft_landing", "little_slip"), "m/s"),
     **dict.fromkeys(("bounce", "full_clearance"), "m"),
     "unit": ("m/s",) * 3 + ("rad/s",) * 3,
@@ -334,20 +340,64 @@ for all."""
 
 def for_robot(suite: Suite, robot: Robot) -> Suite:
     """Scale the suite to a robot: commands, tolerances, pushes, and the heights and speeds of the scores."""
-    scaled_suite: Suite = _scaled(suite, robot)
+
+    def scale(field: str, value: Any) -> Any:
+        unit = _UNITS.get(field)
+        if isinstance(unit, tuple):
+            return tuple(scaled(v, scale_of(u, robot)) for v, u in zip(value, unit, strict=False))
+        return value if unit is None else scaled(value, scale_of(unit, robot))
+
+    scaled_suite: Suite = _changed(suite, scale)
     return scaled_suite
 
 
-def _scaled(value: Any, robot: Robot, unit: str | tuple[str, ...] | None = None) -> Any:
+def with_velocities(suite: Suite, robot: Robot) -> Suite:
+    """Return the suite with lateral velocities for a robot that moves sideways; for another robot it stays as it is.
+
+    The suite's own commands get a lateral velocity of 0, and further commands follow them. Where commands are drawn,
+    the lateral velocity is drawn, too. Its tolerances are those of the forward velocity.
+    """
+    if not robot.moves_sideways:
+        return suite
+
+    def widen(field: str, value: Any) -> Any:
+        if field in _SIZES:
+            return *value, value[0]
+        return full_command(value, robot) if field in _COMMANDS else value
+
+    wide: Suite = _changed(suite, widen)
+    (low, high), lateral = suite.commands.rectangle, VELOCITIES[-1].range
+    rectangle = (*low, lateral[0]), (*high, lateral[1])
+    ways = {"sideways_left": 1.0, "sideways_right": -1.0}
+    steps = _steps(2, 10, 1, 0.05)[1:3] if suite.quick else _steps(2, 10, 1, 0.05)
+    axes = {name: tuple((0.0, 0.0, sign * v) for v in steps) for name, sign in ways.items()}
+    stand, left, right, *_ = (0.0, 0.0, 0.0), *SIDEWAYS
+    changes = (
+        Change("step_left", stand, left),
+        Change("sideways_reversal", left, right),
+        Change("walk_to_sideways", (0.3, 0.0, 0.0), left),
+    )
+    return replace(
+        wide,
+        commands=replace(wide.commands, rectangle=rectangle, axes={**wide.commands.axes, **axes}),
+        joystick=replace(wide.joystick, rectangle=rectangle),
+        gait=replace(wide.gait, commands=(*wide.gait.commands, *(SIDEWAYS[:1] if suite.quick else SIDEWAYS))),
+        transients=replace(wide.transients, changes=(*wide.transients.changes, *changes)),
+        pushes=replace(wide.pushes, commands=(*wide.pushes.commands, left)),
+        regulation=replace(wide.regulation, commands=(*wide.regulation.commands, left)),
+    )
+
+
+def _changed(value: Any, change: Callable[[str, Any], Any], field: str = "") -> Any:
+    """Return a value with `change(field, v)` of every number, and every tuple of numbers or names, in its fields."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         values = {f.name: getattr(value, f.name) for f in dataclasses.fields(value)}
-        return replace(value, **{name: _scaled(v, robot, _UNITS.get(name)) for name, v in values.items()})
+        return replace(value, **{name: _changed(v, change, name) for name, v in values.items()})
     if isinstance(value, dict):
-        return {name: _scaled(v, robot, unit) for name, v in value.items()}
-    if isinstance(value, tuple):
-        each = unit if isinstance(unit, tuple) and isinstance(value[0], float) else (unit,) * len(value)
-        return tuple(_scaled(v, robot, u) for v, u in zip(value, each, strict=True))
-    return value if unit is None else scaled(value, scale_of(str(unit), robot))
+        return {name: _changed(v, change, field) for name, v in value.items()}
+    if isinstance(value, tuple) and not isinstance(value[0], float | int | str):
+        return tuple(_changed(v, change, field) for v in value)
+    return change(field, value)
 
 
 @functools.cache

@@ -21,11 +21,13 @@ COMMANDED_LEGEND: Final = "commanded"
 GAIT_LEGEND: Final = f"feet on the ground, last {GAIT_SECONDS:g} s"
 
 _HEAD_HEIGHT, _PANEL_HEIGHT = 32, 94
+_ROW_HEIGHT: Final = 28
+"""Height of a velocity's row; the panel is higher for more than two, pixels."""
 _MARGIN: Final = 14
 _AIR: Final = 232
 """Grey level of a foot in the air."""
-_LEGEND_TOP: Final = 82
-"""Middle of the legend, from the top of the panel, pixels."""
+_LEGEND_BOTTOM: Final = 12
+"""Middle of the legend, from the bottom of the panel, pixels."""
 _GAIT_HEIGHT: Final = 60
 """Height of the gait diagram, pixels."""
 _BAND_SHARE: Final = 0.75
@@ -37,8 +39,8 @@ _GAIT_WIDTH: Final = 250
 _GAIT_LEFT: Final = 325
 """Left end of the names of the legs, at the right of the velocities, pixels."""
 _BAR_LEFT, _BAR_RIGHT = 78, 204
-_QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0))
-"""Label, unit, and absolute velocity at the ends of the bar."""
+_QUANTITIES: Final = (("forward", "m/s", 0.6), ("turning", "rad/s", 1.0), ("sideways", "m/s", 0.6))
+"""Label, unit, and absolute velocity at the ends of the bar, of each of the `VELOCITIES`."""
 
 
 class Overlay:
@@ -63,13 +65,15 @@ class Overlay:
         self._timestep = trace.timestep
         self._command = trace.command
         self._velocity = None if velocity is None else trailing_mean(velocity, round(AVERAGED / trace.timestep))
+        self._rows = 0 if velocity is None else velocity.shape[1]
+        self._height = _PANEL_HEIGHT + _ROW_HEIGHT * max(0, self._rows - 2)
         self._gait = None if trace.contact is None else gait_strip(robot, trace.contact, trace.timestep)
 
     def draw(self, picture: NDArray[np.uint8], sample: int) -> NDArray[np.uint8]:
         """Return the picture (H, W, 3) of a sample, with overlays."""
         picture = picture.copy()
         # Only the edges are converted to Pillow images: converting the whole picture takes as long as drawing.
-        head, panel = picture[:_HEAD_HEIGHT], picture[-_PANEL_HEIGHT:]
+        head, panel = picture[:_HEAD_HEIGHT], picture[-self._height :]
         image = self._to_image(head)
         pen = self._pen_for(image)
         pen.text((_MARGIN, 10), self._title, fill=INK, font=self._font)
@@ -80,9 +84,8 @@ class Overlay:
             # Blend with white at 7/8, in fast integer arithmetic.
             image = self._to_image((panel >> 3) + 223)
             pen = self._pen_for(image)
-            if self._velocity is not None:
-                for row in range(len(_QUANTITIES)):
-                    self._draw_velocity(pen, row, sample, 14 + 28 * row)
+            for row in range(self._rows):
+                self._draw_velocity(pen, row, sample, 14 + _ROW_HEIGHT * row)
             if self._gait is not None:
                 width = max(1, min(_GAIT_WIDTH, image.width - _MARGIN - _GAIT_LEFT - self._names_width - 6))
                 left = image.width - _MARGIN - width
@@ -92,10 +95,10 @@ class Overlay:
                 end = max(1, round((sample + 1) * self._timestep / GAIT_SECONDS * _GAIT_WIDTH))
                 strip = self._to_image(np.ascontiguousarray(self._gait[:, max(0, end - width) : end]))
                 image.paste(strip, (image.width - _MARGIN - strip.width, _GAIT_TOP))
-                at = image.width - _MARGIN, _LEGEND_TOP
+                at = image.width - _MARGIN, image.height - _LEGEND_BOTTOM
                 pen.text(at, GAIT_LEGEND, fill=GREY, font=self._smallest, anchor="rm")
             if self._velocity is not None:
-                self._draw_legend(pen)
+                self._draw_legend(pen, image.height - _LEGEND_BOTTOM)
             panel[:] = image
         return picture
 
@@ -121,13 +124,13 @@ class Overlay:
             text = f"{value:z.2f} of {asked:z.2f} {unit}"
         pen.text((_BAR_RIGHT + 10, top + 8), text, fill=INK, font=self._small, anchor="lm")
 
-    def _draw_legend(self, pen: Any) -> None:
+    def _draw_legend(self, pen: Any, top: int) -> None:
         """Name the bar and the mark, in their colours."""
-        at, font = (_BAR_LEFT, _LEGEND_TOP), self._smallest
+        at, font = (_BAR_LEFT, top), self._smallest
         pen.text(at, MEASURED_LEGEND, fill=ACTUAL, font=font, anchor="lm")
         if self._command is not None:
             right = _BAR_LEFT + 12 + font.getlength(MEASURED_LEGEND)
-            pen.text((right, _LEGEND_TOP), COMMANDED_LEGEND, fill=COMMANDED, font=font, anchor="lm")
+            pen.text((right, top), COMMANDED_LEGEND, fill=COMMANDED, font=font, anchor="lm")
 
 
 def trailing_mean(values: NDArray[np.floating], window: int) -> NDArray[np.float64]:

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Final
 
 from quadruped_env.evaluation.comparison import Comparison
-from quadruped_env.evaluation.conditions import MOTIONS, words
+from quadruped_env.evaluation.conditions import words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.measures import START_UP
 from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
@@ -25,14 +25,14 @@ _LEARNING_SECONDS: Final = 3.0
 """Length of a clip of a stage of the training, s."""
 _FILMED_VELOCITIES: Final = (0.2, 0.5)
 """Forward velocities that are filmed, m/s; the closest commands are taken."""
-_FILMED_TOO: Final = ("turning", "backwards")
+_FILMED_TOO: Final = ("turning", "backwards", "sideways")
 _SHOWN_VELOCITY: Final = 0.4
 """Forward velocity of the episode that is plotted over time, m/s; the closest command is taken."""
 
 
 def shown_commands(comparison: Comparison) -> dict[str, int]:
     """Return motion -> index of the command that represents it in figures and films."""
-    shown = {motion: comparison.conditions(motion)[0] for motion in MOTIONS if comparison.conditions(motion)}
+    shown = {motion: comparison.conditions(motion)[0] for motion in comparison.motions}
     if "forwards" in shown:
         shown["forwards"] = _closest(comparison, _SHOWN_VELOCITY)
     return shown
@@ -44,7 +44,7 @@ def _closest(comparison: Comparison, velocity: float) -> int:
 
 
 def filmed(comparison: Comparison) -> list[Clip]:
-    """Return the clips of a report's film: the policy walking slowly and fast, turning, and walking backwards."""
+    """Return the clips of a report's film: the policy walks slowly, fast, in turns, backwards and sideways."""
     commands, rollout = shown_commands(comparison), comparison.rollouts["policy"]
     ahead = dict.fromkeys(_closest(comparison, v) for v in _FILMED_VELOCITIES) if "forwards" in commands else {}
     parts = [("forwards", command) for command in ahead]
@@ -106,7 +106,7 @@ def learning_clips(evaluated: EvaluatedPolicy, comparison: Comparison) -> list[C
         stages[f"half way ({steps:,} steps)"] = PolicyController(at_checkpoint(policy, path))
     stages[f"after ({timesteps:,} steps)" if isinstance(timesteps, int) else "after"] = PolicyController(policy)
     # The first curve among the commands, on which a gait without learning is weakest, or the last command.
-    command = next((command for command in comparison.commands if all(command)), comparison.commands[-1])
+    command = next((command for command in comparison.commands if all(command[:2])), comparison.commands[-1])
     seconds = START_UP + _LEARNING_SECONDS
     return [
         Clip.of_rollout(

@@ -10,14 +10,15 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import Comparison
 from quadruped_env.evaluation.conditions import words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
-from quadruped_env.evaluation.learning_gain import TABLE_NOTE, LearningGain
-from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW
-from quadruped_env.evaluation.verdict import verdict, worst_episodes
+from quadruped_env.evaluation.learning_gain import LearningGain, table_note
+from quadruped_env.evaluation.measures import START_UP, WINDOW, metrics_of
+from quadruped_env.evaluation.verdict import listed, verdict, worst_episodes
 from quadruped_env.policies import task_note
 from quadruped_env.report import plots
 from quadruped_env.report.pages import clips, suite_section
@@ -220,7 +221,9 @@ def _context(policies: Policies, comparison: Comparison, gains: Gains) -> dict[s
         "motions": motions,
         "terms": terms_table(policies, comparison),
         "figures": _figures(policies, comparison) + _learning_curves(policies, gains),
-        "metrics": METRICS,
+        "metrics": metrics_of(comparison.robot),
+        "velocities": _velocities(comparison.robot),
+        "plotted": _velocities(comparison.robot, "tilt").capitalize(),
         "start_up": START_UP,
         "window": WINDOW,
         "config": comparison.config.to_dict(),
@@ -228,12 +231,17 @@ def _context(policies: Policies, comparison: Comparison, gains: Gains) -> dict[s
     }
 
 
+def _velocities(robot: Robot, *more: str) -> str:
+    """Return the names of a robot's `velocity_commands`, and further ones, in words."""
+    return listed([*(entry.name.replace("_", " ") for entry in velocity_commands(robot)), *more])
+
+
 def _description(robot: Robot) -> str:
     """Return a sentence that introduces a robot and its task."""
     return (
         f"A robot with {robot.num_legs} legs and {robot.num_joints} motors, of {robot.total_mass:.3g} kg and with its "
         f"base {100.0 * robot.stance_height:.0f} cm above the ground, walks in a physics simulation (MuJoCo) and "
-        f"follows commands of forward velocity and yaw rate."
+        f"follows commands of {_velocities(robot)}."
     )
 
 
@@ -241,11 +249,11 @@ def _gain_note(gain: LearningGain) -> str:
     """Return what the tables of the gain show, and under which condition."""
     motions = "" if gain.comparison is None else f" Condition of the motions: {gain.comparison.condition}."
     return (
-        f"The zero action is the stance, or the scripted gait under the policy. {TABLE_NOTE}{motions} The own task ran "
-        f"for {gain.episodes} episodes of {gain.seconds:g} s with the same seeds; a robot that falls begins again. "
-        f"95 % intervals are in brackets. A command is met if the mean velocities from {START_UP:g} s after its "
-        f"beginning are within {gain.tolerance[0]:g} m/s and {gain.tolerance[1]:g} rad/s of it, and a command to "
-        f"stand if the robot stands still, too."
+        f"The zero action is the stance, or the scripted gait under the policy. {table_note(gain.to_dict())}{motions} "
+        f"The own task ran for {gain.episodes} episodes of {gain.seconds:g} s with the same seeds; a robot that falls "
+        f"begins again. 95 % intervals are in brackets. A command is met if the mean velocities from {START_UP:g} s "
+        f"after its beginning are within {gain.tolerance[0]:g} m/s and {gain.tolerance[1]:g} rad/s of it, and a "
+        f"command to stand if the robot stands still, too."
     )
 
 

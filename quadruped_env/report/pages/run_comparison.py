@@ -6,7 +6,6 @@ from pathlib import Path
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import Comparison, equal_up_to, error_of
-from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy, find_policy
 from quadruped_env.evaluation.verdict import listed
 
@@ -58,9 +57,8 @@ def headline(comparison: Comparison, names: Sequence[str]) -> str:
     if len(comparison.seeds) == 1:
         return _sentence([*parts, "one start of each command gives no interval, so errors are not ranked"])
     leaders: dict[tuple[str, ...], list[str]] = {}
-    for motion in MOTIONS:
-        if comparison.conditions(motion):
-            leaders.setdefault(tuple(best_at(comparison, names, motion)), []).append(motion)
+    for motion in comparison.motions:
+        leaders.setdefault(tuple(best_at(comparison, names, motion)), []).append(motion)
     for best, motions in leaders.items():
         if len(best) == len(names):
             parts.append(f"all are equally accurate {listed(motions)}")

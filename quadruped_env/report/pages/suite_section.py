@@ -6,6 +6,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.control.control_config import VELOCITIES
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.measures import METRICS, OF_FEET
@@ -145,11 +146,13 @@ def _scores(name: str, score: Mapping[str, Any]) -> list[str]:
 
 
 def _command(command: Sequence[float]) -> str:
-    return f"{command[0]:g} m/s, {command[1]:g} rad/s"
+    return ", ".join(f"{v:g} {entry.unit}" for v, entry in zip(command, VELOCITIES, strict=False))
 
 
 def _joystick(result: Mapping[str, Any]) -> Table:
-    head = ("", "robot hours", "falls per hour", "speed error (m/s)", "yaw error (rad/s)", "5 s windows met")
+    errors = ("speed error (m/s)", "yaw error (rad/s)", "sideways error (m/s)")
+    width = max(len(law["mean_error"]) for law in result["joystick"].values())
+    head = ("", "robot hours", "falls per hour", *errors[:width], "5 s windows met")
     rows = [
         [
             name,
@@ -189,8 +192,10 @@ def _transients(result: Mapping[str, Any]) -> Table:
 
 
 def _envelope(result: Mapping[str, Any]) -> str:
-    units = {"forwards": "m/s", "backwards": "m/s", "left": "rad/s", "right": "rad/s"}
-    return ", ".join(f"{name} {result['commands']['envelope'][name]:g} {unit}" for name, unit in units.items())
+    return ", ".join(
+        f"{name.replace('_', ' to the ')} {reached:g} {'rad/s' if name in ('left', 'right') else 'm/s'}"
+        for name, reached in result["commands"]["envelope"].items()
+    )
 
 
 def _regulation(result: Mapping[str, Any]) -> Table:
@@ -203,9 +208,10 @@ def _regulation(result: Mapping[str, Any]) -> Table:
             for pairs in (zip(one["share"], one["command"], strict=True) for one in entry["commands"])
         ]
         rows.append([name.replace("_", " "), percent(entry["kept"]), percent(entry["falls"]), *shares])
+    velocities = listed(["speed", "yaw rate", "lateral velocity"][: len(commands[0])])
     note = (
-        "An episode is kept if speed and yaw rate are within 20 % of the command, with one disturbance, and with all "
-        "of them. The other columns are the shares of the commanded speed and yaw rate that are kept, %."
+        f"An episode is kept if {velocities} are within 20 % of the command, with one disturbance, and with all "
+        f"of them. The other columns are the shares of the commanded {velocities} that are kept, %."
     )
     return Table("Regulation", ["", "episodes kept", "falls", *map(_command, commands)], rows, note)
 

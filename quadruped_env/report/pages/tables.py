@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from typing import Final
 
 from quadruped_env.evaluation.comparison import Comparison, Motion
-from quadruped_env.evaluation.conditions import MOTIONS, words
+from quadruped_env.evaluation.conditions import words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, LearningGain, gain_rows, reward_in_words
-from quadruped_env.evaluation.measures import METRICS
+from quadruped_env.evaluation.measures import METRICS, metrics_of
 from quadruped_env.report import plots
 from quadruped_env.report.plots.canvas import label
 from quadruped_env.utils.text_table import Table, text_table
@@ -19,6 +19,7 @@ SUMMARY: Final = (
     ("Standing: velocity error", "forward_velocity_error", "standing"),
     ("Backwards: velocity error", "forward_velocity_error", "backwards"),
     ("Turning: yaw rate error", "yaw_rate_error", "turning"),
+    ("Sideways: lateral velocity error", "lateral_velocity_error", "sideways"),
     ("Forwards: electrical cost of transport", "electrical_cost_of_transport", "forwards"),
     ("Forwards: mechanical cost of transport", "mechanical_cost_of_transport", "forwards"),
     ("Forwards: foot slip", "slip", "forwards"),
@@ -43,11 +44,10 @@ def metric_tables(comparison: Comparison) -> list[Table]:
     """Return the tables of a page: the summary, then every metric for each motion, with its commands as note."""
     head = ["", *map(label, comparison.values)]
     tables = [Table("", head, [_row(comparison, *row) for row in SUMMARY if comparison.conditions(row[2])])]
-    for motion in MOTIONS:
-        if rows := comparison.conditions(motion):
-            commands = "; ".join(words(comparison.commands[i]) for i in rows)
-            metrics = [_row(comparison, metric.label, name, motion) for name, metric in METRICS.items()]
-            tables.append(Table(motion.capitalize(), head, metrics, commands))
+    for motion in comparison.motions:
+        commands = "; ".join(words(comparison.commands[i]) for i in comparison.conditions(motion))
+        rows = [_row(comparison, metric.label, name, motion) for name, metric in metrics_of(comparison.robot).items()]
+        tables.append(Table(motion.capitalize(), head, rows, commands))
     return tables
 
 

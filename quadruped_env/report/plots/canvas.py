@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.control_config import Command
 from quadruped_env.errors import MissingExtraError
 from quadruped_env.evaluation.comparison import CONTROLLERS
 from quadruped_env.evaluation.confidence import Estimate
@@ -55,6 +56,17 @@ def legend_above(figure: Any, columns: int, reverse: bool = False, **options: An
         if count == 1 or legend.get_window_extent().width <= figure.bbox.width:
             break
         legend.remove()
+
+
+def blank(axes: Any, used: int) -> None:
+    """Hide the axes (rows, columns) of a figure after the first `used` ones."""
+    for ax in axes.flat[used:]:
+        ax.set_axis_off()
+
+
+def quantity(entry: Command) -> str:
+    """Return the name and unit of a component of the command, as titles and labels of axes show it."""
+    return f"{entry.name.replace('_', ' ')} ({entry.unit})"
 
 
 def label(controller: str) -> str:

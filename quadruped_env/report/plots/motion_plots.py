@@ -5,42 +5,43 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.evaluation.comparison import Comparison
+from quadruped_env.evaluation.conditions import MOTIONS
 from quadruped_env.evaluation.measures import START_UP, window_means
 from quadruped_env.report.palette import GREY, LIMIT, leg_colours
 from quadruped_env.report.plots.canvas import (
     REFERENCE,
+    blank,
     controller_styles,
     draw_estimates,
     draw_figure,
     label,
     legend_above,
+    quantity,
 )
 from quadruped_env.utils.arrays import Bools
 from quadruped_env.utils.rotations import tilt
 
 
 def tracking(comparison: Comparison) -> str:
-    """Draw the achieved over commanded forward velocity and yaw rate of every controller; curves are hollow marks."""
-    panels = []
-    commands = np.array(comparison.commands)
-    straight = [row for motion in ("forwards", "standing", "backwards") for row in comparison.conditions(motion)]
-    turning = comparison.conditions("turning")
-    if straight:
-        panels.append((straight, 0, "forward_velocity", "forward velocity (m/s)"))
-    if turning:
-        panels.append((turning, 1, "yaw_rate", "yaw rate (rad/s)"))
+    """Draw the achieved over the commanded velocities of every controller; marks of curves and diagonals are hollow."""
+    commands, panels = np.array(comparison.commands), []
+    for column, entry in enumerate(velocity_commands(comparison.robot)):
+        motions = [motion for motion, velocity in MOTIONS.items() if velocity == entry.name]
+        if rows := [row for motion in motions for row in comparison.conditions(motion)]:
+            panels.append((column, entry, rows))
     styles = controller_styles(comparison.values)
 
     def draw(axes: Any) -> None:
-        for ax, (rows, column, metric, quantity) in zip(axes[0], panels, strict=True):
+        for ax, (column, entry, rows) in zip(axes.flat, panels, strict=False):
             target = commands[rows, column]
             span = np.array([target.min(), target.max()])
             ax.plot(span, span, **REFERENCE, label="command")
             # Offset horizontally, so that equal results of several controllers do not overlap.
             offsets = np.linspace(-1, 1, len(styles)) * 0.012 * max(float(np.ptp(span)), 0.1)
             for offset, controller in zip(offsets, styles, strict=True):
-                estimates = [comparison.estimate(controller, metric, [row]) for row in rows]
+                estimates = [comparison.estimate(controller, entry.name, [row]) for row in rows]
                 for hollow in (False, True):
                     chosen = [i for i, row in enumerate(rows) if bool(column and comparison.commands[row][0]) is hollow]
                     if chosen:
@@ -48,26 +49,30 @@ def tracking(comparison: Comparison) -> str:
                         name = None if hollow else label(controller)
                         x = target[chosen] + offset
                         draw_estimates(ax, x, [estimates[i] for i in chosen], hollow, label=name, **style)
-            ax.set(title=quantity, xlabel="commanded", ylabel="achieved")
+            ax.set(title=quantity(entry), xlabel="commanded", ylabel="achieved")
+        blank(axes, len(panels))
         legend_above(axes[0, 0].figure, columns=3, handletextpad=0.4)
 
-    return draw_figure(1, len(panels), 3.1 + 0.18 * (len(styles) // 3), draw)
+    lines = -(-len(panels) // 2)
+    return draw_figure(lines, min(2, len(panels)), 3.1 * lines + 0.18 * (len(styles) // 3), draw)
 
 
 def episode(comparison: Comparison, controller: str, row: int) -> str:
-    """Draw an episode of a controller from its start: both velocities with their commands, and the tilt."""
+    """Draw an episode of a controller from its start: the velocities with their commands, and the tilt."""
     one = comparison.rollouts[controller].select([row])
     alive = min(int(one.valid[:, 0].sum()) + 1, len(one.valid))
     time = (np.arange(alive) + 1) * one.timestep
     colour = controller_styles(comparison.rollouts)[controller]["color"]
-    panels = (
-        ("forward velocity (m/s)", one.velocity[..., 0], one.command[0, 0, 0]),
-        ("yaw rate (rad/s)", one.velocity[..., 1], one.command[0, 0, 1]),
+    panels = [
+        *(
+            (quantity(entry), one.velocity[..., i], one.command[0, 0, i])
+            for i, entry in enumerate(velocity_commands(one.robot))
+        ),
         ("tilt of the base (°)", np.degrees(tilt(one.orientation)), None),
-    )
+    ]
 
     def draw(axes: Any) -> None:
-        for ax, (quantity, values, command) in zip(axes[:, 0], panels, strict=True):
+        for ax, (title, values, command) in zip(axes[:, 0], panels, strict=True):
             raw = {"color": colour} if command is None else {"color": GREY, "alpha": 0.6}
             ax.plot(time, values[:alive, 0], linewidth=0.6, **raw)
             means, _ = window_means(values[:alive], one.valid[:alive], one.timestep)
@@ -77,10 +82,10 @@ def episode(comparison: Comparison, controller: str, row: int) -> str:
                 ax.axhline(command, **REFERENCE)
             if one.fallen[0]:
                 ax.axvline(time[-1], color=LIMIT, linewidth=1.0)
-            ax.set(title=quantity)
+            ax.set(title=title)
         axes[-1, 0].set_xlabel("time (s)")
 
-    return draw_figure(len(panels), 1, 3.9, draw, sharex=True)
+    return draw_figure(len(panels), 1, 1.3 * len(panels), draw, sharex=True)
 
 
 def gait_diagram(comparison: Comparison, command: int, seconds: float = 2.0) -> str:

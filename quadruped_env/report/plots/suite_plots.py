@@ -5,34 +5,39 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.control.control_config import VELOCITIES
 from quadruped_env.evaluation.conditions import words
 from quadruped_env.report.palette import GREY, SERIES
-from quadruped_env.report.plots.canvas import REFERENCE, draw_figure
+from quadruped_env.report.plots.canvas import REFERENCE, blank, draw_figure, quantity
 
-_RANGES: Final = (0.3, 0.6)
-"""Errors at the ends of the colour scales, m/s and rad/s."""
+_RANGES: Final = {"m/s": 0.3, "rad/s": 0.6}
+"""Unit of a velocity -> error at the ends of the colour scale."""
 
 
 def command_map(result: Mapping[str, Any]) -> str:
-    """Draw the signed errors of forward velocity and yaw rate over all commands; crosses mark commands with falls."""
+    """Draw the signed error of each velocity over the commanded yaw rate, or lateral velocity, and forward velocity.
+
+    Crosses mark commands with falls.
+    """
     commands = result["commands"]
-    forward, turning = np.array(commands["commands"]).T
+    given = np.array(commands["commands"]).T
     fallen = np.array(commands["fall_share"]) > 0.0
 
     def draw(axes: Any) -> None:
-        panels = (("forward_velocity", "forward velocity (m/s)"), ("yaw_rate", "yaw rate (rad/s)"))
-        for ax, (name, title), reach in zip(axes[0], panels, _RANGES, strict=True):
-            error = np.array(commands[f"{name}_error"]["signed"], dtype=np.float64)
-            mesh = ax.scatter(
-                turning, forward, 22, error, cmap="RdBu_r", vmin=-reach, vmax=reach, edgecolors=GREY, linewidths=0.3
-            )
-            ax.plot(turning[fallen], forward[fallen], "x", color="#333333", markersize=4)
-            ax.set(title=f"error of {title}", xlabel="commanded yaw rate (rad/s)")
+        for i, (ax, entry) in enumerate(zip(axes.flat, VELOCITIES[: len(given)], strict=False)):
+            error, reach = np.array(commands[f"{entry.name}_error"]["signed"], dtype=np.float64), _RANGES[entry.unit]
+            across = max(1, i)
+            x, y = given[across], given[0]
+            mesh = ax.scatter(x, y, 22, error, cmap="RdBu_r", vmin=-reach, vmax=reach, edgecolors=GREY, linewidths=0.3)
+            ax.plot(x[fallen], y[fallen], "x", color="#333333", markersize=4)
+            ax.set(title=f"error of {quantity(entry)}", xlabel=f"commanded {quantity(VELOCITIES[across])}")
             ax.grid(visible=False)
             ax.figure.colorbar(mesh, ax=ax, pad=0.02, aspect=18, extend="both")
-        axes[0, 0].set_ylabel("commanded\nforward velocity (m/s)")
+        for ax in axes[:, 0]:
+            ax.set_ylabel(f"commanded\n{quantity(VELOCITIES[0])}")
+        blank(axes, len(given))
 
-    return draw_figure(1, 2, 2.9, draw)
+    return draw_figure(rows := -(-len(given) // 2), 2, 2.9 * rows, draw)
 
 
 def pushes(result: Mapping[str, Any]) -> str:

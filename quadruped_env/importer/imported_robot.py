@@ -1,0 +1,103 @@
+"""A robot of a URDF, a xacro file or an MJCF, as the files of a task."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.importer import inertia, writing, xacro_file
+from quadruped_env.importer.assumed_motors import AssumedMotor, assumed_motors
+from quadruped_env.importer.bodies import fused
+from quadruped_env.importer.description import Description, Finding, Link
+from quadruped_env.importer.files import Folders
+from quadruped_env.importer.legs import Anatomy, find_legs
+from quadruped_env.importer.mjcf import describe_mjcf
+from quadruped_env.importer.stance import Stance, find_stance
+from quadruped_env.importer.urdf import Urdf
+from quadruped_env.importer.xml_tree import FIX, parse, read_bytes
+
+FORWARD: Final = ("x", "-x", "y", "-y", "z", "-z")
+"""Axes of the base link along which a robot may walk."""
+
+
+@dataclass(frozen=True)
+class ImportedRobot:
+    """A robot that was read from a file, and what was found, assumed and repaired."""
+
+    source: Path
+    anatomy: Anatomy
+    stance: Stance
+    bodies: tuple[Link, ...]
+    """Base and links of the legs, with all that is fixed to them."""
+    motors: tuple[AssumedMotor, ...]
+    findings: tuple[Finding, ...]
+    name: str
+    mjcf: str
+    """The robot alone."""
+    _described: Description
+
+    @property
+    def mass(self) -> float:
+        """Mass of the robot, kg."""
+        return sum(body.mass for body in self.bodies)
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Names of the joints, in the order of the MJCF."""
+        return tuple(body.joint.name for body in self.bodies[1:])
+
+    def task_file(self, model_file: str) -> str:
+        """Return a Python file that defines the robot; `model_file` is the name of the MJCF next to it."""
+        return writing.task_file(
+            self._described, self.source.name, model_file, self.anatomy, self.stance, self.motors, self.joint_names
+        )
+
+
+def import_robot(path: Path, folders: Sequence[Path] = (), forward: str | None = None) -> ImportedRobot:
+    """Read a robot with four legs of two or three joints.
+
+    Args:
+        path: URDF, xacro file or MJCF.
+        folders: where meshes, included files and ROS packages are searched, besides the file's package.
+        forward: axis of the base link along which the robot walks, of `FORWARD`, where that is a convention.
+
+    Raises:
+        MissingExtraError: if the file is xacro, and the library is not installed.
+        QuadrupedError: if the file is no such robot, or damaged; the message says where and what is supported.
+    """
+    if forward is not None and forward not in FORWARD:
+        raise QuadrupedError(f"--forward: expected one of {', '.join(FORWARD)}; found {short(forward)}")
+    for folder in folders:
+        if not folder.is_dir():
+            raise QuadrupedError(f"--folder: {folder} is no folder")
+    source = str(path)
+    with np.errstate(all="ignore"):
+        described = _described(path, Folders(tuple(folders), path))
+        inertia.repair(described, source)
+        anatomy = find_legs(described, source, forward)
+        stance = find_stance(described, anatomy, source)
+        bodies = fused(described, anatomy, stance)
+        motors = assumed_motors(described, anatomy, stance, bodies)
+        text = writing.mjcf(described, anatomy, stance, bodies)
+    name = writing.robot_name(described.name)
+    return ImportedRobot(
+        path, anatomy, stance, tuple(bodies), tuple(motors), tuple(described.findings), name, text, described
+    )
+
+
+def _described(path: Path, folders: Folders) -> Description:
+    content = read_bytes(path)
+    root = parse(content, str(path))
+    if xacro_file.NAMESPACE in content:
+        content = xacro_file.expanded(path, folders)
+        root = parse(content, f"{path} (expanded)")
+    if root.tag == "robot":
+        return Urdf(root, str(path), folders).description()
+    if root.tag == "mujoco":
+        return describe_mjcf(content, root, str(path), folders)
+    raise QuadrupedError(
+        f"{path}: its root element is <{root.tag[:40]}>; expected <robot> (URDF) or <mujoco> (MJCF); {FIX}"
+    )

@@ -1,0 +1,257 @@
+"""Reader of URDF."""
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, Link, Shape, about, named
+from quadruped_env.importer.files import Folders, mesh_vertices
+from quadruped_env.importer.shapes import ball, box, cylinder, mesh
+from quadruped_env.importer.xml_tree import Node
+from quadruped_env.utils.arrays import Floats
+
+_KINDS: Final = {
+    "revolute": HINGE,
+    "continuous": HINGE,
+    "prismatic": "slide",
+    "fixed": FIXED,
+    "floating": "free",
+    "planar": "free",
+}
+_LARGEST: Final = 1e9
+"""Largest number in a description: far beyond any robot's."""
+_MAX_LINKS: Final = 2000
+
+
+class Urdf:
+    """Content of one URDF, on its way to a `Description`."""
+
+    def __init__(self, root: Node, source: str, folders: Folders) -> None:
+        self.root, self.source, self.folders = root, source, folders
+        self.missing: dict[str, str] = {}
+        """Meshes that cannot be read, with the reason."""
+
+    def description(self) -> Description:
+        """Return the links in the order of the file's joints, parents first.
+
+        Raises:
+            QuadrupedError: if an element is missing, repeated or no number, or the links are no single tree.
+        """
+        links = self._named("link")
+        joints = self._named("joint")
+        order = self._order(links, joints)
+        described = Description(self.root.get("name") or "robot", [], [])
+        index = {name: i for i, (name, _) in enumerate(order)}
+        for name, joint in order:
+            link = self._link(links[name])
+            if joint is not None:
+                link.parent = index[self._reference(joint, "parent", links)]
+                link.position, link.rotation = self._origin(joint)
+                link.joint = self._joint(joint, joints)
+            described.links.append(link)
+        if not any(link.mass for link in described.links):
+            self._assume_density(described)
+        self._report(described, links)
+        return described
+
+    def _error(self, node: Node, message: str) -> QuadrupedError:
+        return QuadrupedError(f"{self.source}, line {node.line}: <{node.tag}> {message}")
+
+    def _named(self, tag: str) -> dict[str, Node]:
+        found: dict[str, Node] = {}
+        for node in self.root.findall(tag):
+            assert isinstance(node, Node)
+            name = node.get("name") or ""
+            if not name or len(name) > 100:
+                raise self._error(node, f"needs a name of up to 100 characters; found {short(name)}")
+            if name in found:
+                raise self._error(
+                    node, f"{short(name)} repeats the name of line {found[name].line}; rename one of them"
+                )
+            found[name] = node
+        if tag == "link" and not 1 <= len(found) <= _MAX_LINKS:
+            raise self._error(self.root, f"must have 1 to {_MAX_LINKS} links; found {len(found)}")
+        return found
+
+    def _order(self, links: dict[str, Node], joints: dict[str, Node]) -> list[tuple[str, Node | None]]:
+        """Return the names of the links with the joints above them, depth first, in the order of the file's joints."""
+        below: dict[str, list[tuple[str, Node]]] = {name: [] for name in links}
+        above: dict[str, Node] = {}
+        for joint in joints.values():
+            parent, child = (self._reference(joint, role, links) for role in ("parent", "child"))
+            if child in above:
+                raise self._error(
+                    joint, f"gives the link {short(child)} a second parent, after line {above[child].line}"
+                )
+            below[parent].append((child, joint))
+            above[child] = joint
+        roots = [name for name in links if name not in above]
+        if len(roots) > 1:  # links without joints, such as leftovers, are no robots
+            roots = [name for name in roots if below[name]] or roots[:1]
+        if len(roots) != 1:
+            what = "every link has a parent, so the joints form a circle" if not roots else f"roots are {named(roots)}"
+            raise self._error(self.root, f"must have its links in one tree; {what}")
+        order: list[tuple[str, Node | None]] = []
+        stack: list[tuple[str, Node | None]] = [(roots[0], None)]
+        while stack:
+            order.append(stack.pop())
+            stack.extend(reversed(below[order[-1][0]]))
+        reached = {name for name, _ in order}
+        if lost := [name for name in above if name not in reached]:
+            raise self._error(above[lost[0]], f"the links {named(lost)} form a circle; correct a parent")
+        return order
+
+    def _reference(self, joint: Node, role: str, links: dict[str, Node]) -> str:
+        name = self._one(joint, role, required=True).get("link") or ""  # type: ignore[union-attr]
+        if name not in links:
+            raise self._error(joint, f"{short(joint.get('name'))}: its {role} {short(name)} is no link of the file")
+        return name
+
+    def _one(self, node: Node, tag: str, required: bool = False) -> Node | None:
+        """Return the only child of a tag, or None."""
+        found = node.findall(tag)
+        if len(found) > 1 or (required and not found):
+            child = found[1] if found else node
+            assert isinstance(child, Node)
+            raise self._error(child, f"in {short(node.get('name'))}: expected one <{tag}>; found {len(found)}")
+        return found[0] if found else None  # type: ignore[return-value]
+
+    def _numbers(self, node: Node, name: str, default: Sequence[float] | None = None) -> list[float]:
+        text = node.get(name)
+        if text is None and default is not None:
+            return list(default)
+        count = len(default) if default else 1
+        try:
+            values = [float(word) for word in (text or "").split()]
+        except ValueError:
+            values = []
+        if len(values) != count or not all(abs(value) <= _LARGEST for value in values):
+            expected = "a number" if count == 1 else f"{count} numbers"
+            raise self._error(node, f"{name}: expected {expected}; found {short(text)}")
+        return values
+
+    def _number(self, node: Node, name: str) -> float:
+        return self._numbers(node, name)[0]
+
+    def _origin(self, node: Node) -> tuple[Floats, Floats]:
+        origin = self._one(node, "origin")
+        if origin is None:
+            return np.zeros(3), np.eye(3)
+        roll, pitch, yaw = self._numbers(origin, "rpy", (0.0, 0.0, 0.0))
+        x, y, z = np.eye(3)
+        return np.array(self._numbers(origin, "xyz", (0.0, 0.0, 0.0))), about(z, yaw) @ about(y, pitch) @ about(x, roll)
+
+    def _joint(self, node: Node, joints: dict[str, Node]) -> Joint:
+        kind = _KINDS.get(node.get("type") or "")
+        if kind is None:
+            raise self._error(node, f"type: expected one of {', '.join(_KINDS)}; found {short(node.get('type'))}")
+        axis_node, limit, mimic = (self._one(node, tag) for tag in ("axis", "limit", "mimic"))
+        axis = np.array([1.0, 0.0, 0.0] if axis_node is None else self._numbers(axis_node, "xyz", (1.0, 0.0, 0.0)))
+        length = float(np.linalg.norm(axis))
+        if length < 1e-6 and kind in (HINGE, "slide"):
+            raise self._error(axis_node if axis_node is not None else node, "xyz: expected a direction; found zeros")
+        joint = Joint(node.get("name") or "", kind, axis / (length or 1.0))
+        if mimic is not None:
+            joint.coupled_to = mimic.get("joint") or "another joint"
+        if limit is None:
+            return joint
+        low, high, effort, speed = (
+            None if limit.get(name) is None else self._number(limit, name)
+            for name in ("lower", "upper", "effort", "velocity")
+        )
+        if kind != FIXED and node.get("type") != "continuous" and (low, high) != (None, None):
+            low, high = low or 0.0, high or 0.0
+            if low > high:
+                raise self._error(limit, f"in {short(joint.name)}: lower {low:g} is above upper {high:g}; swap them")
+            if high - low > 1e-6:  # exporters write 0 and 0 where nobody entered limits
+                joint.low, joint.high = low, high
+        joint.effort, joint.speed = effort, speed
+        return joint
+
+    def _link(self, node: Node) -> Link:
+        no_joint = Joint("", FIXED, np.array([1.0, 0.0, 0.0]))
+        link = Link(node.get("name") or "", -1, np.zeros(3), np.eye(3), no_joint)
+        inertial = self._one(node, "inertial")
+        if inertial is not None:
+            self._inertial(inertial, link)
+        for tag in ("collision", "visual"):
+            for part in node.findall(tag):
+                shape = self._shape(part)  # type: ignore[arg-type]
+                if shape is not None:
+                    shape.collides = tag == "collision"
+                    link.shapes.append(shape)
+        return link
+
+    def _inertial(self, node: Node, link: Link) -> None:
+        mass, inertia = self._one(node, "mass"), self._one(node, "inertia")
+        link.mass = 0.0 if mass is None else self._number(mass, "value")
+        if link.mass < 0.0:
+            raise self._error(mass or node, f"in {short(link.name)}: value: expected 0 or more; found {link.mass:g}")
+        link.centre, rotation = self._origin(node)
+        if inertia is not None:
+            xx, xy, xz, yy, yz, zz = (
+                self._numbers(inertia, name, (0.0,))[0] for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+            )
+            link.inertia = rotation @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ rotation.T
+
+    def _shape(self, node: Node) -> Shape | None:
+        geometry = self._one(node, "geometry")
+        position, rotation = self._origin(node)
+        for kind in () if geometry is None else geometry:
+            assert isinstance(kind, Node)
+            if kind.tag == "sphere":
+                return ball(position, self._size(kind, "radius"))
+            if kind.tag == "box":
+                return box(position, rotation, 0.5 * np.abs(self._numbers(kind, "size", (0.0,) * 3)))
+            if kind.tag in ("cylinder", "capsule"):
+                return cylinder(
+                    position, rotation, self._size(kind, "radius"), self._size(kind, "length"), kind.tag == "capsule"
+                )
+            if kind.tag == "mesh":
+                return self._mesh(kind, position, rotation, node.tag == "collision")
+        return None
+
+    def _size(self, node: Node, name: str) -> float:
+        value = self._number(node, name)
+        if value < 0.0:
+            raise self._error(node, f"{name}: expected 0 or more; found {value:g}")
+        return value
+
+    def _mesh(self, node: Node, position: Floats, rotation: Floats, collides: bool) -> Shape | None:
+        name = node.get("filename") or ""
+        scale = np.array(self._numbers(node, "scale", (1.0, 1.0, 1.0)))
+        try:
+            path = self.folders.find(name)
+            if path is None:
+                raise QuadrupedError(f"{name.rpartition('/')[2]!r} is not found; name its folder with --folder")
+            return mesh(position, rotation, mesh_vertices(path) * scale)
+        except QuadrupedError as error:
+            if collides:
+                self.missing[name] = str(error)
+            return None
+
+    def _assume_density(self, described: Description) -> None:
+        """Give links a mass by their shapes where the file has no inertial at all."""
+        for link in described.links:
+            shapes = [shape for shape in link.shapes if shape.collides]
+            link.mass = 1000.0 * sum(shape.volume for shape in shapes)
+            if link.mass:
+                link.centre = sum(shape.volume * shape.points.mean(axis=0) for shape in shapes) / link.mass * 1000.0
+        total = sum(link.mass for link in described.links)
+        described.add("assumed", "mass", f"{total:.4g} kg: 1000 kg/m^3, because no link has an <inertial>")
+
+    def _report(self, described: Description, links: dict[str, Node]) -> None:
+        if self.missing:
+            text = f"{len(self.missing)} meshes are not read: {next(iter(self.missing.values()))}"
+            described.add("left out", "collision", f"{text}; shapes are of what is there")
+        bare = [
+            n.name
+            for n in described.links
+            if links[n.name].find("inertial") is None and links[n.name].find("collision") is not None
+        ]
+        if bare and any(links[name].find("inertial") is not None for name in links):
+            described.add(
+                "found", "mass", f"{named(bare)}: shapes without <inertial> get no mass (MuJoCo would give 1000 kg/m^3)"
+            )

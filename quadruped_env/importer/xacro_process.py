@@ -1,0 +1,124 @@
+"""Process in which a xacro file is expanded: reads a request from stdin, and writes the URDF to stdout, as JSON.
+
+The library's own evaluator runs Python expressions whose nested code it does not check, and `$(eval)`, `$(env)` and
+`$(find)` read the environment. Here expressions are arithmetic, and files are those of the folders that a user names.
+"""
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+from xml.dom import minidom
+
+from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.importer.arithmetic import check_arithmetic
+from quadruped_env.importer.files import Folders
+from quadruped_env.importer.xml_tree import parse, read_bytes
+
+_MEMORY = 2_000_000_000
+"""Maximum memory of the process, bytes."""
+_SECONDS = 50
+"""Maximum processor time of the process, s."""
+
+
+def main() -> None:
+    """Answer one request."""
+    _limit()
+    request = json.load(sys.stdin)
+    path = Path(request["file"])
+    folders = Folders(tuple(Path(folder) for folder in request["given"]), path)
+    answer: dict[str, Any]
+    try:
+        answer = {"urdf": _expand(path, folders)}
+    except ModuleNotFoundError as error:
+        answer = {"missing": True} if error.name in ("xacro", "yaml") else {"error": f"xacro: {error}"}
+    except RecursionError:
+        answer = {"error": "xacro: macros or properties refer to each other without an end"}
+    except Exception as error:
+        answer = {"error": f"xacro: {_line(error)}"}
+    json.dump(answer, sys.stdout)
+
+
+def _limit() -> None:
+    try:
+        import resource
+    except ModuleNotFoundError:  # Windows, where the time limit remains
+        return
+    for kind, most in ((resource.RLIMIT_AS, _MEMORY), (resource.RLIMIT_CPU, _SECONDS), (resource.RLIMIT_FSIZE, 0)):
+        try:
+            resource.setrlimit(kind, (most, most))
+        except (ValueError, OSError):
+            continue
+
+
+def _line(error: Exception) -> str:
+    """Return the message of the error that the library has wrapped, on one line."""
+    while isinstance(getattr(error, "exc", None), Exception):
+        error = error.exc  # type: ignore[attr-defined]
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+def _expand(path: Path, folders: Folders) -> str:
+    import xacro
+    from xacro import substitution_args
+
+    _restrict(xacro, substitution_args, folders)
+    xacro.verbosity = 0
+    document = xacro.process_file(str(path), mappings={})
+    text: str = document.toxml()
+    return text
+
+
+def _restrict(xacro: Any, substitution_args: Any, folders: Folders) -> None:
+    """Replace what the library evaluates, opens and looks up."""
+
+    def inside(name: str) -> Path:
+        place = Path(name)
+        if not folders.contain(place):
+            raise QuadrupedError(
+                f"{short(name)} is outside the folders that are searched; name its folder with --folder"
+            )
+        return place
+
+    def parsed(content: Any, filename: str | None = None) -> minidom.Document:
+        place = inside(str(filename))
+        data = read_bytes(place, "name a xacro file")
+        parse(data, place.name)  # refuses entities, which minidom would expand
+        return minidom.parseString(data)  # noqa: S318
+
+    def load_yaml(name: str) -> Any:
+        import yaml
+
+        data = read_bytes(inside(xacro.abs_filename_spec(name)), "name a YAML file", 1_000_000)
+        return xacro.YamlListWrapper.wrap(yaml.safe_load(data))
+
+    def find(name: str) -> str:
+        found = folders.package(name)
+        if found is None:
+            raise QuadrupedError(f"the package {short(name)} is not found; name its folder with --folder")
+        return str(found)
+
+    def refused(name: str) -> Any:
+        def refuse(*_: Any, **__: Any) -> None:
+            raise QuadrupedError(
+                f"$({name} ...) runs code or reads the environment, and is not evaluated; write its value"
+            )
+
+        return refuse
+
+    evaluate = xacro.safe_eval
+
+    def checked(text: str, symbols: Any, *rest: Any) -> Any:
+        check_arithmetic(text)
+        return evaluate(text, symbols, *rest)
+
+    xacro.parse, xacro.safe_eval = parsed, checked
+    xacro._global_symbols["load_yaml"] = xacro._global_symbols["xacro"]["load_yaml"] = load_yaml
+    substitution_args._eval_find = find
+    substitution_args._eval = refused("eval")
+    substitution_args._eval_env = refused("env")
+    substitution_args._eval_optenv = lambda name, default="": default
+
+
+if __name__ == "__main__":
+    main()

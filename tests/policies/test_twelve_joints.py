@@ -1,0 +1,72 @@
+"""A policy of a robot with three joints per leg, from its task file to its env, its file and the live controller."""
+
+import csv
+import inspect
+
+import numpy as np
+import pytest
+import twelve_joints
+from trainings import SMALL
+from twelve_joints import ROBOT
+
+from quadruped_env import QuadrupedError
+from quadruped_env.control import ObservationLayout
+from quadruped_env.control.symmetry import MirrorMap
+from quadruped_env.policies import load_policy
+from quadruped_env.training import TrainConfig
+from quadruped_env.training.run_directory import PROGRESS_FILE
+
+
+@pytest.fixture(scope="module")
+def task_file(tmp_path_factory):
+    file = tmp_path_factory.mktemp("task") / "my_robot.py"
+    file.write_text(inspect.getsource(twelve_joints))
+    return file
+
+
+@pytest.fixture(scope="module")
+def run(task_file):
+    from quadruped_env.training.train import train
+
+    config = TrainConfig(**SMALL, timesteps=256)
+    return train(config, task_file.parent / "runs", "train", task_file=task_file)[0]
+
+
+def test_a_training_makes_a_policy_that_follows_three_commands(run, task_file):
+    policy = load_policy(run, task_file)
+    assert policy.robot == ROBOT
+    assert [entry.name for entry in policy.control.commands] == ["forward_velocity", "yaw_rate", "lateral_velocity"]
+    env = policy.make_env()
+    observation, _ = env.reset(seed=0, options={"command": (0.1, 0.0, -0.2)})
+    action = policy.predict(observation)
+    assert action.shape == (12,)
+    *_, info = env.step(action)
+    np.testing.assert_array_equal(info["command"], [0.1, 0.0, -0.2])
+    with pytest.raises(QuadrupedError, match="robot"):
+        load_policy(run)
+
+
+def test_the_policy_of_a_saved_copy_is_the_same(run, task_file, tmp_path):
+    policy = load_policy(run, task_file)
+    policy.save(tmp_path / "copy")
+    copy = load_policy(tmp_path / "copy", task_file)
+    assert copy.control == policy.control
+    seen = np.random.default_rng(0).normal(size=(5, policy.weights[0].shape[0])).astype(np.float32)
+    np.testing.assert_array_equal(copy.predict(seen), policy.predict(seen))
+
+
+def test_the_policy_is_symmetric(run, task_file):
+    """To the rounding of float32: rolls turn the other way, and so do yaw rate and lateral velocity."""
+    policy = load_policy(run, task_file)
+    mirror = MirrorMap.of(ObservationLayout(ROBOT, history=policy.control.observation_history))
+    seen = np.random.default_rng(0).normal(size=(5, policy.weights[0].shape[0])).astype(np.float32)
+    mirrored = policy.predict(mirror.observation(seen))
+    np.testing.assert_allclose(mirrored, mirror.action(policy.predict(seen)), atol=1e-5)
+
+
+def test_progress_has_the_error_of_each_velocity(run):
+    with (run / PROGRESS_FILE).open() as file:
+        rows = list(csv.DictReader(file))
+    names = list(rows[0])
+    assert names[4:7] == ["forward_velocity_error", "yaw_rate_error", "lateral_velocity_error"]
+    assert all(0.0 < float(row["lateral_velocity_error"]) < 2.0 for row in rows)
