@@ -42,6 +42,27 @@ _ACTIVATIONS: Final = {
     "mish": "x * tanhf((x < 0.0f ? 0.0f : x) + log1pf(expf(-fabsf(x))))",
 }
 """Activation functions of policies, equal to `policies.activations`."""
+_SIDEWAYS: Final = {
+    "/* fade sideways */": ("", "\n    fade = clip(fabsf(command[2]) / WHOLE_STEPS_SIDEWAYS, fade, 1.0f);"),
+    "/* wave sideways */": ("", "\n                + command[2] * wave(9 + k, interval, part, j)"),
+    "/* turn size */": (
+        "sqrtf(clip(fabsf(command[1]), 0.0f, LARGEST_YAW_RATE) * LARGEST_YAW_RATE)",
+        "clip(fabsf(command[1]), 0.0f, LARGEST_YAW_RATE)",
+    ),
+}
+"""Code of a scripted gait without and with a lateral velocity, by its place."""
+_READ: Final = {
+    2: (
+        'int numbers = sscanf(line, "%f %f", &requested[0], &requested[1]);',
+        "stop_asked = numbers != 2 || !isfinite(requested[0] + requested[1]);",
+    ),
+    3: (
+        "requested[2] = 0.0f; /* a third number is the velocity to the left, m/s */",
+        'int numbers = sscanf(line, "%f %f %f", &requested[0], &requested[1], &requested[2]);',
+        "stop_asked = numbers < 2 || !isfinite(requested[0] + requested[1] + requested[2]);",
+    ),
+}
+"""Code that reads a line of a number of velocities."""
 _KEYWORDS: Final = frozenset(
     """auto bool break case char class const continue default delete do double else enum extern float for goto if inline
     int long new operator private public register restrict return short signed sizeof static struct switch template this
@@ -59,13 +80,22 @@ def c_files(interface: PolicyInterface, name: str) -> dict[str, bytes]:
     servos = [
         f"{{{i}, 1.0f, 1500.0f}}, /* {_comment(name)} */" for i, name in enumerate(interface.policy.robot.joint_names)
     ]
+    velocities, sideways = len(interface.velocities), interface.gait is not None and interface.gait.lateral is not None
     parts = {
         HEADER_FILE: {
             "/* constants */": _constants(interface, name),
             "/* readings */": "\n    ".join(readings or ["char none;"]),
         },
-        SOURCE_FILE: {"/* tables */": _tables(interface), "/* observe */": _observe(interface)},
-        SKETCH_FILE: {"/* one line per joint */": "\n    ".join(servos)},
+        SOURCE_FILE: {
+            "/* tables */": _tables(interface),
+            "/* observe */": _observe(interface),
+            "/* moves */": " || ".join(f"fabsf(command[{i}]) > moving_threshold[{i}]" for i in range(velocities)),
+            **{place: codes[sideways] for place, codes in _SIDEWAYS.items()},
+        },
+        SKETCH_FILE: {
+            "/* one line per joint */": "\n    ".join(servos),
+            "/* read velocities */": "\n            ".join(_READ[velocities]),
+        },
     }
     files = {}
     for path, texts in parts.items():
@@ -97,19 +127,21 @@ def _constants(interface: PolicyInterface, name: str) -> str:
     """Return the macros of the header."""
     policy, robot = interface.policy, interface.policy.robot
     safety = Safety.of(robot)
+    velocities = [f"{entry.name.replace('_', ' ')}, {entry.unit}" for entry in interface.velocities]
+    idle = f"{', '.join('0' for _ in velocities[1:])} and 0"
     macros = [
         ("NAME", _text(name), ""),
         ("ROBOT", _text(robot.name), ""),
         ("MADE_BY", _text(f"mini-quadruped {__version__}"), ""),
         ("JOINTS", str(robot.num_joints), ""),
-        ("COMMANDS", str(policy.control.num_velocities), "forward velocity, m/s, and yaw rate, rad/s"),
+        ("COMMANDS", str(len(velocities)), f"{', '.join(velocities[:-1])}, and {velocities[-1]}"),
         ("TIMESTEP", _number(policy.control.timestep), "s"),
         ("HISTORY", str(interface.history_width), "numbers"),
         *((f"READS_{member.upper()}", str(entry.width), "numbers") for entry, member in _members(interface)),
         ("RAMP_SPEED", _number(safety.ramp_speed), "rad/s, on the way to the stance"),
         ("SETTLE", _number(safety.settle), "s in the stance before the first step"),
         ("MAX_TILT", _number(safety.max_tilt), "rad; beyond it, switch the motors off"),
-        ("COMMAND_TIMEOUT", _number(safety.command_timeout), "s without a command, then request 0 and 0"),
+        ("COMMAND_TIMEOUT", _number(safety.command_timeout), f"s without a command, then request {idle}"),
         ("HOLD_AFTER", _number(safety.hold_after), "s without readings, then hold the targets"),
         ("LIMP_AFTER", _number(safety.limp_after), "s without readings, then switch the motors off"),
         ("INVALID_AFTER", _number(INVALID_TIMEOUT), "s without valid joint targets, then switch the motors off"),
@@ -123,7 +155,7 @@ def _tables(interface: PolicyInterface) -> str:
     """Return the tables and macros of the source."""
     policy, robot, layout = interface.policy, interface.policy.robot, interface.layout
     gait = interface.gait
-    low, high = np.transpose([entry.range for entry in policy.control.commands[: policy.control.num_velocities]])
+    low, high = np.transpose([entry.range for entry in interface.velocities])
     widths = [policy.weights[0].shape[0], *(len(bias) for bias in policy.biases)]
     macros: dict[str, str] = {
         "PRESENT": f"{layout.width} /* columns of the observation of this step */",
@@ -146,10 +178,10 @@ def _tables(interface: PolicyInterface) -> str:
         macros["TURN"] = _number(2.0 * np.pi)
         macros["PHASE_STEP"] = _number(interface.phase_step)
     if gait is not None:
-        forward, turning = gait.whole_steps
         macros |= {"GAIT_KNOTS": str(len(gait.speeds)), "LARGEST_YAW_RATE": _number(gait.largest_yaw_rate)}
-        macros |= {"WHOLE_STEPS_FORWARD": _number(forward), "WHOLE_STEPS_TURNING": _number(turning)}
-        waves = np.array([*gait.straight, *gait.turn, *gait.side])
+        steps = zip(("FORWARD", "TURNING", "SIDEWAYS"), gait.whole_steps, strict=False)
+        macros |= {f"WHOLE_STEPS_{name}": _number(step) for name, step in steps}
+        waves = np.array([*gait.straight, *gait.turn, *gait.side, *(gait.lateral or ())])
         tables |= {"gait_speeds": gait.speeds, "joint_phases": interface.joint_phases, "gait_waves": waves}
     exported = {
         "stance": robot.stance,

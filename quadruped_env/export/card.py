@@ -108,7 +108,9 @@ def example(interface: PolicyInterface) -> str:
     control, largest, limited = interface.policy.control, "", ""
     if graph_io.COMMAND in kept_inputs:
         change = ", ".join(f"{rate * control.timestep:.7g}" for rate in control.command_rate)
-        largest = f"\nlargest_change = np.float32([{change}])  # of the command in a control step: m/s, rad/s"
+        largest = (
+            f"\nlargest_change = np.float32([{change}])  # of the command in a control step: {interface.velocity_units}"
+        )
         limited = (
             f'\n    missing = inputs["{graph_io.COMMAND}"] - memory["{graph_io.COMMAND}"]'
             f'\n    memory["{graph_io.COMMAND}"] += np.clip(missing, -largest_change, largest_change)'

@@ -7,7 +7,6 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.control.control_config import ControlConfig
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.export import onnx_interface as graph_io
 from quadruped_env.export.onnx_interface import FEEDBACK, OBSERVATION, REQUESTED, Input, PolicyInterface
@@ -24,7 +23,7 @@ STATE: Final = "state"
 RESULT: Final = "result"
 """Parts of a field in the loop: given from outside, kept from step to step, computed in this step."""
 
-_REQUESTS: Final = ((0.0, 0.0), (0.8, 0.0), (0.5, 0.7), (-0.7, -0.5), (0.3, -0.7))
+_REQUESTS: Final = ((0.0, 0.0, 0.0), (0.8, 0.0, 0.0), (0.5, 0.7, 0.3), (-0.7, -0.5, -0.8), (0.3, -0.7, 0.6))
 """Requested velocities, one after another, relative to the ends of their ranges."""
 _ROW: Final = np.zeros(1, dtype=np.intp)
 
@@ -107,14 +106,11 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
     control = ControlInterface(robot, policy.control, 1, policy.fields)
     random = random_inputs(interface, RANDOM_STEPS)
     widths = {entry.name: entry.width for entry in interface.inputs if entry.name in FEEDBACK}
-    loop = Loop(
-        {**widths, graph_io.COMMAND: policy.control.num_velocities},
-        policy.control.command_rate,
-        policy.control.timestep,
-    )
-    others = np.array([[entry.default for entry in policy.control.commands[policy.control.num_velocities :]]])
+    velocities = len(interface.velocities)
+    loop = Loop({**widths, graph_io.COMMAND: velocities}, policy.control.command_rate, policy.control.timestep)
+    others = np.array([[entry.default for entry in policy.control.commands[velocities:]]])
     rows: dict[str, list[NDArray[np.float32]]] = {field.name: [] for field in trace_fields(interface)}
-    for step, requested in enumerate(_requests(policy.control)):
+    for step, requested in enumerate(_requests(interface)):
         state = loop.begin(requested[None])
         phase = state[graph_io.GAIT_PHASE][:, 0].astype(float) if interface.has_clock else 0.0
         control.reset(_ROW, phase, np.concatenate([state[graph_io.COMMAND], others], axis=1))
@@ -138,11 +134,11 @@ def golden_trace(interface: PolicyInterface) -> Arrays:
     return {name: np.array(values) for name, values in rows.items()}
 
 
-def _requests(control: ControlConfig) -> NDArray[np.float32]:
+def _requests(interface: PolicyInterface) -> NDArray[np.float32]:
     """Return the requested velocities of every step (STEPS, V)."""
-    low, high = np.array([entry.range for entry in control.commands[:2]]).T
-    parts = np.array([np.where(np.array(part) < 0.0, -low, high) * part for part in _REQUESTS])
-    parts = np.pad(parts, ((0, 0), (0, control.num_velocities - 2)))
+    low, high = np.array([entry.range for entry in interface.velocities]).T
+    shares = np.array(_REQUESTS)[:, : len(low)]
+    parts = np.where(shares < 0.0, -low, high) * shares
     return np.repeat(parts, STEPS // len(parts), axis=0).astype(np.float32)
 
 

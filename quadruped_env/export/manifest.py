@@ -24,6 +24,12 @@ CONTROLLERS_FILE: Final = "controllers.yaml"
 FORMAT: Final = "mini-quadruped policy"
 FORMAT_VERSION: Final = 1
 
+_MEANING: Final = {
+    2: "velocity of the base in its own frame: forward along x, and yaw rate about z, positive to the left",
+    3: "velocity of the base in its own frame: forward along x, yaw rate about z, and lateral along y, positive to the "
+    "left",
+}
+"""Meaning of the commanded velocities, by their number."""
 _FIRST_INPUTS: Final = {LAST_ACTION: 0.0, HISTORY: "NaN"}
 
 _TARGET: Final = {
@@ -72,7 +78,7 @@ def manifest(
         },
         "golden_trace": trace_document(interface),
         "observation": _observation(interface),
-        "command": _command(policy),
+        "command": _command(interface),
         "entry": _entry(policy, interface),
         "task": {"config": policy.task, "task_file": policy.task.get(TASK_FILE)},
         "training": facts,
@@ -159,7 +165,8 @@ def _observation(interface: PolicyInterface) -> dict[str, Any]:
     }
 
 
-def _command(policy: Policy) -> dict[str, Any]:
+def _command(interface: PolicyInterface) -> dict[str, Any]:
+    policy = interface.policy
     rates = dict(enumerate(policy.control.command_rate))
     components = [
         {
@@ -173,7 +180,7 @@ def _command(policy: Policy) -> dict[str, Any]:
         for i, entry in enumerate(policy.control.commands)
     ]
     return {
-        "meaning": "velocity of the base in its own frame: forward along x, and yaw rate about z, positive to the left",
+        "meaning": _MEANING[len(interface.velocities)],
         "idle": "the robot stands",
         "input": "the velocity command on its way to the requested one. Once per control step, before the graph: "
         "command = command + clip(requested - command, -largest_rate * timestep, largest_rate * timestep), from the "

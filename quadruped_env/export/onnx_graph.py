@@ -1,5 +1,6 @@
 """The ONNX graph of a policy: from sensor readings to joint targets, without any code of this package."""
 
+import functools
 import math
 from collections.abc import Mapping
 from typing import Any, Final, Self
@@ -130,17 +131,19 @@ def _gait(graph: "Graph", interface: PolicyInterface, phase: str) -> str:
     assert gait is not None
     knots = np.array(gait.speeds)
     widths = np.diff(knots)
-    speed, yaw_rate = (
-        graph.add("MatMul", graph_io.COMMAND, graph.constant(column)) for column in np.eye(2)[:, :, None]
-    )
-    shares = (
+    columns = np.eye(len(interface.velocities))[:, :, None]
+    velocities = [graph.add("MatMul", graph_io.COMMAND, graph.constant(column)) for column in columns]
+    speed, yaw_rate, *lateral = velocities
+    shares = [
         graph.add("Div", graph.add("Abs", value), graph.constant(whole))
-        for value, whole in zip((speed, yaw_rate), gait.whole_steps, strict=True)
-    )
-    fade = graph.add("Min", graph.add("Max", *shares), graph.constant(1.0))
-    # See `turn_size`.
+        for value, whole in zip(velocities, gait.whole_steps, strict=False)
+    ]
+    fade = graph.add("Min", functools.reduce(functools.partial(graph.add, "Max"), shares), graph.constant(1.0))
+    # See `CommandedGait.turn_size`.
     rate = graph.add("Min", graph.add("Abs", yaw_rate), graph.constant(gait.largest_yaw_rate))
-    turning = graph.add("Sqrt", graph.add("Mul", rate, graph.constant(gait.largest_yaw_rate)))
+    turning = rate
+    if gait.lateral is None:
+        turning = graph.add("Sqrt", graph.add("Mul", rate, graph.constant(gait.largest_yaw_rate)))
     size = graph.add("Mul", graph.add("Sign", yaw_rate), turning)
     # Part of the speed within each interval of the table (N, K - 1).
     parts = graph.clipped(graph.add("Sub", speed, graph.constant(knots[:-1])), 0.0, widths)
@@ -151,9 +154,12 @@ def _gait(graph: "Graph", interface: PolicyInterface, phase: str) -> str:
 
     waves = []
     at_rest = (np.zeros(1), np.zeros(1), interface.policy.robot.stance)
-    for resting, straight, turn, side in zip(at_rest, gait.straight, gait.turn, gait.side, strict=True):
-        whole = graph.add("Add", interpolated(straight), graph.add("Mul", turning, interpolated(turn)))
-        whole = graph.add("Add", whole, graph.add("Mul", size, interpolated(side)))
+    for part, resting in enumerate(at_rest):
+        straight = interpolated(gait.straight[part])
+        whole = graph.add("Add", straight, graph.add("Mul", turning, interpolated(gait.turn[part])))
+        whole = graph.add("Add", whole, graph.add("Mul", size, interpolated(gait.side[part])))
+        if gait.lateral is not None:
+            whole = graph.add("Add", whole, graph.add("Mul", *lateral, interpolated(gait.lateral[part])))
         rest = graph.constant(resting)
         waves.append(graph.add("Add", rest, graph.add("Mul", fade, graph.add("Sub", whole, rest))))
     sine, cosine, offset = waves

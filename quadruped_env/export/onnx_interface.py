@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.control import observations
+from quadruped_env.control.control_config import Command
 from quadruped_env.control.observations import Field, ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import CommandedGait, joint_phases
@@ -33,9 +34,6 @@ _PHASE: Final = "Phase of the gait clock in [0, 2 pi): 0 at first, then next_gai
 _HISTORY: Final = (
     "Scaled observations of the steps before, the latest first: NaN at first, then next_observation_history of the "
     "step before. Where it is NaN, the present observation stands for it."
-)
-_COMMAND: Final = (
-    "Commanded forward velocity and yaw rate, on their way to the requested ones at the rates of the manifest."
 )
 
 
@@ -107,22 +105,41 @@ class PolicyInterface:
                 entry.name,
                 entry.width(robot),
                 entry.unit_of(robot),
-                _ABSOLUTE
-                if entry is observations.joint_position
-                else _COMMAND
-                if entry is observations.command
-                else entry.description,
+                _ABSOLUTE if entry is observations.joint_position else entry.description,
             )
+            if entry is not observations.command
+            else self._command
             for entry in self.policy.fields
             if entry is not observations.gait_clock
         ]
         if self.has_clock:
             if observations.command not in self.policy.fields:
-                found.append(Input(COMMAND, self.policy.control.num_velocities, observations.command.unit, _COMMAND))
+                found.append(self._command)
             found.append(Input(GAIT_PHASE, 1, "rad", _PHASE))
         if self.history_width:
             found.append(Input(HISTORY, self.history_width, "1", _HISTORY))
         return tuple(found)
+
+    @property
+    def velocities(self) -> tuple[Command, ...]:
+        """Commanded velocities, in the order of the input `command`."""
+        return self.policy.control.commands[: self.policy.control.num_velocities]
+
+    @property
+    def velocity_names(self) -> str:
+        """Names of the commanded velocities as an enumeration."""
+        *names, last = (entry.name.replace("_", " ") for entry in self.velocities)
+        return f"{', '.join(names)} and {last}"
+
+    @property
+    def velocity_units(self) -> str:
+        """Units of the commanded velocities."""
+        return ", ".join(entry.unit for entry in self.velocities)
+
+    @property
+    def _command(self) -> Input:
+        text = f"Commanded {self.velocity_names}, on their way to the requested ones at the rates of the manifest."
+        return Input(COMMAND, len(self.velocities), self.velocity_units, text)
 
     @cached_property
     def outputs(self) -> tuple[Input, ...]:

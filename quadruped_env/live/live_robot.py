@@ -209,7 +209,7 @@ class LiveRobot(ViewedRobot):
         if now - self._commanded_at > _STOP_PERIOD or now - self._sent_at < _COMMAND_PERIOD:
             return
         self._sent_at = now
-        self._velocities.send(velocity_message((command[0], command[1])))
+        self._velocities.send(velocity_message(command))
 
 
 def _read_odometry(odometry: Any) -> tuple[Floats, Floats]:

@@ -12,6 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import second_robot
+import twelve_joints
+from comparisons import random_policy
 from test_golden_trace import POLICIES as TRACED
 from test_graph import POLICIES, TERMS, own_policy
 
@@ -57,7 +59,10 @@ class Compiled:
         self.library = ctypes.CDLL(str(library))
         symbols = compiler("nm", "-D", "--undefined-only", library)
         assert not {"malloc", "calloc", "realloc", "free"} & set(symbols.split())
-        self.memory_width = 3 + policy.robot.num_joints + self.interface.history_width
+        self.velocities, joints = policy.control.num_velocities, policy.robot.num_joints
+        self.memory_parts = np.cumsum([self.velocities, joints, 1])
+        """Ends of the members of the memory before the last one."""
+        self.memory_width = self.memory_parts[-1] + self.interface.history_width
 
     def call(self, function, *arguments):
         pointers = [a.ctypes.data_as(ctypes.c_void_p) if isinstance(a, np.ndarray) else a for a in arguments]
@@ -68,7 +73,7 @@ class Compiled:
         samples, joints = len(next(iter(inputs.values()))), self.policy.robot.num_joints
         readings = [inputs[entry.name] for entry in readings_of(self.interface)]
         readings = np.ascontiguousarray(np.concatenate([*readings, np.zeros((samples, 1), np.float32)], axis=1))
-        memory = [inputs.get("command", np.zeros((samples, 2), np.float32))]
+        memory = [inputs.get("command", np.zeros((samples, self.velocities), np.float32))]
         memory.append(inputs.get("last_action", np.zeros((samples, joints), np.float32)))
         memory.append(inputs.get("gait_phase", np.zeros((samples, 1), np.float32)))
         memory.append(inputs.get("observation_history", np.zeros((samples, 0), np.float32)))
@@ -76,7 +81,7 @@ class Compiled:
         target = np.empty((samples, joints), np.float32)
         for row in range(samples):
             self.call("policy_graph", readings[row], memory[row], target[row])
-        parts = np.split(memory, [2, 2 + joints, 3 + joints], axis=1)
+        parts = np.split(memory, self.memory_parts, axis=1)
         return {
             "joint_target": target,
             "action": parts[1],
@@ -117,7 +122,7 @@ def test_step_is_that_of_the_golden_trace_and_leaves_out_what_is_nan(name, tmp_p
     compiled, joints = Compiled(policy, tmp_path), policy.robot.num_joints
     trace = golden_trace(compiled.interface)
     readings = np.concatenate([trace[entry.name] for entry in readings_of(compiled.interface)], axis=1)
-    requests = trace.get("requested_command", np.zeros((len(readings), 2), np.float32))
+    requests = trace.get("requested_command", np.zeros((len(readings), compiled.velocities), np.float32))
     memory, target = np.full(compiled.memory_width, 7.0, np.float32), np.empty(joints, np.float32)
     compiled.call("policy_reset", memory)
     for step, requested in enumerate(requests):
@@ -129,17 +134,18 @@ def test_step_is_that_of_the_golden_trace_and_leaves_out_what_is_nan(name, tmp_p
         assert compiled.call("policy_step", readings[step], requested, memory, target) == 1
         # The two differ by rounding, which comes back through the last action.
         np.testing.assert_allclose(target, trace["joint_target"][step], rtol=0, atol=1e-4)
-        kept = dict(zip(STATE, np.split(memory, [2, 2 + joints, 3 + joints]), strict=True))
+        kept = dict(zip(STATE, np.split(memory, compiled.memory_parts), strict=True))
         for field, later in zip(STATE, (0, 1, 1, 1), strict=True):
             if field in trace and step + later < len(requests):
                 assert runtime.difference(field, kept[field], trace[field][step + later]).max() < 1e-4
     # Velocities are clipped to the range, and never change faster than the rate.
-    low, high = np.transpose([entry.range for entry in policy.control.commands[:2]])
+    low, high = np.transpose([entry.range for entry in policy.control.commands[: compiled.velocities]])
     rate = np.multiply(policy.control.command_rate, policy.control.timestep)
     compiled.call("policy_reset", memory)
     for step in range(1, 80):
-        assert compiled.call("policy_step", readings[0], np.float32([-9.0, 9.0]), memory, target) == 1
-        np.testing.assert_allclose(memory[:2], [max(low[0], -step * rate[0]), min(high[1], step * rate[1])], atol=1e-5)
+        signs = np.array([-1.0, 1.0, -1.0])[: compiled.velocities]
+        assert compiled.call("policy_step", readings[0], np.float32(9.0 * signs), memory, target) == 1
+        np.testing.assert_allclose(memory[: len(signs)], np.clip(signs * step * rate, low, high), atol=1e-5)
 
 
 def test_header_has_the_limits_of_the_live_controller():
@@ -234,6 +240,22 @@ def test_sketch_walks_as_the_policy_does_and_switches_the_servos_off(tmp_path):
     assert [line for line in log.splitlines() if line.startswith("limp")] == [
         "limp: no readings", "limp: fallen", "limp: asked to stop",
     ]  # fmt: skip
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")
+def test_sketch_reads_a_third_number_as_the_velocity_to_the_left(tmp_path):
+    compiled, run = sketch(random_policy("residual", twelve_joints.ROBOT), tmp_path)
+    lines = {text: run([(1, LEVEL, STILL, "-")] * 60 + [(1, LEVEL, STILL, text)] * 60) for text in ("0 0", "0 0 0.1")}
+    (standing, _), (sideways, log) = lines.values()
+    assert "limp" not in log
+    assert standing.shape == (120, 1 + compiled.policy.robot.num_joints)
+    settled = 60 + 26
+    np.testing.assert_array_equal(standing[:settled], sideways[:settled])
+    rolls = [1 + joints[0] for joints in compiled.policy.robot.leg_joints]
+    assert np.ptp(standing[settled:, rolls], axis=0).max() < 4
+    assert np.ptp(sideways[settled:, rolls], axis=0).min() > 4
+    _, log = run([(1, LEVEL, STILL, "-")] * 60 + [(1, LEVEL, STILL, "0.1")] * 5)
+    assert "limp: asked to stop" in log
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="there is no C++ compiler: install g++")

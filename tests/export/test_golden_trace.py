@@ -11,8 +11,10 @@ import sys
 
 import numpy as np
 import pytest
+import second_robot
+import twelve_joints
 from comparisons import random_policy
-from test_graph import TERMS, other_robots_policy, own_policy
+from test_graph import TERMS, own_policy
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
@@ -38,7 +40,9 @@ def blind():
 POLICIES = {
     "flat": lambda directory: load_policy("flat"),
     "blind": lambda directory: blind(),
-    "other robot": lambda directory: other_robots_policy("residual"),
+    "other robot": lambda directory: random_policy("residual", second_robot.ROBOT),
+    "twelve joints, residual": lambda directory: random_policy("residual", twelve_joints.ROBOT),
+    "twelve joints, position": lambda directory: random_policy("position", twelve_joints.ROBOT),
     "own field": lambda directory: own_policy(directory, TERMS),
 }
 
@@ -62,7 +66,8 @@ def test_readings_of_the_trace_are_those_of_a_robot_that_walks_and_reach_their_b
     moved = np.diff(position[:160], axis=0) / document["control"]["timestep_s"]
     assert np.corrcoef(moved.ravel(), (velocity[:159] + velocity[1:160]).ravel())[0, 1] > 0.8
     high = np.concatenate([[field["high"]] * field["width"] for field in document["observation"]["fields"]])
-    assert np.isclose(np.abs(trace["observation"][160:]).max(axis=0), high)[6:22].all(), "every joint's bounds"
+    joints = slice(6, 6 + 2 * policy.robot.num_joints)
+    assert np.isclose(np.abs(trace["observation"][160:]).max(axis=0), high)[joints].all(), "every joint's bounds"
     state = {"command", "requested_command", "gait_phase", "observation_history"}
     assert state & trace.keys() == (set() if name == "blind" else state)
     assert name == "blind" or len(np.unique(trace["requested_command"], axis=0)) >= 4

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 import second_robot
+import twelve_joints
 from comparisons import random_policy
 from policies import make_policy
 
@@ -44,12 +45,12 @@ def random_states(policy, samples=SAMPLES, seed=0):
         "up_b": gravity / np.linalg.norm(gravity, axis=1, keepdims=True),
         "angular_velocity_b": rng.normal(0.0, 8.0, (samples, 3)),
         "joint_position": rng.uniform(robot.joint_position_low - 0.5, robot.joint_position_high + 0.5, shape),
-        "joint_velocity": rng.normal(0.0, 8.0, shape),
+        "joint_velocity": rng.normal(0.0, 1.6 * robot.velocity_limit.max(), shape),
     }
-    low, high = np.array([command.range for command in policy.control.commands[:2]]).T
-    command = rng.uniform(low - 0.2, high + 0.2, (samples, 2))
+    low, high = np.array([command.range for command in policy.control.commands[: policy.control.num_velocities]]).T
+    command = rng.uniform(low - 0.2, high + 0.2, (samples, len(low)))
     command[::10] = 0.0
-    command[1::10] = rng.uniform(-0.03, 0.03, (len(command[1::10]), 2))
+    command[1::10] = rng.uniform(-0.03, 0.03, (len(command[1::10]), len(low)))
     # What float32 cannot hold is not part of the comparison.
     exact = {name: np.float32(value).astype(float) for name, value in fields.items()}
     layout = PolicyInterface(policy).layout
@@ -102,13 +103,6 @@ def network(policy, observation):
         return torch.nn.Sequential(*layers[:-1])(torch.from_numpy(observation)).clamp(-1.0, 1.0).numpy()
 
 
-def other_robots_policy(mode):
-    """A policy of a robot with another order of legs, other ranges and another stance."""
-    policy = random_policy(mode)
-    task = TaskConfig(action=ActionConfig(mode=mode)).for_robot(second_robot.ROBOT)
-    return Policy.for_task(policy.weights, policy.biases, policy.activation, task, policy.card)
-
-
 def low_stepping_policy():
     """A policy on top of the gait with low steps."""
     policy = random_policy("residual")
@@ -123,8 +117,10 @@ POLICIES = {
     "elu, other rate": lambda: make_policy("elu"),
     **{name: lambda name=name: make_policy(name, (24,)) for name in ACTIVATIONS if name not in ("elu", "tanh")},
     "linear": lambda: make_policy("tanh", ()),
-    "other robot, residual": lambda: other_robots_policy("residual"),
-    "other robot, position": lambda: other_robots_policy("position"),
+    "other robot, residual": lambda: random_policy("residual", second_robot.ROBOT),
+    "other robot, position": lambda: random_policy("position", second_robot.ROBOT),
+    "twelve joints, residual": lambda: random_policy("residual", twelve_joints.ROBOT),
+    "twelve joints, position": lambda: random_policy("position", twelve_joints.ROBOT),
 }
 
 

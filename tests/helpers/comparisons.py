@@ -4,8 +4,8 @@ import itertools
 import math
 
 import numpy as np
-from tasks import ACTION_WIDTH, FRAME_WIDTH
 
+from quadruped_env.control import ObservationLayout
 from quadruped_env.policies import Policy
 from quadruped_env.task import ActionConfig, TaskConfig
 
@@ -13,11 +13,13 @@ TINY = ((0.2, 0.0), (0.4, 0.0), (0.0, 0.0), (-0.2, 0.0), (0.0, 0.5))
 """Velocity commands, m/s and rad/s."""
 
 
-def random_policy(mode, **config):
-    """A policy with random weights, for a task with this action mode and config."""
+def random_policy(mode, robot=None, **config):
+    """A policy with random weights, for a task with this action mode and config, and by default the built-in robot."""
     rng = np.random.default_rng(0)
     task = TaskConfig(action=ActionConfig(mode=mode), **config)
-    widths = (FRAME_WIDTH * task.observation_history, 16, ACTION_WIDTH)
+    if robot is not None:
+        task = task.for_robot(robot)
+    widths = (ObservationLayout(task.robot).width * task.observation_history, 16, task.robot.num_joints)
     weights = tuple(
         (0.3 * rng.normal(size=shape) / math.sqrt(shape[0])).astype(np.float32) for shape in itertools.pairwise(widths)
     )

@@ -26,7 +26,7 @@ from quadruped_env.live.middleware.dds import open_participant
 from quadruped_env.live.middleware.topics import CMD_VEL, ESTOP, JOINT_STATES, ROBOT_DESCRIPTION, TF
 from quadruped_env.live.nodes.gamepad import Gamepad
 from quadruped_env.live.nodes.listen import common_qos, rate_text
-from quadruped_env.live.nodes.teleop import after
+from quadruped_env.live.nodes.teleop import STAND, after
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.ros import Qos, cdr
 from quadruped_env.ros.robot_messages import transform_messages
@@ -286,15 +286,15 @@ def test_keys_are_split_from_the_bytes_of_a_terminal(data, keys, rest):
 
 
 def test_keys_step_the_command_within_its_range():
-    command = (0.0, 0.0)
+    command = STAND
     for _ in range(20):
-        command = after(after(command, UP), LEFT)
-    assert command == (0.6, 0.8)
+        command = after(after(after(command, UP), LEFT), ",")
+    assert command == (0.6, 0.8, 0.2)
     for _ in range(20):
-        command = after(after(command, "s"), "d")
-    assert command == (-0.3, -0.8)
+        command = after(after(after(command, "s"), "d"), ".")
+    assert command == (-0.3, -0.8, -0.2)
     assert after(command, "x") == command
-    assert after(command, " ") == (0.0, 0.0)
+    assert after(command, " ") == STAND
 
 
 def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes, run_node, monkeypatch):
@@ -304,7 +304,7 @@ def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes, 
 
     def take():
         for _, twist in velocities.messages(pytest.fail):
-            command = (twist.linear.x, twist.angular.z)
+            command = (twist.linear.x, twist.angular.z, twist.linear.y)
             if not commands or commands[-1] != command:
                 commands.append(command)
         return commands
@@ -313,13 +313,14 @@ def test_teleop_publishes_the_commands_of_its_keys_and_zero_when_it_ends(nodes, 
         monkeypatch.setattr("sys.stdin", stdin)
         teleop = run_node("teleop")
         wait_until(take, lambda: teleop.said)
-        for key, expected in ((b"\x1b[A", (0.1, 0.0)), (b"\x1b[A\x1b[C", (0.2, -0.2))):
+        walked = ((b"\x1b[A", (0.1, 0.0, 0.0)), (b"\x1b[A\x1b[C", (0.2, -0.2, 0.0)), (b".", (0.2, -0.2, -0.1)))
+        for key, expected in walked:
             os.write(ours, key)
             wait_until(lambda expected=expected: take()[-1] == expected)
         os.write(ours, b"q")
         assert teleop.status() == 0
-    wait_until(lambda: take()[-1] == (0.0, 0.0))
-    assert commands == [(0.0, 0.0), (0.1, 0.0), (0.2, -0.2), (0.0, 0.0)]
+    wait_until(lambda: take()[-1] == STAND)
+    assert commands == [STAND, *(expected for _, expected in walked), STAND]
     os.close(ours)
 
 
@@ -341,10 +342,11 @@ def test_gamepad_sends_commands_while_it_is_enabled_and_stops(pad, nodes, run_no
     wait_until(lambda: velocities.writers and stops.writers)
     sent = []
 
-    def until(forward, turn):
+    def until(forward, turn, left=0.0):
         def sends():
             sent.extend(velocities.decode(one) for one in velocities.take())
-            return sent and (sent[-1].linear.x, sent[-1].angular.z) == pytest.approx((forward, turn))
+            last = sent and (sent[-1].linear.x, sent[-1].angular.z, sent[-1].linear.y)
+            return sent and last == pytest.approx((forward, turn, left))
 
         wait_until(sends, lambda: log.said)
 
@@ -353,9 +355,9 @@ def test_gamepad_sends_commands_while_it_is_enabled_and_stops(pad, nodes, run_no
     pad.write(start + event(0x01, 4, 1))
     until(0.6, -0.8 * 16384 / 32767)
     assert len(sent) < 100
-    pad.write(event(0x02, 1, 32767) + event(0x02, 3, -3000))
-    until(-0.3, 0.0)
-    pad.write(event(0x01, 4, 0))
+    pad.write(event(0x02, 1, 32767) + event(0x02, 3, -3000) + event(0x02, 0, -32767))
+    until(-0.3, 0.0, 0.2)
+    pad.write(event(0x02, 0, 0) + event(0x01, 4, 0))
     until(0.0, 0.0)
     pad.write(event(0x01, 1, 1))
     assert stops.decode(received_from(stops, 1)[0]).data
@@ -369,6 +371,11 @@ def test_gamepad_sends_commands_while_it_is_enabled_and_stops(pad, nodes, run_no
     until(0.0, 0.0)
     assert log.status() == 2
     assert "js0: was unplugged" in log.said
+
+
+def test_gamepad_with_a_wrong_number_of_axes_is_an_error(domain_id, capsys):
+    assert main(["gamepad", "--axes", "1"]) == 2
+    assert "--axes: expected two or three numbers: forward, turn, left; found 1" in capsys.readouterr().err
 
 
 def test_gamepad_that_is_missing_is_an_error(domain_id, tmp_path, capsys):

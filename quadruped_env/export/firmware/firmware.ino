@@ -171,8 +171,7 @@ static void read_commands()
         }
         line[length] = '\0';
         if (length > 0) {
-            int numbers = sscanf(line, "%f %f", &requested[0], &requested[1]);
-            stop_asked = numbers != 2 || !isfinite(requested[0] + requested[1]);
+            /* read velocities */
             since_command = stop_asked ? INFINITY : 0.0f;
         }
         length = 0;

@@ -44,7 +44,7 @@ static void dense(const struct layer *layer, const float *in, float *out)
 static int put_clock(float *observation, int at, const policy_memory *memory)
 {
     const float *command = memory->command;
-    int moving = fabsf(command[0]) > moving_threshold[0] || fabsf(command[1]) > moving_threshold[1];
+    int moving = /* moves */;
     float clock[2] = {moving ? sinf(memory->gait_phase) : 0.0f, moving ? cosf(memory->gait_phase) : 0.0f};
     return put(observation, at, clock, 2);
 }
@@ -74,8 +74,8 @@ static float wave(int table, int interval, float part, int joint)
 static void scripted_gait(const float command[POLICY_COMMANDS], float phase, float joint_position[POLICY_JOINTS])
 {
     float forward = fabsf(command[0]) / WHOLE_STEPS_FORWARD, turning = fabsf(command[1]) / WHOLE_STEPS_TURNING;
-    float fade = clip(forward > turning ? forward : turning, 0.0f, 1.0f);
-    float size = sqrtf(clip(fabsf(command[1]), 0.0f, LARGEST_YAW_RATE) * LARGEST_YAW_RATE);
+    float fade = clip(forward > turning ? forward : turning, 0.0f, 1.0f);/* fade sideways */
+    float size = /* turn size */;
     float side = command[1] < 0.0f ? -size : size;
     int interval;
     float part = locate(gait_speeds, GAIT_KNOTS, command[0], &interval);
@@ -83,7 +83,7 @@ static void scripted_gait(const float command[POLICY_COMMANDS], float phase, flo
         float whole[3];
         for (int k = 0; k < 3; k++)
             whole[k] = wave(k, interval, part, j) + size * wave(3 + k, interval, part, j)
-                + side * wave(6 + k, interval, part, j);
+                + side * wave(6 + k, interval, part, j)/* wave sideways */;
         float angle = phase + joint_phases[j];
         float swing = whole[0] * sinf(angle) + whole[1] * cosf(angle);
         joint_position[j] = policy_stance[j] + fade * (swing + whole[2] - policy_stance[j]);

@@ -8,17 +8,23 @@ from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.live.middleware.topics import CMD_VEL, GAIT
 from quadruped_env.robot.robot import Robot
 from quadruped_env.ros import cdr
+from quadruped_env.utils.arrays import Floats
 
 
-def velocity_message(command: Velocity) -> Any:
-    """Make a Twist with a forward velocity in m/s and a yaw rate in rad/s."""
-    return cdr.message(CMD_VEL.type_name, linear={"x": command[0]}, angular={"z": command[1]})
+def velocity_message(command: Velocity | Floats) -> Any:
+    """Make a Twist.
+
+    Args:
+        command: forward velocity in m/s, yaw rate in rad/s and, or else 0, velocity to the left in m/s (2,) or (3,).
+    """
+    forward, turn, left = (*map(float, command), 0.0)[:3]
+    return cdr.message(CMD_VEL.type_name, linear={"x": forward, "y": left}, angular={"z": turn})
 
 
 def read_velocity(message: Any) -> Velocity:
-    """Read a Twist or TwistStamped: forward velocity in m/s and yaw rate in rad/s."""
+    """Read a Twist or TwistStamped: forward velocity in m/s, yaw rate in rad/s, velocity to the left in m/s."""
     twist = getattr(message, "twist", message)
-    return twist.linear.x, twist.angular.z
+    return twist.linear.x, twist.angular.z, twist.linear.y
 
 
 def settings_message(settings: GaitSettings) -> Any:

@@ -3,6 +3,8 @@
     mini-quadruped live gamepad                               LB held: left stick walks, right stick turns; B: stop
     mini-quadruped live gamepad --axes 1 0 --buttons 5 1 7    other sticks, and RB held
 
+The left stick's other axis walks sideways, if the robot's legs can roll.
+
 Releasing the button, unplugging the gamepad, or the end of this program makes the robot stand. The stop button sends
 /estop, which lets it go limp; the start button ends the stop, and the next velocity command makes the robot stand up.
 `jstest /dev/input/js0` shows the numbers of a gamepad.
@@ -14,7 +16,7 @@ import struct
 from pathlib import Path
 from typing import Final, Self
 
-from quadruped_env.control.control_config import COMMANDS
+from quadruped_env.control.control_config import VELOCITIES
 from quadruped_env.control.steering import Velocity
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.live.messages.steering_messages import velocity_message
@@ -27,7 +29,7 @@ _PERIOD: Final = 0.05
 """Time between messages, s."""
 _DEAD_ZONE: Final = 0.1
 """Deflection below which a stick counts as centred."""
-_STAND: Final[Velocity] = (0.0, 0.0)
+_STAND: Final[Velocity] = (0.0, 0.0, 0.0)
 _EVENT: Final = struct.Struct("=IhBB")
 """Event of Linux's joystick interface: time in ms, value, type, number (`struct js_event`)."""
 _BUTTON, _AXIS, _INITIAL = 0x01, 0x02, 0x80
@@ -96,11 +98,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--axes",
-        nargs=2,
+        nargs="+",
         type=int,
-        default=[1, 3],
-        metavar=("FORWARD", "TURN"),
-        help="numbers of the axes (default: 1 3, of an Xbox controller)",
+        default=[1, 3, 0],
+        metavar="AXIS",
+        help="numbers of the axes: forward, turn and, if there are three, left (default: 1 3 0, of an Xbox controller)",
     )
     parser.add_argument(
         "--buttons",
@@ -116,6 +118,8 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
     """Send until the session ends, then make the robot stand."""
     velocities, stops = session.node.publish(CMD_VEL), session.node.publish(ESTOP)
     enable, stop, start = arguments.buttons
+    if len(arguments.axes) not in (2, 3):
+        raise QuadrupedError(f"--axes: expected two or three numbers: forward, turn, left; found {len(arguments.axes)}")
     pace, enabled, command = Pace(_PERIOD), False, _STAND
     try:
         with Gamepad(arguments.device) as gamepad:
@@ -139,11 +143,11 @@ def run(session: Session, arguments: argparse.Namespace) -> int:
 
 
 def velocity(gamepad: Gamepad, axes: list[int]) -> Velocity:
-    """Return the command of two axes: full deflection is the end of the range that policies are trained for."""
+    """Return the command of some axes: full deflection is the end of the range that policies are trained for."""
     values = []
-    for entry, axis in zip(COMMANDS, axes, strict=True):
+    for entry, axis in zip(VELOCITIES, axes, strict=False):
         low, high = entry.range
         # Up and left are negative on the device.
         deflection = -gamepad.axes.get(axis, 0.0)
         values.append(0.0 if abs(deflection) < _DEAD_ZONE else deflection * (high if deflection > 0.0 else -low))
-    return values[0], values[1]
+    return tuple(values)

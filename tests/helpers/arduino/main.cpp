@@ -6,6 +6,8 @@
 #include <iostream>
 #include <string>
 
+#include "policy.h"
+
 void setup();
 void loop();
 
@@ -85,7 +87,7 @@ int main()
         for (int i = 0; i < 10; i++, now += 2000)
             loop();
         std::cout << output_enable;
-        for (int channel = 0; channel < 8; channel++) {
+        for (int channel = 0; channel < POLICY_JOINTS; channel++) {
             const uint8_t *led = pca + 0x06 + 4 * channel;
             std::cout << " " << (led[2] | led[3] << 8);
         }

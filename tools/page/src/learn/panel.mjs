@@ -128,6 +128,7 @@ export class LearningPanel {
   // --- what is shown
 
   translate() {
+    if (!this.policy) return;
     const { page: { language }, school, results } = this, words = (key, ...values) => say(language, key, ...values);
     $('learn_go').textContent = words(!school ? 'learn_start' : school.paused ? 'learn_continue' : 'learn_pause');
     $('learn_again').hidden = !school;
