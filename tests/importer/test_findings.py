@@ -139,8 +139,9 @@ def test_foot_that_is_no_ball_becomes_one_at_its_end(tmp_path, foot):
     read = imported(robot(foot=foot), tmp_path)
     assert read.anatomy.foot_radius == pytest.approx(0.02, abs=1e-3)
     for leg in read.anatomy.legs:
-        # Its lowest point is the end of the leg, within the radius that the corner of the shape is off its axis.
-        assert leg.foot_in_link[2] - read.anatomy.foot_radius == pytest.approx(-0.2, abs=2e-3)
+        # On the axis of the leg, with its lowest point at the end.
+        assert leg.foot_in_link[2] - read.anatomy.foot_radius == pytest.approx(-0.2, abs=1e-9)
+        np.testing.assert_allclose(leg.foot_in_link[:2], 0.0, atol=1e-9)
     assert findings(read, "assumed", "feet")
 
 
