@@ -123,7 +123,9 @@ class SinusoidalGait:
         if name == "article":
             return _published(robot)
         root, trot = scale_of("m/s", robot), TROTS[name]
-        return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0))
+        gait = _trot(robot, trot, trot.frequency / root)
+        waves = (values[0] for values in gait.waves(np.array([[trot.speed * root, 0.0]])))
+        return _sinusoids(robot, gait.angular_frequency, joint_phases(robot, trot.phases), *waves)
 
     def parameters(self) -> dict[str, Any]:
         """The numbers of the gait as plain values for JSON."""

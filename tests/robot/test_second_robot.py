@@ -199,7 +199,7 @@ class TestLive:
         plan = StandUp.plan(ROBOT, np.array([1.3, -0.1] * 4), 1.5, 1.0)
         assert (plan.points >= ROBOT.joint_position_low).all()
         assert (plan.points <= ROBOT.joint_position_high).all()
-        np.testing.assert_array_equal(plan.positions(plan.duration), ROBOT.stance)
+        np.testing.assert_allclose(plan.positions(plan.duration), ROBOT.stance, rtol=0, atol=1e-12)
 
     def test_live_controller_walks_the_simulated_robot(self):
         loop = Loop("crouched", robot=ROBOT)
