@@ -18,6 +18,7 @@ sys.path.append(str(Path(__file__).parents[1]))  # so that a Python without the 
 import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
 # isort: split
+from quadruped_env.cli.common_options import add_task_file
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.utils.program import run_program
 from quadruped_env.utils.progress import ProgressLine
@@ -31,12 +32,14 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("run", nargs="?", metavar="RUN", help="run directory or shipped policy")
     parser.add_argument(
         "--command",
-        nargs=2,
+        nargs="+",
         type=float,
         action="append",
-        metavar=("M/S", "RAD/S"),
-        help="forward velocity and yaw rate of episodes; may be repeated (default: eight commands)",
+        metavar="VELOCITY",
+        help="velocities of episodes: forward (m/s), yaw rate (rad/s) and, for robots that move sideways, lateral "
+        "(m/s), 0 where left out; may be repeated (default: eight commands, or nine with sideways)",
     )
+    add_task_file(parser)
     parser.add_argument(
         "--seeds", type=int, default=NUM_SEEDS, metavar="N", help="episodes per command (default: %(default)s)"
     )
@@ -61,13 +64,17 @@ def main(argv: list[str] | None = None) -> int:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run both engines, and print the results."""
-    evaluated = find_policy(arguments.run)
+    evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task)
     evaluated.policy.check_is_data("sim2sim")
     check_drake()
-    commands = None if arguments.command is None else [(v, w) for v, w in arguments.command]
     there = Drake(arguments.contact, friction=arguments.friction)
     transfer = run_transfer(
-        evaluated.policy, commands, arguments.seeds, arguments.seconds, there=there, progress=ProgressLine("running")
+        evaluated.policy,
+        arguments.command,
+        arguments.seeds,
+        arguments.seconds,
+        there=there,
+        progress=ProgressLine("running"),
     )
     print("\n\n".join(transfer.tables()))
     print("\n" + "\n".join([*transfer.conditions(), "", *transfer.verdict()]))

@@ -24,6 +24,7 @@ from quadruped_env.cli.invocation import Invocation
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.importer import ImportedRobot, import_robot
 from quadruped_env.importer.imported_robot import FORWARD
+from quadruped_env.robot import Robot
 from quadruped_env.utils.files import check_free, write_whole
 from quadruped_env.utils.text_table import text_table
 
@@ -44,6 +45,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--forward",
+        nargs="?",
+        const="",
         metavar="AXIS",
         help=f"axis of the base link along which the robot walks, where that is a convention: {', '.join(FORWARD)}",
     )
@@ -60,9 +63,10 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     files = {suffix: place.with_name(place.name + suffix) for suffix in (".py", ".xml", ".png")}
     check_free(files.values(), arguments.overwrite)
     robot = import_robot(arguments.file, arguments.folder, arguments.forward)
+    value = robot.robot()
     write_whole({files[".xml"]: robot.mjcf.encode(), files[".py"]: robot.task_file(files[".xml"].name).encode()})
     print("\n".join(_summary(robot)))
-    problem = _picture(files[".py"], files[".png"])
+    problem = _picture(value, files[".png"])
     written = [str(path) for suffix, path in files.items() if not (problem and suffix == ".png")]
     print(f"\nwritten: {', '.join(written)}{problem and f'; {problem}'}")
     print(f"train it: mini-quadruped train --task {files['.py']}")
@@ -104,12 +108,10 @@ def _summary(robot: ImportedRobot) -> list[str]:
     return [*lines, "", text_table(rows, left=3)] if rows else lines
 
 
-def _picture(task: Path, path: Path) -> str:
+def _picture(robot: Robot, path: Path) -> str:
     """Draw the robot in its stance; return why there is no picture, or nothing."""
-    from quadruped_env.control.task_file import load_robot
     from quadruped_env.importer.picture import write_picture
 
-    robot = load_robot(task)
     try:
         write_picture(robot, path)
     except (QuadrupedError, ImportError) as error:

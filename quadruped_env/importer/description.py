@@ -10,6 +10,8 @@ from quadruped_env.utils.arrays import Floats
 
 FIXED: Final = "fixed"
 HINGE: Final = "hinge"
+LARGEST: Final = 1e9
+"""Largest number in a description: far beyond any robot's."""
 MAX_NAMES: Final = 4
 """Names that a finding lists; of more it says how many there are."""
 

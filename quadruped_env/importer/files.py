@@ -62,7 +62,9 @@ class Folders:
                 if os.path.isfile(place):
                     if self.contain(place):
                         return place
-                    raise QuadrupedError(f"{name!r} is outside the folders that are searched; name its with --folder")
+                    raise QuadrupedError(
+                        f"{name!r} is outside the folders that are searched; name its folder with --folder"
+                    )
         parts = [part for part in tail.split("/") if part not in ("", ".", "..")]
         known = self._files().get(parts[-1], []) if parts else []
         ends = sorted(known, key=lambda path: -_common_end(path.parts, parts))
@@ -129,8 +131,8 @@ def mesh_vertices(path: Path) -> Floats:
             found = np.ascontiguousarray(triangles).view("<f4").reshape(-1, 3).astype(np.float64)
         else:
             found = _text_vertices(content, rb"^[ \t]*vertex")
-    if not len(found) or not np.isfinite(found).all() or np.abs(found).max() > 1e6:
-        raise QuadrupedError(f"{path.name}: holds no vertices, or not finite ones")
+    if len(found) < 4 or not np.isfinite(found).all() or np.abs(found).max() > 1e6:
+        raise QuadrupedError(f"{path.name}: has fewer than four vertices, or infinite ones")
     return np.unique(found, axis=0)
 
 

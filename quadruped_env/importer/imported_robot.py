@@ -18,6 +18,7 @@ from quadruped_env.importer.mjcf import describe_mjcf
 from quadruped_env.importer.stance import Stance, find_stance
 from quadruped_env.importer.urdf import Urdf
 from quadruped_env.importer.xml_tree import FIX, parse, read_bytes
+from quadruped_env.robot import JointMotor, MotorConfig, Robot
 
 FORWARD: Final = ("x", "-x", "y", "-y", "z", "-z")
 """Axes of the base link along which a robot may walk."""
@@ -48,6 +49,26 @@ class ImportedRobot:
     def joint_names(self) -> tuple[str, ...]:
         """Names of the joints, in the order of the MJCF."""
         return tuple(body.joint.name for body in self.bodies[1:])
+
+    def robot(self) -> Robot:
+        """Return the robot that the task file defines.
+
+        Raises:
+            QuadrupedError: if the model cannot be simulated.
+        """
+        motors = {
+            kind: JointMotor(**{name: value for name, (value, _) in motor.values.items()})
+            for kind, motor in zip(writing.motor_kinds(self.anatomy), self.motors, strict=True)
+        }
+        abduction = motors.get("abduction")
+        return Robot(
+            name=self.name,
+            mjcf=self.mjcf,
+            stance=np.array([self.stance.positions[name] for name in self.joint_names]),
+            motors=MotorConfig(
+                motors["hip"], motors["knee"], abduction=None if abduction == motors["hip"] else abduction
+            ),
+        )
 
     def task_file(self, model_file: str) -> str:
         """Return a Python file that defines the robot; `model_file` is the name of the MJCF next to it."""

@@ -99,9 +99,14 @@ def find_legs(described: Description, source: str, forward: str | None) -> Anato
     tree = _Tree(described)
     base, chains = _four_chains(tree, source)
     kinds = _kinds(tree, base, chains, source)
+    if described.links[base].parent >= 0:
+        above = [
+            link.joint.name for i, link in enumerate(tree.links) if link.joint.kind != FIXED and tree.is_below(base, i)
+        ]
+        described.add("left out", "base", f"{named(above)}: joints above it; the robot floats by itself")
     locked = tree.lock(base, {link for chain in chains for link in chain})
     if locked:
-        described.add("left out", "joints", f"{named(locked)}: no part of a leg; locked at 0")
+        described.add("left out", "joints", f"{named(locked)}: no part of a leg; locked at 0, or at the nearest limit")
     return _Geometry(tree, base, chains, kinds, source).anatomy(forward, tuple(locked))
 
 

@@ -1,13 +1,15 @@
 """Reader of MJCF, by MuJoCo."""
 
+import math
 import os
+import warnings
 from typing import Final
 
 import mujoco
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, Link, Shape
+from quadruped_env.importer.description import FIXED, HINGE, LARGEST, Description, Joint, Link, Shape
 from quadruped_env.importer.files import MAX_MESH, Folders
 from quadruped_env.importer.shapes import ball, box, cylinder, mesh
 from quadruped_env.importer.xml_tree import Node, parse, read_bytes
@@ -20,6 +22,13 @@ _KINDS: Final = {
     mujoco.mjtJoint.mjJNT_BALL: "ball",
     mujoco.mjtJoint.mjJNT_FREE: "free",
 }
+_NUMBERS: Final = (
+    *("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia", "jnt_pos", "jnt_axis"),
+    *("jnt_range", "geom_pos", "geom_quat", "geom_size", "key_qpos", "dof_armature"),
+)
+"""Arrays of a model that are read."""
+_LEAST: Final = 1e-9, 1e-14
+"""Mass and inertia that MuJoCo gives a link without them, kg and kg m^2: it refuses zero."""
 _EQUALITY: Final = mujoco.mjtEq
 _ON_JOINT: Final = (mujoco.mjtTrn.mjTRN_JOINT, mujoco.mjtTrn.mjTRN_JOINTINPARENT)
 
@@ -41,14 +50,26 @@ def describe_mjcf(content: bytes, root: Node, source: str, folders: Folders) -> 
     if missing:
         text = f"{len(missing)} meshes are not read: {missing[0]}; shapes are of what is there"
         described.add("left out", "collision", text)
-    _repair_inertia(spec, described, source)
+    given = _impossible_inertia(spec)
     try:
-        model = spec.compile()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of a singular inertia
+            model = spec.compile()
     except (ValueError, mujoco.FatalError) as error:
         raise _unreadable(source, error) from error
-    _links(spec, model, described)
+    _check_finite(model, source)
+    _links(model, described, {body.id: inertia for body, inertia in given})
     _report(model, described)
     return described
+
+
+def _check_finite(model: mujoco.MjModel, source: str) -> None:
+    for name in _NUMBERS:
+        values = getattr(model, name)
+        if not (np.abs(values) <= LARGEST).all():  # NaN compares as false
+            raise QuadrupedError(
+                f"{source}: {name} of its model has a number that is NaN or over {LARGEST:g}; correct it"
+            )
 
 
 def _unreadable(source: str, error: Exception) -> QuadrupedError:
@@ -131,13 +152,34 @@ def _load(entry: mujoco.MjsMesh | None, spec: mujoco.MjSpec, folders: Folders, a
     return ""
 
 
-def _repair_inertia(spec: mujoco.MjSpec, described: Description, source: str) -> None:
-    """Let MuJoCo accept any given inertia: `inertia.repair` checks all of them."""
-    spec.compiler.balanceinertia = 0
+def _impossible_inertia(spec: mujoco.MjSpec) -> list[tuple[mujoco.MjsBody, Floats]]:
+    """Give bodies whose inertia MuJoCo refuses another one; return them with theirs (3, 3), for `inertia.repair`."""
+    spec.compiler.boundmass = max(spec.compiler.boundmass, _LEAST[0])
+    spec.compiler.boundinertia = max(spec.compiler.boundinertia, _LEAST[1])
+    found = []
+    for body in spec.bodies[1:]:
+        if (
+            not body.explicitinertial
+            or spec.compiler.inertiafromgeom == mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
+        ):
+            continue
+        turn = np.zeros(9)
+        mujoco.mju_quat2Mat(turn, body.iquat / (np.linalg.norm(body.iquat) or 1.0))
+        xx, yy, zz, xy, xz, yz = body.fullinertia
+        full = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        inertia = np.diag(body.inertia) if np.isnan(full).any() else full
+        inertia = turn.reshape(3, 3) @ inertia @ turn.reshape(3, 3).T
+        if not np.isfinite(inertia).all():
+            continue
+        moments = np.linalg.eigvalsh(inertia)
+        if moments[0] <= 0.0 or 2.0 * moments[2] > moments.sum():
+            found.append((body, inertia))
+            body.fullinertia, body.inertia = [math.nan] * 6, [1.0] * 3
+    return found
 
 
-def _links(spec: mujoco.MjSpec, model: mujoco.MjModel, described: Description) -> None:
-    """Add the links of a compiled model, in the poses of joint positions 0."""
+def _links(model: mujoco.MjModel, described: Description, given: dict[int, Floats]) -> None:
+    """Add the links of a compiled model, in the poses of joint positions 0, with the inertia (3, 3) of some bodies."""
     data = mujoco.MjData(model)
     data.qpos[:] = 0.0
     for joint in range(model.njnt):
@@ -168,6 +210,7 @@ def _links(spec: mujoco.MjSpec, model: mujoco.MjModel, described: Description) -
                 link.position, link.rotation = turn.T @ (origin - place_of), turn.T @ own
             if final:
                 _fill(model, data, body, link, origin, own)
+                link.inertia = given.get(body, link.inertia)
             parent = len(described.links)
             described.links.append(link)
             poses.append((origin, own))

@@ -6,7 +6,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError, short
-from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, Link, Shape, about, named
+from quadruped_env.importer.description import FIXED, HINGE, LARGEST, Description, Joint, Link, Shape, about, named
 from quadruped_env.importer.files import Folders, mesh_vertices
 from quadruped_env.importer.shapes import ball, box, cylinder, mesh
 from quadruped_env.importer.xml_tree import Node
@@ -20,8 +20,6 @@ _KINDS: Final = {
     "floating": "free",
     "planar": "free",
 }
-_LARGEST: Final = 1e9
-"""Largest number in a description: far beyond any robot's."""
 _MAX_LINKS: Final = 2000
 
 
@@ -115,7 +113,8 @@ class Urdf:
         if len(found) > 1 or (required and not found):
             child = found[1] if found else node
             assert isinstance(child, Node)
-            raise self._error(child, f"in {short(node.get('name'))}: expected one <{tag}>; found {len(found)}")
+            place = f"in {short(node.get('name'))}: " if node.get("name") else ""
+            raise self._error(child, f"{place}expected one <{tag}>; found {len(found)}")
         return found[0] if found else None  # type: ignore[return-value]
 
     def _numbers(self, node: Node, name: str, default: Sequence[float] | None = None) -> list[float]:
@@ -127,7 +126,7 @@ class Urdf:
             values = [float(word) for word in (text or "").split()]
         except ValueError:
             values = []
-        if len(values) != count or not all(abs(value) <= _LARGEST for value in values):
+        if len(values) != count or not all(abs(value) <= LARGEST for value in values):
             expected = "a number" if count == 1 else f"{count} numbers"
             raise self._error(node, f"{name}: expected {expected}; found {short(text)}")
         return values
@@ -188,7 +187,9 @@ class Urdf:
         mass, inertia = self._one(node, "mass"), self._one(node, "inertia")
         link.mass = 0.0 if mass is None else self._number(mass, "value")
         if link.mass < 0.0:
-            raise self._error(mass or node, f"in {short(link.name)}: value: expected 0 or more; found {link.mass:g}")
+            raise self._error(
+                node if mass is None else mass, f"in {short(link.name)}: value: expected 0 or more; found {link.mass:g}"
+            )
         link.centre, rotation = self._origin(node)
         if inertia is not None:
             xx, xy, xz, yy, yz, zz = (

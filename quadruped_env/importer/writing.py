@@ -218,8 +218,7 @@ def task_file(
         motors: its motors, of each joint of a leg from the base to the foot.
         order: names of the joints in the order of the MJCF.
     """
-    kinds = {"roll": "abduction", "pitch": "hip"}
-    names = [kinds[kind] for kind in anatomy.kinds[:-1]] + ["knee"]
+    names = motor_kinds(anatomy)
     by_kind = dict(zip(names, motors, strict=True))
     if len({tuple(motor.values.items()) for motor in motors}) == 1:
         by_kind = {"motor": motors[0]}
@@ -246,6 +245,12 @@ def task_file(
         ")",
     ]
     return "\n".join(lines) + "\n"
+
+
+def motor_kinds(anatomy: Anatomy) -> list[str]:
+    """Return the field of `MotorConfig` for each joint of a leg."""
+    kinds = {"roll": "abduction", "pitch": "hip"}
+    return [*(kinds[kind] for kind in anatomy.kinds[:-1]), "knee"]
 
 
 def _docstring(described: Description, source: str) -> str:

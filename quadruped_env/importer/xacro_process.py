@@ -29,13 +29,13 @@ def main() -> None:
     folders = Folders(tuple(Path(folder) for folder in request["given"]), path)
     answer: dict[str, Any]
     try:
-        answer = {"urdf": _expand(path, folders)}
+        answer = {"urdf": expand(path, folders)}
     except ModuleNotFoundError as error:
         answer = {"missing": True} if error.name in ("xacro", "yaml") else {"error": f"xacro: {error}"}
     except RecursionError:
         answer = {"error": "xacro: macros or properties refer to each other without an end"}
     except Exception as error:
-        answer = {"error": f"xacro: {_line(error)}"}
+        answer = {"error": f"xacro: {line(error)}"}
     json.dump(answer, sys.stdout)
 
 
@@ -51,14 +51,15 @@ def _limit() -> None:
             continue
 
 
-def _line(error: Exception) -> str:
+def line(error: Exception) -> str:
     """Return the message of the error that the library has wrapped, on one line."""
     while isinstance(getattr(error, "exc", None), Exception):
         error = error.exc  # type: ignore[attr-defined]
     return " ".join(str(error).split()) or type(error).__name__
 
 
-def _expand(path: Path, folders: Folders) -> str:
+def expand(path: Path, folders: Folders) -> str:
+    """Return the URDF of a xacro file; the library is restricted from then on."""
     import xacro
     from xacro import substitution_args
 

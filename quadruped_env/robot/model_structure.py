@@ -11,6 +11,8 @@ from quadruped_env.errors import QuadrupedError, short
 
 Place = str | Sequence[float]
 """Name of a site, or a position (3,) in the frame of a link, m."""
+DIGITS: Final = 9
+"""Decimals of computed lengths in m: their last bits differ between processors, and a robot's identity must not."""
 _SAME_PLACE: Final = 1e-6
 """m."""
 
@@ -34,7 +36,7 @@ def foot_places(model: mujoco.MjModel) -> dict[str, Place]:
         if len(balls) == 1 and (len(sites) != 1 or _gap(data, sites[0], balls[0]) < model.geom_size[balls[0], 0]):
             ball, link = balls[0], model.geom_bodyid[balls[0]]
             same = [i for i in sites if model.site_bodyid[i] == link and _gap(data, i, ball) < _SAME_PLACE]
-            place = model.site(same[0]).name if same else model.geom_pos[ball].tolist()
+            place = model.site(same[0]).name if same else model.geom_pos[ball].round(DIGITS).tolist()
         elif len(sites) == 1:
             link = model.site_bodyid[sites[0]]
             place = model.site(sites[0]).name

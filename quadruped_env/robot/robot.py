@@ -25,7 +25,7 @@ from quadruped_env.robot.model_completion import (
     parsed,
     read_model,
 )
-from quadruped_env.robot.model_structure import add_sites, foot_places
+from quadruped_env.robot.model_structure import DIGITS, add_sites, foot_places
 from quadruped_env.robot.motors import MOTOR_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.skeleton import Pose, Skeleton
 from quadruped_env.robot.written_urdf import written_urdf
@@ -484,7 +484,7 @@ class Robot:
         for name in _RESTATED[1:]:
             given, value = getattr(self, name), next(found)
             if given is None:
-                self._set(**{name: frozen(value) if isinstance(value, np.ndarray) else float(value)})
+                self._set(**{name: frozen(value) if isinstance(value, np.ndarray) else round(float(value), DIGITS)})
             elif (wrong := ~np.isclose(given, value, rtol=_SIX_DIGITS, atol=_SIX_DIGITS, equal_nan=True)).any():
                 of = f" of {self.joint_names[int(wrong.argmax())]}" if wrong.shape else ""
                 given, value = (float(np.asarray(x)[wrong][0]) for x in (given, value))

@@ -3,6 +3,7 @@
 import contextlib
 import logging
 import os
+import socket
 import subprocess
 import sys
 import tempfile
@@ -20,6 +21,8 @@ _GRACE: Final = 10.0
 """Time for workers to save their checkpoints after a signal, s."""
 _POLL: Final = 1.0
 """Time between calls of `show`, s."""
+_CONNECTION: Final = 10.0
+"""Maximum time for a connection to the head of a Ray cluster, s."""
 _RETRIES: Final = 10
 """Number of times that Ray restarts a worker whose node or process was lost."""
 
@@ -97,6 +100,9 @@ def run_on_ray(sweep: Sweep, count: int | None, trusted: bool, address: str, sho
         raise MissingExtraError("A sweep on a Ray cluster", "ray") from error
     variables = {STORAGE: os.environ[STORAGE]} if STORAGE in os.environ else {}
     try:
+        host, colon, port = address.rpartition("/")[2].rpartition(":")
+        if colon:  # Ray itself waits for minutes
+            socket.create_connection((host, int(port)), _CONNECTION).close()
         ray.init(address, logging_level=logging.ERROR, log_to_driver=False, runtime_env={"env_vars": variables})
     except Exception as error:  # Ray raises several types
         reason = (str(error).strip().splitlines() or [type(error).__name__])[0]

@@ -1,13 +1,17 @@
 """The lateral velocity: the third command of robots whose legs move their feet sideways."""
 
+import dataclasses
+
 import gymnasium
 import half_robot
+import mujoco
 import numpy as np
 import pytest
 from twelve_joints import ROBOT
 
 from quadruped_env.control import ControlInterface, ObservationLayout
 from quadruped_env.control.control_config import COMMANDS, ControlConfig, velocity_commands
+from quadruped_env.control.steering import key_steps
 from quadruped_env.control.velocity_command import check_command, moving_threshold
 from quadruped_env.envs import ENV_ID
 from quadruped_env.robot import MINI_QUADRUPED
@@ -27,6 +31,26 @@ def test_only_robots_with_roll_joints_move_sideways():
     np.testing.assert_array_equal(
         np.argsort(ROBOT.corners), [ROBOT.leg_names.index(x) for x in ("LF", "RF", "LH", "RH")]
     )
+
+
+def turned(robot, axes):
+    """The robot with other axes of some joints, by name."""
+    spec = mujoco.MjSpec.from_string(robot.mjcf)
+    for name, axis in axes.items():
+        spec.joint(name).axis = axis
+    return dataclasses.replace(robot, mjcf=spec.to_xml(), stance_height=None)
+
+
+@pytest.mark.parametrize(
+    ("robot", "axes"),
+    [
+        (ROBOT, dict.fromkeys(("RH_roll", "LH_roll"), (0.0, 1.0, 0.0))),
+        (MINI_QUADRUPED, dict.fromkeys(MINI_QUADRUPED.joint_names[::2], (1.0, 0.0, 0.0))),
+    ],
+    ids=["fore legs alone", "two joints"],
+)
+def test_robots_with_some_legs_that_roll_or_without_a_third_joint_do_not_move_sideways(robot, axes):
+    assert not turned(robot, axes).moves_sideways
 
 
 def test_roll_joints_turn_the_other_way_under_the_mirror():
@@ -94,7 +118,15 @@ def test_config_of_a_robot_that_moves_sideways_has_more_fields():
     }
     weights = (set(one["reward"]["weights"]) for one in (config, other))
     assert set.difference(*weights) == {"track_lateral_velocity", "lateral_progress"}
-    assert config["command"]["lateral_acceleration"] == 1.0
+    assert (config["command"]["lateral_acceleration"], config["command"]["sideways_fraction"]) == (1.0, 0.15)
+
+
+def test_layout_and_keys_have_the_lateral_velocity_in_its_units():
+    entry = next(one for one in ObservationLayout(ROBOT).document() if one["name"] == "command")
+    assert (entry["width"], entry["unit"]) == (3, "m/s, rad/s, m/s")
+    metres, turns = scale_of("m/s", ROBOT), scale_of("rad/s", ROBOT)
+    np.testing.assert_allclose(key_steps(ROBOT), [0.1 * metres, 0.2 * turns, 0.1 * metres], rtol=0.5)
+    assert key_steps(ROBOT)[0] == key_steps(ROBOT)[2]
 
 
 def test_a_task_file_may_replace_the_lateral_velocity(tmp_path):

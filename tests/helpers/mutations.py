@@ -4,6 +4,7 @@ import copy
 import json
 import math
 import re
+from xml.etree import ElementTree
 
 VALUES = (
     None, True, False, 0, -1, 1.5, math.nan, math.inf, 1e300, -1e300, 10**300, 2**63, "x", "", "\0", "1", "../..",
@@ -12,6 +13,11 @@ VALUES = (
 """Values that replace a document's."""
 WORDS = ("x", "", "nan", "inf", "1e999", "9" * 400, "-1", "1.5", "[", "{", '"', ",", "---", "\0", "true", "ü")
 """Words that replace a text's."""
+NUMBERS = (
+    "", "0", "-1", "1", "1e-9", "1e9", "1e300", "-1e300", "nan", "inf", "1e999", "x", "0 0", "9" * 400, "fixed", "base",
+    "floating", "mesh", "../../x.stl", "/etc/passwd", "package://x/y.stl",
+)  # fmt: skip
+"""Words that replace a word of an attribute."""
 
 
 def mutated_json(text, rng):
@@ -61,3 +67,27 @@ def _places(value):
     for key, entry in list(entries):
         yield value, key
         yield from _places(entry)
+
+
+def mutated_xml(text, rng):
+    """XML with an attribute replaced, or an element left out, repeated or moved; or as `mutated_text`."""
+    if rng.random() < 0.2:
+        return mutated_text(text, rng)
+    root = ElementTree.fromstring(text)  # noqa: S314
+    for _ in range(int(rng.integers(1, 4))):
+        parents = [(parent, i) for parent in root.iter() for i in range(len(parent))]
+        parent, i = parents[int(rng.integers(len(parents)))]
+        node, kind = parent[i], rng.random()
+        if kind < 0.1:
+            parent.remove(node)
+        elif kind < 0.2:
+            parent.insert(i, copy.deepcopy(node))
+        elif kind < 0.3:
+            other, _ = parents[int(rng.integers(len(parents)))]
+            other.append(copy.deepcopy(node))
+        elif node.attrib:
+            name = sorted(node.attrib)[int(rng.integers(len(node.attrib)))]
+            words = node.attrib[name].split() or [""]
+            words[int(rng.integers(len(words)))] = NUMBERS[int(rng.integers(len(NUMBERS)))]
+            node.set(name, " ".join(words))
+    return ElementTree.tostring(root, encoding="unicode")

@@ -51,6 +51,8 @@ def test_structure_follows_from_the_model():
     for name in STRUCTURE:
         assert getattr(robot, name) == getattr(MINI_QUADRUPED, name), name
     assert (robot.foot_radius, robot.stance_height) == pytest.approx((0.02, MINI_QUADRUPED.stance_height), abs=1e-7)
+    assert robot.foot_radius == 0.02
+    assert robot.stance_height == round(robot.stance_height, 9), "the same on every processor"
     assert robot.urdf is None
     assert "urdf" not in robot.to_dict()
     for again in (Robot.from_dict(json.loads(json.dumps(robot.to_dict()))), pickle.loads(pickle.dumps(robot))):  # noqa: S301

@@ -7,6 +7,7 @@ import json
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from paths import importing
@@ -217,6 +218,11 @@ def test_file_system_without_locks_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(locks, "file_system", lambda path: "nfs4, rw,local_lock=all")
     with pytest.raises(QuadrupedError, match="other machines do not see its locks"):
         sweep.join()
+
+
+@pytest.mark.skipif(not Path("/proc/self/mounts").exists(), reason="only Linux lists its mounts there")
+def test_file_system_is_the_one_of_the_nearest_mount_above():
+    assert locks.file_system(Path("/proc/self")) == "proc"
 
 
 def test_sweep_that_was_removed_is_not_made_again_by_writing(tmp_path):

@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import psutil
@@ -17,11 +18,12 @@ from sweeps import finish, make_sweep, policies, start_worker
 from trainings import learn
 from waiting import DEADLINE, output_of, status_of, wait_until
 
+from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
 from quadruped_env.cli.sweep import Progress
 from quadruped_env.sweep import workers
 from quadruped_env.sweep.folder import Sweep
-from quadruped_env.sweep.workers import run_here
+from quadruped_env.sweep.workers import run_here, run_on_ray
 from quadruped_env.training import run_directory
 from quadruped_env.training.resume import Parent
 
@@ -139,6 +141,14 @@ def test_progress_says_each_result_once_also_of_other_machines(tmp_path, monkeyp
     progress()
     assert capsys.readouterr().out == "trial 1: failed: diverged\n", "trial 0 was there before"
     assert shares == [(1.0, ", 2 of 2 trials done")] * 2
+
+
+def test_cluster_that_cannot_be_reached_is_an_error_without_a_wait_for_ray(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "ray", SimpleNamespace())
+    sweep = make_sweep(tmp_path)
+    for address in ("127.0.0.1:1", "127.0.0.1:port"):
+        with pytest.raises(QuadrupedError, match=rf"no cluster can be used at '{address}' \((.*refused|invalid)"):
+            run_on_ray(sweep, 1, False, address, lambda: None)
 
 
 def test_error_of_a_worker_is_status_1_also_if_no_trial_is_open(tmp_path, monkeypatch, capsys):

@@ -182,7 +182,7 @@ def test_engine_with_a_bad_field_is_an_error_that_names_it(bad):
     [
         ({"commands": []}, "command"),
         ({"commands": [(math.nan, 0.0)]}, "command"),
-        ({"commands": [(0.3, 0.0, 0.1)]}, "command"),
+        ({"commands": [(0.3, 0.0), (0.3, 0.0, 0.1)]}, "command"),
         ({"num_seeds": 0}, "seeds"),
         ({"seconds": 1.0}, "seconds"),
         ({"seconds": 1e4}, "seconds"),

@@ -10,6 +10,9 @@ from second_robot import DESIGN
 
 import sim2sim
 from quadruped_env import QuadrupedError
+from quadruped_env.evaluation.measures import mean_velocities
+from quadruped_env.evaluation.rollout import roll_out
+from quadruped_env.policies import GaitController
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig
 from quadruped_env.task import Task, TaskConfig
 from second_engine.engines import Drake, MuJoCo
@@ -165,6 +168,20 @@ def test_robot_with_three_joints_per_leg_stands_as_in_mujoco():
     # Static friction leaves the forces between the feet open, and so the torques of the sideways joints.
     np.testing.assert_allclose(there.joint_torque[:, 2::3], here.joint_torque[:, 2::3], atol=0.3)
     np.testing.assert_allclose(there.base_position[0, 2], here.base_position[0, 2], atol=2e-3)
+
+
+def test_trot_with_three_joints_per_leg_moves_as_in_mujoco():
+    """Forwards, sideways, in a turn and backwards, without a fall: as commanded within a third, and alike in both."""
+    config = TaskConfig().for_robot(twelve_joints.ROBOT)
+    commands = [(0.3, 0.0, 0.0), (0.0, 0.5, 0.0), (0.0, 0.0, 0.15), (-0.2, 0.0, 0.0)]
+    found = []
+    for engine in (MuJoCo(), Drake()):
+        rollout = roll_out(GaitController(), commands, [1000], 6.0, config, engine=engine)
+        assert not rollout.fallen.any()
+        found.append(mean_velocities(rollout))
+    asked = [abs(velocities[[0, 1, 2, 3], [0, 1, 2, 0]]) for velocities in found]
+    np.testing.assert_allclose(asked, [[0.3, 0.5, 0.15, 0.2]] * 2, rtol=0.33)
+    np.testing.assert_allclose(asked[1], asked[0], rtol=0.2)
 
 
 def on_its_belly():

@@ -42,6 +42,8 @@ def test_service_receives_the_settings_the_metrics_and_the_end(tmp_path, monkeyp
     _, (metrics,), named = next(entry for entry in reversed(calls) if entry[0] == log)
     assert metrics["progress/fall_rate"] >= 0.0
     assert named == {"step": 96}
+    logged = set().union(*(entry[1][0] for entry in calls if entry[0] == log))
+    assert "time/total_timesteps" in logged, "a whole number is a metric, too"
     assert (directory / "policy.safetensors").read_bytes() == (
         learn(tmp_path, CONFIG) / "policy.safetensors"
     ).read_bytes()

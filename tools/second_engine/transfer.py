@@ -8,6 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.control.velocity_command import out_of_range
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.evaluation.conditions import (
@@ -257,11 +258,11 @@ def run_transfer(
 
 def _checked(commands: Sequence[Command], num_seeds: int, seconds: float, robot: Robot) -> list[Command]:
     """Return the commands with a number for each velocity of the robot."""
-    values = np.array([full_command(command, robot) for command in commands], dtype=np.float64)
-    if values.ndim != 2 or values.shape[1] != len(full_command((), robot)) or not np.isfinite(values).all():
+    names = ", ".join(f"{entry.name} in {entry.unit}" for entry in velocity_commands(robot))
+    full, count = [full_command(command, robot) for command in commands], len(full_command((), robot))
+    if not full or any(len(command) != count or not np.isfinite(command).all() for command in full):
         raise QuadrupedError(
-            f"command: expected one or more pairs of finite numbers, forward velocity in m/s and yaw rate in rad/s; "
-            f"found {short(list(commands))}"
+            f"command: expected one or more commands of finite numbers, {names}; found {short(list(commands))}"
         )
     if num_seeds < 1:
         raise QuadrupedError(f"seeds: expected 1 or more; found {num_seeds}")
@@ -270,7 +271,7 @@ def _checked(commands: Sequence[Command], num_seeds: int, seconds: float, robot:
             f"seconds: expected more than {START_UP:g}, which do not count, and at most {MAX_SECONDS:g}; found "
             f"{seconds:g}"
         )
-    return [tuple(command) for command in values.tolist()]
+    return [tuple(map(float, command)) for command in full]
 
 
 def _measured(rollout: Rollout, num_seeds: int) -> dict[str, Floats]:
