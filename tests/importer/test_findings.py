@@ -311,3 +311,12 @@ def test_base_frame_far_from_the_hips_is_moved_between_them(tmp_path):
     assert "is 0.64 m off" in findings(read, "assumed", "base")[0]
     np.testing.assert_allclose(read.bodies[0].centre, [-0.5, 0.0, -0.41], atol=1e-12)
     assert read.robot().stance_height == pytest.approx(read.stance.height, abs=1e-4)
+
+
+def test_joints_between_the_world_and_the_base_are_removed(tmp_path):
+    carriage = link("world") + link("cart", 0.1) + joint("rail", "world", "cart", "0 0 0", "0 0 1", "", "prismatic")
+    read = imported(robot(extra=carriage + joint("root", "cart", "base", "0 0 0.3", "0 0 1", "", "floating")), tmp_path)
+    assert not read.anatomy.locked
+    assert findings(read, "left out", "base") == ["rail, root: joints above it; the robot floats by itself"]
+    assert findings(read, "left out", "mass") == ["0.1 kg of links that are not part of the robot"]
+    assert read.mass == pytest.approx(MASS)

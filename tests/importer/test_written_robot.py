@@ -67,8 +67,10 @@ PLATE = (
 
 
 def twisted(joints):
-    """A robot whose knees are bent at 0, and that has a plate on one shank; its mass is 0.3 kg more."""
-    return robot(joints, extra=PLATE).replace(f'xyz="0 0 {-THIGH}"', f'xyz="0 0 {-THIGH}" rpy="0 0.4 0"')
+    """A robot whose knees are bent at 0, and that has a plate on each shank; its mass is 1.2 kg more."""
+    plates = [PLATE.replace("LF", c).replace("plate", f"{c}_plate").replace("mount", f"{c}_mount") for c in CORNERS]
+    turned = [plate.replace("1.1 -0.4", f"{i} {0.3 * i}") for i, plate in enumerate(plates)]
+    return robot(joints, extra="".join(turned)).replace(f'xyz="0 0 {-THIGH}"', f'xyz="0 0 {-THIGH}" rpy="0 0.4 0"')
 
 
 def test_written_robot_has_the_feet_of_an_mjcf_whose_joints_are_off_their_bodies(tmp_path):
@@ -86,7 +88,7 @@ def test_written_robot_has_the_feet_mass_and_inertia_of_the_read_one(tmp_path, j
     original.body("base").add_freejoint()
     model = original.compile()
     check_feet(made, read, model)
-    assert made.total_mass == pytest.approx(MASS + 0.3 if joints == 3 else MASS - 0.9, rel=1e-9)
+    assert made.total_mass == pytest.approx(MASS + 1.2 if joints == 3 else MASS, rel=1e-9)
     values, matrices = random_joints(made, np.random.default_rng(1)), []
     for each in (model, made.skeleton.model):
         data = mujoco.MjData(each)
