@@ -44,7 +44,7 @@ class GaitSettings:
 
 
 def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
-    """Return a gait with modified amplitudes, frequency and leg phases; each joint keeps its phase lag to the knee's hip.
+    """Return a gait with other amplitudes, frequency and leg phases; each joint keeps its phase lag to the leg.
 
     Raises:
         QuadrupedError: if there is not one phase per leg of the robot.

@@ -105,7 +105,7 @@ class SinusoidalGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
-        """Return a gait by name: `article` as published, one found for the built-in robot, or another robot's of `TROTS`.
+        """Return a gait by name: `article` as published, one found for the built-in robot, or one of `TROTS`.
 
         `sinusoid`, `tuned`, `crouched`, `low` and `fast` are the gaits of `CommandedGait` at 0.4 m/s straight ahead.
 
@@ -367,9 +367,9 @@ class CommandedGait:
         return fade * sine, fade * cosine, stance + fade * (offset - stance)
 
     def turn_size(self, yaw_rate: Floats) -> Floats:
-        """Return the size of turns (N,) in rad/s, for yaw rates (N,) in rad/s: `turn_size`, or the yaw rate where `lateral` is.
+        """Return the size of turns (N,) in rad/s, for yaw rates (N,) in rad/s.
 
-        Feet that can step sideways do not slide in a turn. In both cases it is at most the largest yaw rate.
+        It is the yaw rate of a robot with `lateral`, whose feet do not slide, up to the largest; else see `turn_size`.
         """
         largest = self.largest_yaw_rate
         return turn_size(yaw_rate, largest) if self.lateral is None else np.clip(yaw_rate, -largest, largest)
