@@ -81,7 +81,10 @@ def reachable_lift(robot: Robot, frequency: float, trot: Trot) -> float:
         sine, cosine, offset = joint_waves(robot, frequency, still, lift, trot.height)
         _check_lift(robot, lift, sine, cosine, offset)
         amplitude = np.hypot(sine, cosine)[0]
-        lift *= min(1.0, float((_SPEED * robot.velocity_limit / (math.tau * frequency * amplitude + 1e-9)).min()))
+        share = float((_SPEED * robot.velocity_limit / (math.tau * frequency * amplitude + 1e-9)).min())
+        if share >= 1.0:
+            break
+        lift *= share
     return lift
 
 
