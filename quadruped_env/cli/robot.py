@@ -22,6 +22,7 @@ from typing import Final
 from quadruped_env.cli.common_options import add_output, add_overwrite
 from quadruped_env.cli.invocation import Invocation
 from quadruped_env.errors import QuadrupedError
+from quadruped_env.gait import fitness
 from quadruped_env.importer import ImportedRobot, import_robot
 from quadruped_env.importer.imported_robot import FORWARD
 from quadruped_env.robot import Robot
@@ -66,6 +67,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     value = robot.robot()
     write_whole({files[".xml"]: robot.mjcf.encode(), files[".py"]: robot.task_file(files[".xml"].name).encode()})
     print("\n".join(_summary(robot)))
+    for line in fitness(value):
+        print(f"note: {line}")
     problem = _picture(value, files[".png"])
     written = [str(path) for suffix, path in files.items() if not (problem and suffix == ".png")]
     print(f"\nwritten: {', '.join(written)}{problem and f'; {problem}'}")

@@ -31,6 +31,7 @@ from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.evaluation.conditions import COMMANDS
 from quadruped_env.evaluation.learning_gain import EPISODES, MOTION_SEEDS, LearningGain, learning_gain
+from quadruped_env.gait import fitness
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import kept_file
 from quadruped_env.policies.policy_data import CARD_FILE
@@ -158,6 +159,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
         for difference in filter(None, (parent.task_changes, parent.reward_changes(config))):
             print(f"note: {difference}", flush=True)
+    for line in fitness(definition.robot):
+        print(f"note: {definition.robot.name}: {line}", flush=True)
     # Torch takes seconds to import.
     from quadruped_env.training.train import train
 

@@ -1,6 +1,6 @@
 """Configuration that training and a real robot share: action scaling, control rate and commands."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Final, Literal, Self
 
@@ -150,10 +150,22 @@ class ControlConfig:
         return len(self.command_rate)
 
     @classmethod
-    def of(cls, loop: LoopConfig, rates: Sequence[float], commands: Sequence[Command]) -> Self:
-        """The part of a task's config that control needs."""
+    def of(cls, loop: LoopConfig, section: Mapping[str, Plain], robot: Robot, commands: Sequence[Command]) -> Self:
+        """Return the part of a task's config that control needs.
+
+        Args:
+            loop: fields outside of sections.
+            section: the section `command`, with ranges and rates of the commands; missing ones are the robot's.
+            robot: robot of the task.
+            commands: commands of the task.
+        """
+        own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands_for(robot, commands)]
+        rates = [
+            converted(section.get(name, rate), Acceleration, f"config.command.{name}")
+            for name, rate in zip(ACCELERATIONS, command_rate(robot), strict=False)
+        ]
         history, timestep = loop.observation_history, loop.control_timestep
-        return cls(timestep, loop.clock_frequency, history, loop.action, tuple(rates), tuple(commands))
+        return cls(timestep, loop.clock_frequency, history, loop.action, tuple(rates), tuple(own))
 
     @classmethod
     def of_robot(cls, robot: Robot) -> Self:
@@ -178,10 +190,4 @@ class ControlConfig:
         if not isinstance(section, dict):
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(section)}")
         of_loop = {name: value for name, value in values.items() if name in hints_of(LoopConfig)}
-        loop = with_values(LoopConfig(), of_loop, "config")
-        own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands_for(robot, commands)]
-        rates = [
-            converted(section.get(name, rate), Acceleration, f"config.command.{name}")
-            for name, rate in zip(ACCELERATIONS, command_rate(robot), strict=False)
-        ]
-        return cls.of(loop, rates, own)
+        return cls.of(with_values(LoopConfig(), of_loop, "config"), section, robot, commands)

@@ -61,9 +61,8 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     zero, another 25 % have zero yaw rate, another 15 % zero forward velocity. A new command is drawn every 1 to 5 s,
     and approached by at most 1 m/s^2 and 4 rad/s^2. `reset(options={"command": (vx, wz)})` fixes it for the episode.
 
-    Another robot whose legs have three joints and move their feet sideways has a third velocity in command and
-    observation, `lateral_velocity`, positive to the left: -0.2 to 0.2 m/s in the built-in robot's units, approached by
-    at most 1 m/s^2. Standing, straight and turning commands have none of it; 15 % of the commands have nothing else.
+    A robot with three joints per leg that move its feet sideways has a third velocity, `lateral_velocity`, positive to
+    the left: -0.2 to 0.2 m/s in the built-in robot's units, 1 m/s^2; 15 % of the commands have nothing else.
     `{"command": (vx, wz, vy)}` fixes all three.
 
     ## Reward
@@ -74,8 +73,8 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     {rewards}
 
-    With a lateral velocity u, `base_motion` has (v_y - u_command)^2 instead of v_y^2, and there are
-    `track_lateral_velocity` and `lateral_progress`, each with the weight of the same term for the forward velocity.
+    With a lateral velocity u, v_y in `base_motion` is less its command, and `track_lateral_velocity` and
+    `lateral_progress` pay u as the terms of the forward velocity pay v.
 
     ## Terrain
     Level ground, or a height field with level ground in its middle, where episodes start, and around it. It is the same

@@ -1,5 +1,6 @@
 """Scripted gaits: joint positions as sinusoids of time or phase, their presets, and a user's changes to them."""
 
+from quadruped_env.gait.fitness import fitness
 from quadruped_env.gait.gait_presets import CLOCK_FREQUENCY, COMMANDED, LEG_PHASES, PRESETS, SINUSOID, LegTable
 from quadruped_env.gait.gaits import CommandedGait, SinusoidalGait, turn_size
 from quadruped_env.gait.waves import joint_phases, leg_phases, wave_positions
@@ -13,6 +14,7 @@ __all__ = [
     "CommandedGait",
     "LegTable",
     "SinusoidalGait",
+    "fitness",
     "joint_phases",
     "leg_phases",
     "turn_size",

@@ -81,7 +81,7 @@ class Trot(NamedTuple):
 
     frequency: float = CLOCK_FREQUENCY
     """Cycles per second, Hz."""
-    lift: float = 0.12
+    lift: float = 0.14
     """Height by which a foot rises in its swing, as a part of the stance's height."""
     height: float = 1.0
     """Height of the base, as a part of the stance's height."""
@@ -97,7 +97,7 @@ TROTS: Final = {
     SINUSOID: Trot(),
     "tuned": Trot(),
     "crouched": Trot(3.6, height=0.9),
-    "low": Trot(5.0, lift=0.06),
+    "low": Trot(5.0, lift=0.07),
     "fast": Trot(3.2, largest_yaw_rate=1.2),
     "trot": Trot(),
     "walk": Trot(phases="walk", speed=0.25),

@@ -123,7 +123,9 @@ class SinusoidalGait:
         if name == "article":
             return _published(robot)
         root, trot = scale_of("m/s", robot), TROTS[name]
-        return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0))
+        gait = _trot(robot, trot, trot.frequency / root)
+        waves = (values[0] for values in gait.waves(np.array([[trot.speed * root, 0.0]])))
+        return _sinusoids(robot, gait.angular_frequency, joint_phases(robot, trot.phases), *waves)
 
     def parameters(self) -> dict[str, Any]:
         """The numbers of the gait as plain values for JSON."""
@@ -296,7 +298,7 @@ class CommandedGait:
         """
         legs = {name: LegTable(**numbers[name]) for name in LEG_TABLES}
         others = {name: value for name, value in numbers.items() if name not in LEG_TABLES}
-        straight, turn, side = (_waves_of(legs, part, robot) for part in ("", "_turn", "_side"))
+        straight, turn, side = (_waves_of(legs, part, len(numbers["speeds"]), robot) for part in ("", "_turn", "_side"))
         return cls(**others, straight=straight, turn=turn, side=side, robot=robot, legs=legs)
 
     @classmethod
@@ -401,9 +403,9 @@ class CommandedGait:
         return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
 
 
-def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
-    """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is of the right."""
-    waves = np.zeros((3, len(legs["fore"].hip_sine), robot.num_joints))
+def _waves_of(legs: Mapping[str, LegTable], part: str, count: int, robot: Robot) -> Waves:
+    """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
+    waves = np.zeros((3, count, robot.num_joints))
     for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
         hip, knee = joints
         table = legs[("fore", "hind")[corner // 2] + part]

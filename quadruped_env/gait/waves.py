@@ -21,11 +21,13 @@ _SAMPLES: Final = 24
 """Samples of a cycle."""
 _GRAVITY: Final = 9.81
 _LIFTS: Final = 4
-_SPEED: Final = 0.45
+_LEAST_RISE: Final = 0.2
+"""Least rise of a foot, as a part of the lift."""
+_SPEED: Final = 0.6
 """Speed of a joint for the lift alone, as a part of its limit."""
 _SLIDING: Final = 1.7
 """Difference of the sides in a turn, relative to the balance of the friction on feet that slide."""
-_DRAG: Final = 0.3
+_DRAG: Final = 0.5
 """Part by which strides grow where feet do not rise."""
 
 
@@ -62,16 +64,31 @@ def trot_waves(robot: Robot, frequency: float, velocities: Floats, trot: Trot) -
         QuadrupedError: if the robot has not one leg of two or three joints in each corner, or its feet cannot rise.
     """
     corners(robot)
-    rate, lift = math.tau * frequency, trot.lift
-    for _ in range(_LIFTS):
-        sine, cosine, _ = _joint_waves(robot, frequency, np.zeros((1, 3)), lift, trot.height)
-        lift *= min(1.0, float((_SPEED * robot.velocity_limit / (rate * np.hypot(sine, cosine)[0] + 1e-9)).min()))
-    _check_lift(robot, lift, *_joint_waves(robot, frequency, np.zeros((1, 3)), lift, trot.height))
+    lift = reachable_lift(robot, frequency, trot)
     gain = 1.0 + _DRAG * (1.0 - lift / trot.lift)
-    return _leading(robot, rate, *_joint_waves(robot, frequency, gain * velocities, lift, trot.height))
+    waves = joint_waves(robot, frequency, gain * velocities, lift, trot.height)
+    return _leading(robot, math.tau * frequency, *waves)
 
 
-def _joint_waves(robot: Robot, frequency: float, velocities: Floats, lift: float, height: float) -> Waves:
+def reachable_lift(robot: Robot, frequency: float, trot: Trot) -> float:
+    """Return the lift of a trot, or a smaller one if the joints are too slow for it; as in `Trot`.
+
+    Raises:
+        QuadrupedError: if the legs cannot lift their feet.
+    """
+    still, lift = np.zeros((1, 3)), trot.lift
+    for _ in range(_LIFTS):
+        sine, cosine, offset = joint_waves(robot, frequency, still, lift, trot.height)
+        _check_lift(robot, lift, sine, cosine, offset)
+        amplitude = np.hypot(sine, cosine)[0]
+        share = float((_SPEED * robot.velocity_limit / (math.tau * frequency * amplitude + 1e-9)).min())
+        if share >= 1.0:
+            break
+        lift *= share
+    return lift
+
+
+def joint_waves(robot: Robot, frequency: float, velocities: Floats, lift: float, height: float) -> Waves:
     """Return the waves of the joints (K, J) with the feet on the path of a trot."""
     angle = math.tau * np.arange(_SAMPLES) / _SAMPLES
     along = np.where(angle < math.pi, -np.cos(angle), 3.0 - 2.0 / math.pi * angle)  # from -1 to 1 and back
@@ -100,7 +117,7 @@ def _check_lift(robot: Robot, lift: float, sine: Floats, cosine: Floats, offset:
     top, bottom = robot.skeleton.foot_centres(middle)[..., 2]
     leg = int((top - bottom).argmin())
     rise, wanted = (top - bottom)[leg], lift * robot.stance_height
-    if rise < 0.5 * wanted:
+    if rise < _LEAST_RISE * wanted:
         raise QuadrupedError(
             f"gait: leg {robot.leg_names[leg]} of {robot.name!r} can lift its foot by {1e3 * rise:.0f} mm of the "
             f"{1e3 * wanted:.0f} mm of a trot: bend the knees of its stance, or widen the ranges of its joints"
@@ -113,14 +130,14 @@ def _leading(robot: Robot, rate: float, sine: Floats, cosine: Floats, offset: Fl
     kp = np.array([motor.kp for motor in motors])
     damping = np.array([motor.kd + motor.damping for motor in motors])
     inertia = np.array([motor.armature for motor in motors])
-    held = _weight_torque(robot) / kp
+    held = weight_torque(robot) / kp
     # As cosine - i sine times e^(i a). A foot carries while sin(a) < 0: by half of the time, and -2/pi sin(a).
     wave = (cosine - 1j * sine) * (1.0 + (1j * rate * damping - rate * rate * inertia) / kp) + 2j / math.pi * held
     wave = wave * np.exp(1j * rate * robot.motors.delay)
     return -wave.imag, wave.real, offset + 0.5 * held
 
 
-def _weight_torque(robot: Robot) -> Floats:
+def weight_torque(robot: Robot) -> Floats:
     """Return the torque of each joint (J,) in N m with which its leg carries half of the robot's weight."""
     jacobians = robot.skeleton.foot_jacobians(robot.stance)
     return -0.5 * robot.total_mass * _GRAVITY * jacobians[:, 2].sum(axis=0)

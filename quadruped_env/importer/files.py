@@ -133,7 +133,7 @@ def mesh_vertices(path: Path) -> Floats:
             found = _text_vertices(content, rb"^[ \t]*vertex")
     if len(found) < 4 or not np.isfinite(found).all() or np.abs(found).max() > 1e6:
         raise QuadrupedError(f"{path.name}: has fewer than four vertices, or infinite ones")
-    return np.unique(found, axis=0)
+    return found
 
 
 def _text_vertices(content: bytes, word: bytes) -> Floats:

@@ -11,6 +11,8 @@ _DENSITY = 1000.0
 """Density of the cube that takes the place of a link without shapes, kg/m^3."""
 _SLACK = 1e-6
 """Relative error of the triangle inequality that rounding in a file causes."""
+_POINT = 1e-12
+"""Inertia per mass below which it is that of a point, m^2."""
 _ROUNDING = 1e-3
 """Negative eigenvalue, relative to the largest, that rounding in a file causes."""
 
@@ -27,15 +29,15 @@ def repair(described: Description, source: str) -> None:
             link.inertia = np.zeros((3, 3))
             continue
         moments = np.linalg.eigvalsh(link.inertia)
-        if moments[0] < -_ROUNDING * max(abs(moments)):
+        if np.abs(moments).max() < _POINT * link.mass:
+            link.inertia = np.diag(_box_inertia(link))
+            repaired.setdefault("zero", []).append(link.name)
+        elif moments[0] < -_ROUNDING * max(abs(moments)):
             xx, yy, zz = _box_inertia(link)
             raise QuadrupedError(
                 f"{source}: the inertia of {link.name!r} has the eigenvalue {moments[0]:.3g}, which is "
                 f"negative; correct it, or take a box of its mass: ixx {xx:.3g}, iyy {yy:.3g}, izz {zz:.3g}, others 0"
             )
-        if moments[2] <= 0.0:
-            link.inertia = np.diag(_box_inertia(link))
-            repaired.setdefault("zero", []).append(link.name)
         elif 2.0 * moments[2] > moments.sum() * (1.0 + _SLACK) or moments[0] <= 0.0:
             link.inertia = np.diag(_box_inertia(link))
             repaired.setdefault("against the triangle inequality", []).append(link.name)

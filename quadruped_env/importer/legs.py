@@ -20,6 +20,8 @@ _PARALLEL: Final = 0.95
 """Smallest cosine of axes that count as parallel."""
 _CROSSED: Final = 0.3
 """Largest cosine of axes that count as perpendicular."""
+_ALIKE: Final = 0.03
+"""Difference of feet that were fitted to shapes, relative to the shank, up to which they are meant to be the same."""
 _SNAP: Final = 0.98
 """Cosine of a base's axis and a direction of the robot from which on they are the same."""
 
@@ -176,12 +178,12 @@ def _four_chains(tree: _Tree, source: str) -> tuple[int, list[tuple[int, ...]]]:
     carriers = [g for g, below in tree.below.items() if sum(tree.depth[child] > 1 for child in below) >= 4]
     carriers = [g for g in carriers if tree.mass[g] >= 0.5 * total]  # a hand has fingers, too
     if not carriers:
-        forks = [(len(below), g) for g, below in tree.below.items() if below]
+        forks = [(len(below) > 1, tree.mass[g], g) for g, below in tree.below.items() if below]
         what = "no joints"
         if forks:
-            fork = max(forks)[1]
+            fork = max(forks)[-1]
             depths = ", ".join(str(tree.depth[child]) for child in tree.below[fork])
-            what = f"{tree.links[fork].name!r} carries {len(tree.below[fork])} chains, of {depths} joints"
+            what = f"{tree.links[fork].name!r} with chains of {depths} joints"
         raise QuadrupedError(f"{source}: no link carries four chains of two or more joints; found {what}; {SUPPORTED}")
     base = max(carriers, key=lambda g: (tree.mass[g], g))
     chains = [tree.chain(child) for child in tree.below[base] if tree.depth[child] > 1]
@@ -281,9 +283,15 @@ class _Geometry:
         )
 
     def anatomy(self, forward: str | None, locked: tuple[str, ...]) -> Anatomy:
-        feet, in_links, radii = self._feet()
+        feet, radii, fitted = self._feet()
         frame = self._frame(feet, forward)
         anchors, axes, feet = self.anchors @ frame, self.axes @ frame, feet @ frame
+        if fitted:
+            feet = _mirrored(anchors, feet)
+        in_links = [
+            (foot @ frame.T - self.places[chain[-1]]) @ self.rotations[chain[-1]]
+            for chain, foot in zip(self.chains, feet, strict=True)
+        ]
         hips = anchors[:, 0] - 0.5 * (anchors[:, 0].min(axis=0) + anchors[:, 0].max(axis=0))
         if np.abs(hips[:, 1]).min() < 0.05 * np.ptp(hips[:, 0]):  # first axes near the middle, as of some roll joints
             hips = anchors[:, 1] - 0.5 * (anchors[:, 1].min(axis=0) + anchors[:, 1].max(axis=0))
@@ -307,22 +315,21 @@ class _Geometry:
         ]
         return Anatomy(self.base, tuple(legs), self.kinds, frame, float(np.median(radii)), locked)
 
-    def _feet(self) -> tuple[Floats, Floats, Floats]:
-        """Return centres (4, 3) of the feet's balls in the base and in the last links, and radii (4,)."""
-        feet, in_links, radii, fitted, notes = [], [], [], 0, set()
+    def _feet(self) -> tuple[Floats, Floats, bool]:
+        """Return centres (4, 3) and radii (4,) of the feet's balls, and whether one of them is not in the file."""
+        feet, radii, fitted, notes = [], [], False, set()
         for chain in self.chains:
             last = chain[-1]
             centre, radius, given, note = self._foot(last)
-            fitted += not given
+            fitted |= not given
             notes.add(note)
             feet.append(self.places[last] + self.rotations[last] @ centre)
-            in_links.append(centre)
             radii.append(radius)
         described = self.tree.described
         if fitted:
             text = f"balls of radius {np.median(radii):.3g} m, fitted to {named(sorted(notes))}"
             described.add("assumed", "feet", text)
-        return np.array(feet), np.array(in_links), np.array(radii)
+        return np.array(feet), np.array(radii), fitted
 
     def _foot(self, last: int) -> tuple[Floats, float, bool, str]:
         """Return centre (3,) and radius of a foot in the last link, whether it is a ball, and where they come from."""
@@ -397,5 +404,14 @@ class _Geometry:
             return -sign if forward.startswith("-") else sign
         if name != "x" or abs(ahead[axis]) < _SNAP:
             text = f"{name} of {self.links[self.base].name!r}, along the body; the sign is a convention: or --forward"
-            self.tree.described.add("assumed", "forward", f"{text} {'' if sign < 0.0 else '-'}{name}")
+            self.tree.described.add("assumed", "forward", f"{text} -{name}")
         return sign
+
+
+def _mirrored(anchors: Floats, feet: Floats) -> Floats:
+    """Return feet (4, 3) that were fitted to shapes, made alike where legs are: meshes of left and right differ."""
+    side = np.where(anchors[:, -1:, 1] > 0.0, 1.0, -1.0) * [[0.0, 1.0, 0.0]] + [[1.0, 0.0, 1.0]]
+    shanks = (feet - anchors[:, -1]) * side
+    if np.ptp(shanks, axis=0).max() > _ALIKE * np.linalg.norm(shanks, axis=1).mean():
+        return feet
+    return anchors[:, -1] + shanks.mean(axis=0) * side

@@ -74,4 +74,6 @@ def end_ball(shapes: list[Shape], across: Floats) -> tuple[Floats, float, bool]:
     outward = tip / (length or 1.0)
     near = points[(points - tip) @ outward > -0.12 * length]
     radius = float(np.clip(0.5 * np.ptp(near @ across), 0.02 * length, 0.15 * length))
-    return tip - radius * outward, radius, False
+    middle = 0.5 * (near.min(axis=0) + near.max(axis=0))  # the tip of a box is a corner
+    outward = middle / np.linalg.norm(middle)
+    return (float((points @ outward).max()) - radius) * outward, radius, False

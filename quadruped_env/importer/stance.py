@@ -86,7 +86,7 @@ def find_stance(described: Description, anatomy: Anatomy, source: str) -> Stance
     _limit(described, anatomy, planes, positions, knees)
     feet = [leg.moved(np.array([positions[name] for name in leg.names]))[2] for leg in anatomy.legs]
     drop = np.mean([plane.hip[2] - foot[2] for plane, foot in zip(planes, feet, strict=True)])
-    rounded = {name: float(f"{value:.5g}") for name, value in positions.items()}
+    rounded = {name: round(value, 5) + 0.0 for name, value in positions.items()}
     return Stance(rounded, knees, planes, float(drop) + anatomy.foot_radius)
 
 

@@ -1,5 +1,6 @@
 """Reader of URDF."""
 
+import math
 from collections.abc import Sequence
 from typing import Final
 
@@ -20,6 +21,8 @@ _KINDS: Final = {
     "floating": "free",
     "planar": "free",
 }
+_NO_LIMIT: Final = 1000.0
+"""Range from which on limits are none, rad."""
 _MAX_LINKS: Final = 2000
 
 
@@ -117,7 +120,9 @@ class Urdf:
             raise self._error(child, f"{place}expected one <{tag}>; found {len(found)}")
         return found[0] if found else None  # type: ignore[return-value]
 
-    def _numbers(self, node: Node, name: str, default: Sequence[float] | None = None) -> list[float]:
+    def _numbers(
+        self, node: Node, name: str, default: Sequence[float] | None = None, largest: float = LARGEST
+    ) -> list[float]:
         text = node.get(name)
         if text is None and default is not None:
             return list(default)
@@ -126,7 +131,7 @@ class Urdf:
             values = [float(word) for word in (text or "").split()]
         except ValueError:
             values = []
-        if len(values) != count or not all(abs(value) <= LARGEST for value in values):
+        if len(values) != count or not all(abs(value) <= largest for value in values):
             expected = "a number" if count == 1 else f"{count} numbers"
             raise self._error(node, f"{name}: expected {expected}; found {short(text)}")
         return values
@@ -157,14 +162,14 @@ class Urdf:
         if limit is None:
             return joint
         low, high, effort, speed = (
-            None if limit.get(name) is None else self._number(limit, name)
+            None if limit.get(name) is None else self._numbers(limit, name, largest=math.inf)[0]
             for name in ("lower", "upper", "effort", "velocity")
         )
         if kind != FIXED and node.get("type") != "continuous" and (low, high) != (None, None):
             low, high = low or 0.0, high or 0.0
             if low > high:
                 raise self._error(limit, f"in {short(joint.name)}: lower {low:g} is above upper {high:g}; swap them")
-            if high - low > 1e-6:  # exporters write 0 and 0 where nobody entered limits
+            if 1e-6 < high - low < _NO_LIMIT:  # exporters write 0 and 0 where nobody entered limits
                 joint.low, joint.high = low, high
         joint.effort, joint.speed = effort, speed
         return joint
@@ -176,7 +181,7 @@ class Urdf:
         if inertial is not None:
             self._inertial(inertial, link)
         for tag in ("collision", "visual"):
-            for part in node.findall(tag):
+            for part in node.findall(tag) if not link.shapes else ():
                 shape = self._shape(part)  # type: ignore[arg-type]
                 if shape is not None:
                     shape.collides = tag == "collision"

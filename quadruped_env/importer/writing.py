@@ -1,5 +1,6 @@
 """Files of an imported robot: its MJCF, and the task file with its motors and its stance."""
 
+import json
 import re
 from collections.abc import Sequence
 from typing import Any, Final
@@ -239,7 +240,7 @@ def task_file(
     lines += [
         "ROBOT = Robot(",
         f'    name="{robot_name(described.name)}",',
-        f"    mjcf=Path(__file__).with_name({model_file!r}),",
+        f"    mjcf=Path(__file__).with_name({json.dumps(model_file)}),",
         f"    stance={_stance_text(stance, order, len(anatomy.kinds))},  # rad",
         f"    motors=MotorConfig({given}),",
         ")",

@@ -7,6 +7,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_settings import GaitSettings
 from quadruped_env.gait.gaits import limit_violations
@@ -89,13 +90,13 @@ class LiveRobot(ViewedRobot):
         self._pose = robot.skeleton.resting_pose(robot.stance)
         self._twist = np.zeros(6)
         self._odometry_at = -_ODOMETRY_TIMEOUT
-        self._command = np.zeros(2)
+        self._command = np.zeros(len(velocity_commands(robot)))
         self._commanded_at = -_STOP_PERIOD
         self._sent_at = 0.0
         self._refused = refused
         self._steps = 0
-        self._smooth_velocity = np.zeros(2)
-        self.reset(0, (0.0, 0.0))
+        self._smooth_velocity = np.zeros_like(self._command)
+        self.reset(0, (0.0,) * len(self._command))
 
     def reset(self, seed: int, command: tuple[float, ...]) -> None:
         """Clear the plots and set the command; the robot stays where it is."""
@@ -132,7 +133,8 @@ class LiveRobot(ViewedRobot):
         qvel = np.concatenate([self._twist, self._joint_velocities])
         self._simulation.reset(_ROW, qpos[None], qvel[None])
         readings = self._simulation.readings
-        velocity = np.array([readings.linear_velocity_b[0, 0], readings.angular_velocity_b[0, 2]])
+        (forward, left, _), turn = readings.linear_velocity_b[0], readings.angular_velocity_b[0, 2]
+        velocity = np.array([forward, turn, left])[: len(self._smooth_velocity)]
         self._smooth_velocity += _SMOOTHING * (velocity - self._smooth_velocity)
         moment = sample(
             self.robot,

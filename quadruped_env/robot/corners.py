@@ -63,7 +63,7 @@ def postures_with_feet_at(robot: Robot, feet: Floats) -> Floats:
         free = (wanted > robot.joint_position_low[joints]) & (wanted < robot.joint_position_high[joints])
         others = _least_squares(jacobians * free[..., None, :], missing, damping)
         positions[:, joints] += np.clip(np.where(free, others, change), -_LARGEST_CHANGE, _LARGEST_CHANGE)
-        positions = np.clip(positions, robot.joint_position_low, robot.joint_position_high)
+        np.clip(positions, robot.joint_position_low, robot.joint_position_high, out=positions)
     return positions
 
 
@@ -71,5 +71,4 @@ def _least_squares(jacobians: Floats, missing: Floats, damping: Floats) -> Float
     """Return the changes of joints (..., K) that move feet by (..., 3), with Jacobians (..., 3, K)."""
     transposed = jacobians.swapaxes(-1, -2)
     damped = transposed @ jacobians + damping * np.eye(jacobians.shape[-1])
-    change: Floats = np.linalg.solve(damped, transposed @ missing[..., None])[..., 0]
-    return change
+    return np.asarray(np.linalg.solve(damped, transposed @ missing[..., None])[..., 0], dtype=np.float64)

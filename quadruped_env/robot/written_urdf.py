@@ -29,25 +29,30 @@ def written_urdf(name: str, model: mujoco.MjModel, motors: Sequence[JointMotor])
     Raises:
         QuadrupedError: if a joint is no hinge at the origin of its link.
     """
-    links, base = [], int(model.jnt_bodyid[0])
+    links, base, name = [], int(model.jnt_bodyid[0]), _escaped(name)
     for body in np.flatnonzero(model.body_rootid == base).tolist():
         link = _link(model, body)
         links.append(filled("link.urdf", link, shapes="\n".join(_shapes(model, body))))
         if body != base:
             pose = _pose(model.body_pos[body], model.body_quat[body])
-            place = {**link, **pose, "parent": escape(model.body(model.body_parentid[body]).name)}
+            place = {**link, **pose, "parent": _escaped(model.body(model.body_parentid[body]).name)}
             joints = range(model.body_jntadr[body], model.body_jntadr[body] + model.body_jntnum[body])
             links += [filled("joint.urdf", place, **_joint(model, i, motors[i - 1])) for i in joints]
             links += [] if joints else [filled("fixed_joint.urdf", place)]
-    names = [model.joint(i).name for i in range(1, model.njnt)]
-    parts = {"links": "".join(links).rstrip(), "drives": drives(escape(name), names, model.jnt_range[1:], motors)}
-    return filled("model.urdf", {"name": escape(name)}, **parts)
+    joint_names = [_escaped(model.joint(i).name) for i in range(1, model.njnt)]
+    parts = {"links": "".join(links).rstrip(), "drives": drives(name, joint_names, model.jnt_range[1:], motors)}
+    return filled("model.urdf", {"name": name}, **parts)
+
+
+def _escaped(name: str) -> str:
+    """Return a name as the value of an attribute."""
+    return escape(name, {'"': "&quot;"})
 
 
 def _link(model: mujoco.MjModel, body: int) -> dict[str, str]:
     pose = _pose(model.body_ipos[body], model.body_iquat[body])
     inertia = dict(zip(("ixx", "iyy", "izz"), map(numbers, model.body_inertia[body]), strict=True))
-    name, mass = escape(model.body(body).name), numbers(model.body_mass[body])
+    name, mass = _escaped(model.body(body).name), numbers(model.body_mass[body])
     return {"link": name, "centre": pose["xyz"], "axes": pose["rpy"], "mass": mass, **inertia}
 
 
@@ -61,7 +66,7 @@ def _joint(model: mujoco.MjModel, joint: int, motor: JointMotor) -> dict[str, st
     low, high = map(numbers, model.jnt_range[joint])
     limits = {"low": low, "high": high, "effort": numbers(motor.stall_torque), "velocity": numbers(motor.no_load_speed)}
     passive = {"damping": numbers(motor.damping), "friction": numbers(motor.friction_loss)}
-    return {"joint": escape(name), "axis": numbers(*model.jnt_axis[joint]), **limits, **passive}
+    return {"joint": _escaped(name), "axis": numbers(*model.jnt_axis[joint]), **limits, **passive}
 
 
 def _shapes(model: mujoco.MjModel, body: int) -> Iterator[str]:

@@ -65,11 +65,9 @@ class CommandSampler:
         self.purposes = Purposes({"command/kind": 1, **{f"command/{name}": 1 for name in names}, "command/interval": 1})
         ranges = np.array([config[name] for name in names])
         self._low, self._high = ranges[:, 0], ranges[:, 1]
-        shares = list(config.shares.values())
-        self._until = np.cumsum(shares)
-        """Upper end of the draw of the kind of each of the `shares`."""
-        velocities = len(shares) - 1
-        self._none = ~np.vstack([np.zeros(velocities), np.eye(velocities), np.ones(velocities)]).astype(np.bool_)
+        self._until = np.cumsum(list(config.shares.values()))
+        each = np.eye(len(self._until) - 1, dtype=np.bool_)
+        self._none = ~np.vstack([each[:1] & False, each, each[:1] | True])
         """True for each velocity that is zero in commands of a kind (kinds, V)."""
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:

@@ -19,8 +19,6 @@ Positive = Parameter.positive
 
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2, 0.1])
 """Command below which progress is reduced in proportion, for the built-in robot, m/s, rad/s and m/s."""
-_FIRST: Final = slice(0, 2)
-"""Forward velocity and yaw rate, which every robot has."""
 
 
 @reward_group(track_forward_velocity=9.0, track_yaw_rate=9.0)
@@ -41,7 +39,7 @@ class tracking:  # noqa: N801  named like the other terms
 
     def __call__(self, context: TaskContext) -> Floats:
         """Return the values (N, 2)."""
-        return np.exp(-((context.tracking_error[:, _FIRST] / self._std) ** 2))
+        return np.exp(-((context.tracking_error[:, :2] / self._std) ** 2))
 
 
 @reward_group(forward_progress=9.0, turn_progress=9.0)
@@ -51,7 +49,7 @@ def progress(context: TaskContext) -> Floats:
     forward_progress: share = v~ / v_command, less below 0.1 m/s
     turn_progress: share = w~ / w_command, less below 0.2 rad/s
     """
-    return _progress(context, _FIRST)
+    return _progress(context, slice(2))
 
 
 def _progress(context: TaskContext, columns: int | slice) -> Floats:
@@ -139,7 +137,7 @@ def fall(context: TaskContext) -> Floats:
 
 @reward_group(track_lateral_velocity=9.0, lateral_progress=9.0)
 def lateral(context: TaskContext, lateral_velocity_std: Annotated[float, Positive("m/s")] = 0.07) -> Floats:
-    """Tracking of the lateral velocity, and progress in it.
+    """Tracking of the lateral velocity, and progress in it; of robots that move sideways, added after the others.
 
     track_lateral_velocity: exp(-((u~ - u_command) / 0.07 m/s)^2)
     lateral_progress: as forward_progress, share = u~ / u_command, less below 0.1 m/s
@@ -147,9 +145,6 @@ def lateral(context: TaskContext, lateral_velocity_std: Annotated[float, Positiv
     tracked = np.exp(-((context.tracking_error[:, 2] / lateral_velocity_std) ** 2))
     return np.stack([tracked, _progress(context, 2)], axis=-1)
 
-
-LATERAL: Final = lateral
-"""Reward terms of robots that move sideways, added after the others."""
 
 # mypy ignores the return type of a class decorator.
 REWARDS: Final = cast(

@@ -11,15 +11,7 @@ from typing import Final, Self
 
 import mujoco
 
-from quadruped_env.control.control_config import (
-    ACCELERATIONS,
-    ClockFrequency,
-    Command,
-    ControlConfig,
-    LoopConfig,
-    clock_frequency,
-    commands_for,
-)
+from quadruped_env.control.control_config import ClockFrequency, Command, ControlConfig, LoopConfig, clock_frequency
 from quadruped_env.control.task_file import TASK_FILE, needs_file, recorded_file, recorded_terms
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.motors import MOTOR_PRESETS, MotorConfig
@@ -161,14 +153,12 @@ class TaskConfig(LoopConfig):
     @property
     def control(self) -> ControlConfig:
         """Part of the config that training and a real robot share."""
-        rates = tuple(self.command[name] for name in ACCELERATIONS if name in self.command)
-        return ControlConfig.of(self, rates, self.commands)
+        return ControlConfig.of(self, self.command, self.robot, self.definition.commands)
 
     @property
     def commands(self) -> tuple[Command, ...]:
         """Components of the command, the velocities first."""
-        own = commands_for(self.robot, self.definition.commands)
-        return tuple(dataclasses.replace(entry, range=self.command[entry.name]) for entry in own)
+        return self.control.commands
 
     def to_dict(self) -> dict[str, Plain]:
         """Return nested plain values for `from_dict` and JSON, with the name and SHA-256 of files and robots."""

@@ -19,7 +19,7 @@ from quadruped_env.simulation.terrain import Terrain, Tiles
 from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
 from quadruped_env.task.randomization.randomization import Randomization
-from quadruped_env.task.rewards import LATERAL, REWARDS
+from quadruped_env.task.rewards import REWARDS, lateral
 from quadruped_env.task.terminations import TERMINATIONS
 from quadruped_env.task.terms import RewardTerm, Termination
 from quadruped_env.utils.provenance import TaskFile
@@ -43,7 +43,7 @@ class TaskDefinition(Terms):
         "terrains": Terrain,
     }
 
-    rewards: tuple[RewardTerm, ...] = (*REWARDS, LATERAL)
+    rewards: tuple[RewardTerm, ...] = (*REWARDS, lateral)
     privileged: tuple[PrivilegedReading, ...] = PRIVILEGED
     terminations: tuple[Termination, ...] = TERMINATIONS
     randomizations: tuple[Randomization, ...] = RANDOMIZATIONS
@@ -54,7 +54,7 @@ class TaskDefinition(Terms):
     @property
     def paid(self) -> tuple[RewardTerm, ...]:
         """The `rewards` that the robot can earn: those of the lateral velocity only if it moves sideways."""
-        return tuple(term for term in self.rewards if self.robot.moves_sideways or term is not LATERAL)
+        return tuple(term for term in self.rewards if self.robot.moves_sideways or term is not lateral)
 
     @property
     def weights(self) -> dict[str, float]:

@@ -139,8 +139,9 @@ def test_foot_that_is_no_ball_becomes_one_at_its_end(tmp_path, foot):
     read = imported(robot(foot=foot), tmp_path)
     assert read.anatomy.foot_radius == pytest.approx(0.02, abs=1e-3)
     for leg in read.anatomy.legs:
-        # Its lowest point is the end of the leg, within the radius that the corner of the shape is off its axis.
-        assert leg.foot_in_link[2] - read.anatomy.foot_radius == pytest.approx(-0.2, abs=2e-3)
+        # On the axis of the leg, with its lowest point at the end.
+        assert leg.foot_in_link[2] - read.anatomy.foot_radius == pytest.approx(-0.2, abs=1e-9)
+        np.testing.assert_allclose(leg.foot_in_link[:2], 0.0, atol=1e-9)
     assert findings(read, "assumed", "feet")
 
 
@@ -268,3 +269,21 @@ def test_written_mjcf_is_read_as_the_same_robot(tmp_path):
 def test_folder_must_exist(tmp_path):
     with pytest.raises(QuadrupedError, match=r"--folder: .*nowhere is no folder"):
         import_robot(tmp_path / "x.urdf", [tmp_path / "nowhere"])
+
+
+def test_fitted_feet_that_differ_a_little_are_made_alike_and_others_are_not(tmp_path):
+    def with_left_longer(by):
+        bar = collision('<box size="0.02 0.02 0.2"/>', "0 0 -0.1")
+        text = robot(2, foot=bar)
+        begin, found, rest = text.partition('<link name="LF_shank">')
+        return imported(begin + found + rest.replace('0.02 0.2"', f'0.02 {0.2 + 2 * by}"', 1), tmp_path)
+
+    near, far = (with_left_longer(by) for by in (0.002, 0.05))
+    assert len({leg.foot_in_link[2].round(9) for leg in near.anatomy.legs}) == 1
+    assert len({leg.foot_in_link[2].round(9) for leg in far.anatomy.legs}) == 2
+
+
+def test_limits_that_are_no_limits_count_as_none(tmp_path):
+    read = imported(robot(2, knee='lower="-1e16" upper="1e16" effort="inf" velocity="5"'), tmp_path)
+    assert "the file has none" in findings(read, "assumed", "ranges")[0]
+    assert "the file: inf" in findings(read, "assumed", "motors")[0]

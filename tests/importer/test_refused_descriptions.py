@@ -59,7 +59,7 @@ def coupled():
 @pytest.mark.parametrize(
     ("text", "found"),
     [
-        (with_legs("LF", "RF"), "'base' carries 2 chains, of 3, 3 joints"),
+        (with_legs("LF", "RF"), "found 'base' with chains of 3, 3 joints"),
         (more_legs(), "'base' carries 6 chains, of 2, 2, 2, 2, 2, 2 joints, and 6 of these are alike"),
         (ankles(), "a wheel, an ankle or a passive joint ('RH_ankle') makes 4 a leg"),
         (five_bar(), "five-bar legs, which are closed chains"),

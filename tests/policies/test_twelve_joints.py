@@ -11,8 +11,9 @@ from twelve_joints import ROBOT
 
 from quadruped_env import QuadrupedError
 from quadruped_env.control import ObservationLayout
+from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.symmetry import MirrorMap
-from quadruped_env.policies import load_policy
+from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import PROGRESS_FILE
 
@@ -74,3 +75,12 @@ def test_progress_has_the_error_of_each_velocity(run):
         forward, turn, sideways = (float(row[name]) for name in names[4:7])
         assert 0.0 < sideways < turn
         assert sideways != forward
+
+
+def test_the_live_controller_takes_what_the_robot_has_of_a_velocity(run, task_file):
+    policy = load_policy(run, task_file)
+    live = LiveController(PolicyController(policy))
+    for velocity, expected in (((0.1,), (0.1, 0, 0)), ((0.1, 0.2), (0.1, 0.2, 0)), ((0.0, 0.0, -9.0), None)):
+        live.command(velocity, now=0.0)
+        low = policy.control.commands[2].range[0]
+        np.testing.assert_array_equal(live._command, (0.0, 0.0, low) if expected is None else expected)

@@ -8,6 +8,8 @@ import warnings
 import gymnasium
 import numpy as np
 import pytest
+import second_robot
+import twelve_joints
 from environments import assert_same, episodes, make, make_native, make_sync
 from gymnasium.envs.registration import EnvSpec
 from gymnasium.utils.env_checker import check_env
@@ -197,7 +199,7 @@ class TestLive:
         plan = StandUp.plan(ROBOT, np.array([1.3, -0.1] * 4), 1.5, 1.0)
         assert (plan.points >= ROBOT.joint_position_low).all()
         assert (plan.points <= ROBOT.joint_position_high).all()
-        np.testing.assert_array_equal(plan.positions(plan.duration), ROBOT.stance)
+        np.testing.assert_allclose(plan.positions(plan.duration), ROBOT.stance, rtol=0, atol=1e-12)
 
     def test_live_controller_walks_the_simulated_robot(self):
         loop = Loop("crouched", robot=ROBOT)
@@ -207,17 +209,19 @@ class TestLive:
         assert 0.15 < speeds[-400:].mean() < 0.45
 
     @pytest.mark.slow
-    def test_nodes_take_the_robot_from_a_file(self, start, nodes):
+    @pytest.mark.parametrize("module", [second_robot, twelve_joints], ids=lambda module: module.ROBOT.name)
+    def test_nodes_take_the_robot_from_a_file(self, module, start, nodes):
         from quadruped_env.live.messages.joint_messages import JointReader
         from quadruped_env.live.middleware.topics import CMD_VEL, JOINT_STATES, ODOMETRY, ROBOT_DESCRIPTION
         from quadruped_env.ros import Qos, cdr
 
         node = nodes()
-        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(ROBOT))
+        robot = module.ROBOT
+        states = node.subscribe(JOINT_STATES, Qos(1000), read=JointReader(robot))
         described = node.subscribe(ROBOT_DESCRIPTION)
         odometry, ask = node.subscribe(ODOMETRY, Qos(1000)), node.publish(CMD_VEL)
         for arguments in (("sim",), ("state",), ("controller", "tuned")):
-            start(*arguments, "--task", str(FILE))
+            start(*arguments, "--task", module.__file__)
         texts, speeds = [], []
 
         def walks():
@@ -228,8 +232,8 @@ class TestLive:
 
         wait_until(walks, "walking", interval=0.05)
         wait_until(lambda: texts or texts.extend(described.decode(one).data for one in described.take()), "description")
-        assert texts[0] == ROBOT.urdf
-        assert states.newest(pytest.fail)[1].positions.shape == (8,)
+        assert texts[0] == robot.description
+        assert states.newest(pytest.fail)[1].positions.shape == (robot.num_joints,)
 
 
 class TestTaskFile:

@@ -10,12 +10,14 @@ from pathlib import Path
 import browser
 import numpy as np
 import pytest
-import tasks
 import torch
+import twelve_joints
 import waiting
 
 from quadruped_env.policies import load_policy
-from quadruped_env.task import TaskConfig
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.simulation import SingleSimulation
+from quadruped_env.task import Task, TaskConfig
 from quadruped_env.walking_page import write_page
 from quadruped_env.walking_page.learning import TERMS, learning_document
 
@@ -139,13 +141,21 @@ def test_sums_over_workers_are_identical_and_in_order():
 # --- task
 
 
-def test_terms_and_observation_equal_the_packages():
+@pytest.mark.parametrize("robot", [MINI_QUADRUPED, twelve_joints.ROBOT], ids=lambda robot: robot.name)
+def test_terms_and_observation_equal_the_packages(robot):
     config, rng = TaskConfig(), np.random.default_rng(3)
-    task, document, steps = tasks.make_task(rows=1, fixed_command=(0.4, 0.3)), learning_document(config), []
-    observed, terms = [], []
+    if robot is not MINI_QUADRUPED:
+        config = config.for_robot(robot)
+    task, document, steps = (
+        Task(SingleSimulation(config.compiled_model(), robot), config),
+        learning_document(config),
+        [],
+    )
+    task.reset(np.zeros(1, dtype=np.intp), [0], (0.4, 0.3))
+    steps, observed, terms = [], [], []
     for _ in range(60):
         command = task.control.command[0].copy()
-        action = rng.uniform(-0.4, 0.4, size=8)
+        action = rng.uniform(-0.4, 0.4, size=robot.num_joints)
         transition = task.step(action[None])
         readings = task.simulation.readings
         names = (
@@ -163,13 +173,15 @@ def test_terms_and_observation_equal_the_packages():
         )
         observed.append(transition.observation[0, : document_width(document)])
         terms.append(dict(zip(task.term_names, transition.terms[0], strict=True)))
-    control = {"timestep": config.control_timestep, "command_rate": [9.0, 9.0]}
+    control = {"timestep": config.control_timestep, "command_rate": [9.0] * len(command)}
     found = computed("terms", learning=document, control=control, steps=steps)
     for step, (mine, package) in enumerate(zip(found, terms, strict=True)):
-        weighted = {name: 0.02 * document["weights"][name] * mine["terms"][name] for name in TERMS}
+        weighted = {name: config.control_timestep * document["weights"][name] * mine["terms"][name] for name in TERMS}
         assert weighted == pytest.approx({name: package[name] for name in TERMS}, abs=1e-5), step
         assert mine["reward"] == pytest.approx(sum(weighted.values()), abs=1e-5)
     np.testing.assert_allclose([step["observation"] for step in found], observed, atol=1e-5)
+    if robot is not MINI_QUADRUPED:
+        return
     phase, action = steps[-1]["phase"], np.array(steps[-1]["action"])
     swing = np.sin(phase + np.repeat([0.0, math.pi, math.pi, 0.0], 2))
     marching = STANCE + np.array([0.1 / math.pi, -0.2 / math.pi] * 4) + np.array([0.05, -0.1] * 4) * swing

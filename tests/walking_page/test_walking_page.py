@@ -10,6 +10,7 @@ import browser
 import numpy as np
 import pytest
 import second_robot
+import twelve_joints
 from comparisons import random_policy
 from paths import ROOT
 from waiting import wait_until
@@ -25,7 +26,7 @@ from quadruped_env.policies.files import SHOWN
 from quadruped_env.robot.motors import MOTOR_PRESETS
 from quadruped_env.simulation import SingleSimulation, flat
 from quadruped_env.task import BUILT_IN, Task
-from quadruped_env.walking_page import write_page
+from quadruped_env.walking_page import document, write_page
 from quadruped_env.walking_page.document import graph_document, page_document
 
 SOURCES, ASSETS = ROOT / "tools" / "page", ROOT / "quadruped_env" / "walking_page" / "assets"
@@ -47,6 +48,18 @@ STEPS = """([content, name, command, steps]) => {
         walker.step();
         return ['joint_position', 'joint_torque'].map(name => [...walker.simulation.reading(name)]);
     });
+}"""
+
+GAMEPAD = """axes => {
+    const { page } = quadruped, plug = (pads) => Object.defineProperty(
+        navigator, 'getGamepads', { configurable: true, value: () => pads });
+    page.controls.stop();
+    plug([{ connected: true, axes, buttons: [] }]);
+    page.controls.pollGamepad();
+    plug([]);
+    const found = [page.throttle, page.turn, page.left];
+    page.controls.stop();
+    return found;
 }"""
 
 CROSSINGS = """([content, speed, steps]) => {
@@ -185,7 +198,9 @@ def test_graph_in_javascript_equals_onnx_runtime(opened, activation):
         assert runtime.difference(name, np.array([row[name] for row in found]), values).max() < 1e-5, name
 
 
-@pytest.mark.parametrize("case", ["residual", "gait", "other robot", "mesh", "hobby servos"])
+@pytest.mark.parametrize(
+    "case", ["residual", "gait", "other robot", "mesh", "twelve joints", "twelve, gait", "hobby servos"]
+)
 def test_joints_move_and_pull_as_in_python(opened, case):
     # In the air and with small steps: MuJoCo 3.14 and 4.0 differ in contacts, and in motors at their limits.
     policy = random_policy("residual")
@@ -194,11 +209,14 @@ def test_joints_move_and_pull_as_in_python(opened, case):
         policy = type(policy).for_task(policy.weights, policy.biases, policy.activation, config, {})
     elif case == "hobby servos":
         policy = random_policy("position", motor=MOTOR_PRESETS["mg996r"])
+    elif "twelve" in case:
+        policy = random_policy("residual", twelve_joints.ROBOT)
     zero = np.zeros((1, policy.robot.num_joints))
-    command, steps = [0.04, 0.03], 20
+    command, steps = [0.04, 0.03, -0.05][: policy.control.num_velocities], 20
     content = json.loads(json.dumps(page_document(policy, case)))
-    found = np.array(opened.evaluate(STEPS, [content, "gait" if case == "gait" else "policy", command, steps]))
-    expected = python_walk(policy, command, steps, (lambda _: zero) if case == "gait" else policy.predict)
+    name = "gait" if case.endswith("gait") else "policy"
+    found = np.array(opened.evaluate(STEPS, [content, name, command, steps]))
+    expected = python_walk(policy, command, steps, (lambda _: zero) if name == "gait" else policy.predict)
     assert np.ptp(expected[:, 0], axis=0).max() > 0.02, "the joints move"
     np.testing.assert_allclose(found[:, 0], expected[:, 0], atol=1e-5)
     np.testing.assert_allclose(found[:, 1], expected[:, 1], atol=1e-3)
@@ -237,6 +255,87 @@ def test_keys_steer(page):
     page.keyboard.press("ArrowDown")
     low = state(page, "walk.content.control.forward[0]")
     assert state(page, "walk.request[0]") == pytest.approx(max(-0.2 * high, low))
+
+
+@pytest.fixture(scope="module")
+def sideways(chromium, tmp_path_factory):
+    """The page of a robot whose legs can roll, paused, with a policy of no actions; it has nothing to learn from."""
+    path, policy = tmp_path_factory.mktemp("sideways") / "walk.html", random_policy("residual", twelve_joints.ROBOT)
+    policy = dataclasses.replace(policy, weights=tuple(0.0 * weight for weight in policy.weights))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(document, "learning_document", lambda config: None)
+        write_page(policy, path)
+    with browser.opened(chromium) as page:
+        page.set_viewport_size({"width": 1280, "height": 720})
+        page.goto(path.as_uri())
+        wait_until(lambda: page.watched.errors or page.evaluate("Boolean(window.quadruped)"), "the page to load")
+        page.evaluate("quadruped.page.setPaused(true)")
+        yield page
+        assert page.watched.errors == []
+        assert page.watched.requests == [path.as_uri()]
+
+
+def test_keys_walk_sideways_and_turn_a_robot_whose_legs_can_roll(sideways):
+    page, walked = sideways, {}
+    low, high = state(page, "walk.content.control.lateral")
+    assert high == pytest.approx(-low)
+    assert high > 0.1
+    page.locator("#view").focus()
+    for key, request in (("q", [0, 0, high]), ("E", [0, 0, low]), ("ArrowLeft", [0, page_turn(page), 0])):
+        page.evaluate("quadruped.page.controls.stop(), quadruped.page.reset()")
+        page.keyboard.down(key)
+        assert state(page, "walk.request") == pytest.approx(request)
+        page.evaluate("quadruped.page.step(150)")
+        walked[key] = state(page, "[...walker.simulation.position(), walker.simulation.yaw(), walker.left]")
+        page.keyboard.up(key)
+        assert state(page, "walk.request") == pytest.approx([0, 0, 0])
+    assert walked["q"][1] == pytest.approx(3.0 * high, rel=0.3)
+    assert walked["E"][1] == pytest.approx(-3.0 * high, rel=0.3)
+    assert walked["q"][4] == pytest.approx(high, rel=0.3)
+    assert walked["ArrowLeft"][3] == pytest.approx(3.0 * page_turn(page), rel=0.3)
+    page.evaluate("quadruped.page.controls.show()")
+    assert page.locator("#wanted_left").is_visible()
+
+
+def page_turn(page):
+    return state(page, "walk.content.control.turn[1]")
+
+
+def test_stick_walks_sideways_and_the_slider_above_it_turns_until_they_are_released(sideways):
+    page = sideways
+    page.evaluate("quadruped.page.controls.stop()")
+    box = page.locator("#stick").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 0.18 * box["width"], y - 0.36 * box["height"])
+    assert state(page, "[page.throttle, page.turn, page.left]") == pytest.approx([1.0, 0.0, -0.5], abs=0.02)
+    page.mouse.up()
+    assert state(page, "[page.throttle, page.turn, page.left]") == pytest.approx([1.0, 0.0, 0.0])
+    slider = page.locator("#turn")
+    box = slider.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 2, box["y"] + box["height"] / 2)
+    assert state(page, "page.turn") > 0.9
+    page.mouse.up()
+    assert state(page, "[page.throttle, page.turn]") == pytest.approx([1.0, 0.0])
+    assert slider.input_value() == "0"
+    assert page.evaluate("document.activeElement.id") != "turn"
+
+
+def test_gamepad_walks_sideways_by_its_left_stick_and_turns_by_its_right_one(sideways, opened):
+    axes = [-0.5, -1, 0.25, 0]
+    assert sideways.evaluate(GAMEPAD, axes) == [1, -0.25, 0.5]
+    assert opened.evaluate(GAMEPAD, axes) == [1, 0.5, 0], "legs that cannot roll: its left stick turns"
+
+
+def test_robot_without_roll_joints_shows_nothing_of_it(page):
+    assert state(page, "walk.request.length") == 2
+    page.locator("#view").focus()
+    page.keyboard.press("q")
+    assert state(page, "walk.request") == [0, 0]
+    assert not any(element.is_visible() for element in page.locator(".sideways").all())
 
 
 def test_stick_turns_while_it_is_held_and_keeps_the_speed(page):

@@ -355,7 +355,7 @@ def with_velocities(suite: Suite, robot: Robot) -> Suite:
     """Return the suite with lateral velocities for a robot that moves sideways; for another robot it stays as it is.
 
     The suite's own commands get a lateral velocity of 0, and further commands follow them. Where commands are drawn,
-    the lateral velocity is drawn, too. Its tolerances are those of the forward velocity.
+    the lateral velocity is drawn, too. It has the tolerances of the forward velocity.
     """
     if not robot.moves_sideways:
         return suite

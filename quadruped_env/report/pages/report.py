@@ -19,6 +19,7 @@ from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.learning_gain import LearningGain, table_note
 from quadruped_env.evaluation.measures import START_UP, WINDOW, metrics_of
 from quadruped_env.evaluation.verdict import listed, verdict, worst_episodes
+from quadruped_env.gait import fitness
 from quadruped_env.policies import task_note
 from quadruped_env.report import plots
 from quadruped_env.report.pages import clips, suite_section
@@ -238,10 +239,11 @@ def _velocities(robot: Robot, *more: str) -> str:
 
 def _description(robot: Robot) -> str:
     """Return a sentence that introduces a robot and its task."""
+    weak = "; ".join(fitness(robot))
     return (
         f"A robot with {robot.num_legs} legs and {robot.num_joints} motors, of {robot.total_mass:.3g} kg and with its "
         f"base {100.0 * robot.stance_height:.0f} cm above the ground, walks in a physics simulation (MuJoCo) and "
-        f"follows commands of {_velocities(robot)}."
+        f"follows commands of {_velocities(robot)}." + (f" For a trot it lacks: {weak}." if weak else "")
     )
 
 
