@@ -100,7 +100,11 @@ def expansion_error(text, folder):
         ("${undefined_name}", "'undefined_name' is not defined"),
         ("$(eval 1 + 1)", "$(eval ...) runs code"),
         ("$(env HOME)", "$(env ...) runs code or reads the environment"),
-        ("$(find nowhere)", "the package 'nowhere' is not found: no folder has that name, or a package.xml with it; name its folder with --folder"),
+        (
+            "$(find nowhere)",
+            "the package 'nowhere' is not found: no folder has that name, or a package.xml with it; name its folder "
+            "with --folder",
+        ),
         ("${load_yaml('/etc/passwd')}", "is outside the folders"),
         ("${xacro.load_yaml('/etc/passwd')}", "is outside the folders"),
     ],
