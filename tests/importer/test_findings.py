@@ -99,7 +99,7 @@ def test_impossible_inertia_becomes_that_of_a_box_of_the_links_mass(tmp_path, mo
     text = text.replace("</robot>", "".join(shank.format(c) for c in ("LF", "RF", "LH", "RH")) + "</robot>")
     read = imported(text, tmp_path)
     assert findings(read, "repaired", "inertia") == [
-        f"RH_shank, LF_shank, RF_shank, LH_shank: {cause}; now that of a box of the link's size and mass"
+        f"RH_shank, LF_shank, RF_shank, LH_shank: {cause}; now a box of the link's size and mass"
     ]
     last = next(body for body in read.bodies if body.name == "LF_shank")
     np.testing.assert_allclose(last.inertia, 0.2 / 12 * 2 * (2 * RADIUS) ** 2 * np.eye(3), rtol=1e-9)
