@@ -96,7 +96,10 @@ def _restrict(xacro: Any, substitution_args: Any, folders: Folders) -> None:
     def find(name: str) -> str:
         found = folders.package(name)
         if found is None:
-            raise QuadrupedError(f"the package {short(name)} is not found; name its folder with --folder")
+            raise QuadrupedError(
+                f"the package {short(name)} is not found: no folder has that name, or a package.xml with it; "
+                f"name its folder with --folder"
+            )
         return str(found)
 
     def refused(name: str) -> Any:
