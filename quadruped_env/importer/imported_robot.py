@@ -112,7 +112,7 @@ def import_robot(path: Path, folders: Sequence[Path] = (), forward: str | None =
 def _described(path: Path, folders: Folders) -> Description:
     content = read_bytes(path)
     root = parse(content, str(path))
-    if xacro_file.NAMESPACE in content:
+    if xacro_file.is_xacro(root):
         content = xacro_file.expanded(path, folders)
         root = parse(content, f"{path} (expanded)")
     if root.tag == "robot":

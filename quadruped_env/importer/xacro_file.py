@@ -5,14 +5,22 @@ import subprocess
 import sys
 from pathlib import Path
 from typing import Final
+from xml.etree.ElementTree import Element
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError
 from quadruped_env.importer.files import Folders
 from quadruped_env.importer.xml_tree import MAX_BYTES
 
-NAMESPACE: Final = b"xmlns:xacro"
 _SECONDS: Final = 60.0
 """Time after which the expansion is ended: macros can call each other without an end."""
+
+
+def is_xacro(root: Element) -> bool:
+    """Return True if a file needs the library: a URDF that was written by it still declares its namespace."""
+    return any(node.tag.startswith("xacro:") for node in root.iter()) or (
+        "xmlns:xacro" in root.attrib
+        and any("${" in value or "$(" in value for node in root.iter() for value in node.attrib.values())
+    )
 
 
 def expanded(path: Path, folders: Folders) -> bytes:

@@ -1,7 +1,7 @@
 """Process in which a xacro file is expanded: reads a request from stdin, and writes the URDF to stdout, as JSON.
 
 The library's own evaluator runs Python expressions whose nested code it does not check, and `$(eval)`, `$(env)` and
-`$(find)` read the environment. Here expressions are arithmetic, and files are those of the folders that a user names.
+`$(find)` read the environment. Here expressions are arithmetic, and only files in the given folders are read.
 """
 
 import json
@@ -96,7 +96,10 @@ def _restrict(xacro: Any, substitution_args: Any, folders: Folders) -> None:
     def find(name: str) -> str:
         found = folders.package(name)
         if found is None:
-            raise QuadrupedError(f"the package {short(name)} is not found; name its folder with --folder")
+            raise QuadrupedError(
+                f"the package {short(name)} is not found: no folder has that name, or a package.xml with it; "
+                f"name its folder with --folder"
+            )
         return str(found)
 
     def refused(name: str) -> Any:

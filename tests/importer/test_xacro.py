@@ -100,7 +100,7 @@ def expansion_error(text, folder):
         ("${undefined_name}", "'undefined_name' is not defined"),
         ("$(eval 1 + 1)", "$(eval ...) runs code"),
         ("$(env HOME)", "$(env ...) runs code or reads the environment"),
-        ("$(find nowhere)", "the package 'nowhere' is not found; name its folder with --folder"),
+        ("$(find nowhere)", "the package 'nowhere' is not found: no folder has that name, or a package.xml with it"),
         ("${load_yaml('/etc/passwd')}", "is outside the folders"),
         ("${xacro.load_yaml('/etc/passwd')}", "is outside the folders"),
     ],
@@ -151,7 +151,12 @@ def test_missing_library_is_named_with_its_extra(tmp_path, monkeypatch):
     answer = subprocess.CompletedProcess([], 0, stdout=b'{"missing": true}')
     monkeypatch.setattr(xacro_file.subprocess, "run", lambda *_, **__: answer)
     with pytest.raises(MissingExtraError, match=r"reading xacro files needs the 'xacro' extra"):
-        imported(xacro(robot(2)), tmp_path, "dog.xacro")
+        imported(xacro(robot(2), '<xacro:property name="x" value="1"/>'), tmp_path, "dog.xacro")
+
+
+def test_urdf_that_the_library_has_written_does_not_need_it(tmp_path, monkeypatch):
+    monkeypatch.setattr(xacro_file, "expanded", None)
+    assert imported(xacro(robot(2), "<!-- of ${prefix} -->"), tmp_path).name == "made"
 
 
 def test_library_alone_would_run_code():
