@@ -76,6 +76,12 @@ def test_refused_file_leaves_nothing_behind(tmp_path, capsys):
     assert [path.name for path in tmp_path.iterdir()] == ["dog.urdf"]
 
 
+def test_link_to_itself_is_refused_on_one_line(tmp_path, capsys):
+    (tmp_path / "dog.urdf").symlink_to("dog.urdf")
+    assert main(["robot", "dog.urdf"]) == 2
+    assert capsys.readouterr().err.startswith("mini-quadruped robot: error: dog.urdf: ")
+
+
 @pytest.mark.parametrize("option", [["--forward", "-x"], ["--forward=-x"], ["-x"]])
 def test_forward_takes_an_axis_with_a_sign(tmp_path, option):
     (tmp_path / "dog.urdf").write_text(robot(2), encoding="utf-8")
