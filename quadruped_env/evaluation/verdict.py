@@ -71,11 +71,11 @@ def verdict(comparison: Comparison, gain: LearningGain | None = None) -> Verdict
     if share < WALKING_SHARE:
         reached = f"reaches {_percent(share)} of the commanded forward velocity"
         return Verdict("poor", f"Hardly: it {falls}, and {reached}." if unstable else f"Hardly: it {reached}.")
-    ranks = {motion: rank(comparison, error_of(motion), "policy", "tuned", motion) for motion in comparison.motions}
+    ranks = {motion: _rank(comparison, "tuned", motion) for motion in comparison.motions}
     flaws = [falls] if unstable else []
     flaws += [] if gain is None or gain.is_better else [gain.lack]
     flaws += _flaws(comparison)
-    behind = [motion for motion, rank in ranks.items() if rank == "less accurate"]
+    behind = [motion for motion, found in ranks.items() if found == "less accurate"]
     if behind:
         flaws.append(f"is less accurate than the searched gait {listed(behind)}")
     if flaws:
@@ -84,6 +84,11 @@ def verdict(comparison: Comparison, gain: LearningGain | None = None) -> Verdict
     standing = f"it {falls}" if fall_rate else "it does not fall"
     against = "" if "not comparable" in ranks.values() else " at least as well as the searched gait"
     return Verdict("good", f"Yes, it walks: {standing}, and follows its commands{against}.")
+
+
+def _rank(comparison: Comparison, other: str, motion: str) -> str:
+    """Return whether the policy follows a motion's commands more or less accurately than another controller."""
+    return rank(comparison, error_of(motion), "policy", other, motion)
 
 
 def _flaws(comparison: Comparison) -> list[str]:

@@ -100,9 +100,9 @@ TROTS: Final = {
     "low": Trot(5.0, lift=0.07),
     "fast": Trot(3.2, largest_yaw_rate=1.2),
     "trot": Trot(),
-    "walk": Trot(phases="walk", speed=0.25),
+    "walk": Trot(5.0, lift=0.07, phases="walk", speed=0.25),
     "bound": Trot(phases="bound", speed=0.35),
-    "pace": Trot(phases="pace", speed=0.3),
+    "pace": Trot(5.0, lift=0.07, phases="pace", speed=0.3),
 }
 """What takes the place of a preset on a robot other than the built-in one."""
 

@@ -38,13 +38,13 @@ class GaitSettings:
 
     @classmethod
     def of(cls, gait: SinusoidalGait) -> Self:
-        """Settings that leave a gait unchanged."""
+        """Return settings that leave a gait unchanged."""
         phases = tuple(gait.phases[joints[-2]] / math.tau % 1.0 for joints in gait.robot.leg_joints)
         return cls(1.0, gait.angular_frequency / math.tau, phases)
 
 
 def edited(gait: SinusoidalGait, settings: GaitSettings) -> SinusoidalGait:
-    """A gait with modified amplitudes, frequency and leg phases; each joint keeps its phase lag to the knee's hip.
+    """Return a gait with other amplitudes, frequency and leg phases; each joint keeps its phase lag to the leg.
 
     Raises:
         QuadrupedError: if there is not one phase per leg of the robot.

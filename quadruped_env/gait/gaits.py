@@ -105,7 +105,7 @@ class SinusoidalGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
-        """A gait by name: `article` as published, one found for the built-in robot, or another robot's of `TROTS`.
+        """Return a gait by name: `article` as published, one found for the built-in robot, or one of `TROTS`.
 
         `sinusoid`, `tuned`, `crouched`, `low` and `fast` are the gaits of `CommandedGait` at 0.4 m/s straight ahead.
 
@@ -128,17 +128,17 @@ class SinusoidalGait:
         return _sinusoids(robot, gait.angular_frequency, joint_phases(robot, trot.phases), *waves)
 
     def parameters(self) -> dict[str, Any]:
-        """The numbers of the gait as plain values for JSON."""
+        """Return the numbers of the gait as plain values for JSON."""
         names = ("hip_amplitude", "hip_offset", "knee_amplitude", "knee_offset", "angular_frequency", "phases")
         return {name: plain(getattr(self, name)) for name in names}
 
     def positions(self, t: ArrayLike) -> Floats:
-        """Joint positions (..., J) in rad at times t (...,) in s."""
+        """Return joint positions (..., J) in rad at times t (...,) in s."""
         angle = self._angle(t)
         return self._amplitude * np.where(self._knees, np.cos(angle), np.sin(angle)) + self._offset
 
     def velocities(self, t: ArrayLike) -> Floats:
-        """Joint velocities (..., J) in rad/s at times t (...,) in s: the derivative of `positions`."""
+        """Return joint velocities (..., J) in rad/s at times t (...,) in s: the derivative of `positions`."""
         angle = self._angle(t)
         wave = np.where(self._knees, -np.sin(angle), np.cos(angle))
         return self.angular_frequency * self._amplitude * wave
@@ -153,14 +153,14 @@ class SinusoidalGait:
         return math.tau / abs(self.angular_frequency) if self.angular_frequency else math.inf
 
     def violations(self) -> list[str]:
-        """Messages about position and velocity limits that the gait exceeds; empty if there are none."""
+        """Return messages about position and velocity limits that the gait exceeds; empty if there are none."""
         amplitude, offset = np.abs(self._amplitude), self._offset
         speed = abs(self.angular_frequency) * amplitude
         return limit_violations(self.robot, offset - amplitude, offset + amplitude, speed)
 
 
 def limit_violations(robot: Robot, low: Floats, high: Floats, speed: Floats, tolerance: float = 1e-9) -> list[str]:
-    """Messages about the limits that a motion of the joints exceeds.
+    """Return messages about the limits that a motion of the joints exceeds.
 
     Args:
         robot: the robot.
@@ -208,7 +208,7 @@ def _published(robot: Robot) -> SinusoidalGait:
 def _sinusoids(
     robot: Robot, angular_frequency: float, phases: Floats, sine: Floats, cosine: Floats, offset: Floats
 ) -> SinusoidalGait:
-    """A gait from sine and cosine parts and offsets of all joints (J,) at the phases of their legs (J,)."""
+    """Return a gait from sine and cosine parts and offsets of all joints (J,) at the phases of their legs (J,)."""
     knees = _knees(robot)
     plain = ~knees & (cosine == 0.0)
     shift = np.where(knees, np.arctan2(-sine, cosine), np.arctan2(cosine, sine))
@@ -225,7 +225,7 @@ def _sinusoids(
 
 
 def _tuned_for_one_speed(name: str) -> SinusoidalGait:
-    """A preset on the robot for which it was tuned."""
+    """Return a preset on the robot for which it was tuned."""
     angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
     legs = (fore, fore, hind, hind)
     sine = np.array([part for leg in legs for part in (leg.hip_sine, leg.knee_sine)])
@@ -242,7 +242,7 @@ _PRESETS: Final = {
 
 
 def turn_size(yaw_rate: Floats, largest: float) -> Floats:
-    """Size of a turn for yaw rates of any shape: sign(w) sqrt(|w| largest), at most the largest, rad/s.
+    """Return the size of a turn for yaw rates of any shape: sign(w) sqrt(|w| largest), at most the largest, rad/s.
 
     The yaw rate that the robot reaches grows with the square of the difference between its sides: small differences
     are lost in the feet's sliding.
@@ -254,7 +254,7 @@ def turn_size(yaw_rate: Floats, largest: float) -> Floats:
 class CommandedGait:
     """The sinusoidal trot as a function of a command: forward velocity, yaw rate and, on some robots, lateral velocity.
 
-    The waves of all joints are interpolated in tables over forward velocity. To those of the straight gait a yaw rate
+    The waves of all joints are interpolated in tables over forward velocity. To the straight gait's waves a yaw rate
     adds |r| times `turn` and r times `side`; r is the yaw rate's `turn_size`. A lateral velocity adds `lateral` times
     itself. Towards a command of zero the gait fades into the stance.
 
@@ -291,7 +291,7 @@ class CommandedGait:
 
     @classmethod
     def of_legs(cls, numbers: Mapping[str, Any], robot: Robot) -> "CommandedGait":
-        """A gait of a robot with two joints per leg from the tables of a fore and a hind leg, as in `COMMANDED`.
+        """Return a gait of a robot with two joints per leg from the tables of a fore and a hind leg, as in `COMMANDED`.
 
         `fore` and `hind` are the straight gait, `fore_turn` and `hind_turn` what a turn of either sign adds, and
         `fore_side` and `hind_side` what a turn adds on the right and subtracts on the left.
@@ -303,10 +303,10 @@ class CommandedGait:
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """A gait by name: the robot's own of `Robot.gaits`, or else the preset.
+        """Return a gait by name: the robot's own of `Robot.gaits`, or else the preset.
 
-        Of the built-in robot `sinusoid` is the trot in closed form, and `tuned`, `crouched`, `low` and `fast` were
-        found by searches. Of another robot they are those of `TROTS`.
+        On the built-in robot `sinusoid` is the trot in closed form, and `tuned`, `crouched`, `low` and `fast` were
+        found by searches. Another robot has the gaits of `TROTS`.
 
         Raises:
             QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
@@ -320,7 +320,7 @@ class CommandedGait:
 
     @classmethod
     def sinusoid(cls, robot: Robot, frequency: float) -> "CommandedGait":
-        """The preset `sinusoid` with the strides of a gait clock.
+        """Return the preset `sinusoid` with the strides of a gait clock.
 
         Args:
             robot: robot that walks.
@@ -333,7 +333,7 @@ class CommandedGait:
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """The preset `tuned`.
+        """Return the preset `tuned`.
 
         Raises:
             QuadrupedError: if the scripted gaits do not fit the robot.
@@ -341,7 +341,7 @@ class CommandedGait:
         return cls.preset("tuned", robot)
 
     def parameters(self) -> dict[str, Any]:
-        """The numbers of the gait as plain values for JSON."""
+        """Return the numbers of the gait as plain values for JSON."""
         waves = {name: getattr(self, name) for name in _WAVES if getattr(self, name) is not None}
         return {
             "angular_frequency": self.angular_frequency,
@@ -351,7 +351,7 @@ class CommandedGait:
         }
 
     def waves(self, command: Floats) -> Waves:
-        """Sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2 or 3)."""
+        """Return sine part, cosine part and offset of every joint (N, J) in rad, for commands (N, 2 or 3)."""
         size = self.turn_size(command[:, 1])[:, None]
         row = np.interp(command[:, 0], self.speeds, np.arange(len(self.speeds)))
         below = np.minimum(row.astype(np.int64), len(self.speeds) - 2)[:, None]
@@ -367,9 +367,9 @@ class CommandedGait:
         return fade * sine, fade * cosine, stance + fade * (offset - stance)
 
     def turn_size(self, yaw_rate: Floats) -> Floats:
-        """Size of turns (N,) in rad/s, for yaw rates (N,) in rad/s: `turn_size`, or the yaw rate where `lateral` is.
+        """Return the size of turns (N,) in rad/s, for yaw rates (N,) in rad/s.
 
-        Feet that can step sideways do not slide in a turn. In both cases it is at most the largest yaw rate.
+        It is the yaw rate of a robot with `lateral`, whose feet do not slide, up to the largest; else see `turn_size`.
         """
         largest = self.largest_yaw_rate
         return turn_size(yaw_rate, largest) if self.lateral is None else np.clip(yaw_rate, -largest, largest)
@@ -383,12 +383,12 @@ class CommandedGait:
         return steps[:2] if self.lateral is None else steps
 
     def fade(self, command: Floats) -> Floats:
-        """Size of the steps (N,), 0 for a command of zero and 1 for one that is worth whole steps."""
+        """Return the size of the steps (N,), 0 for a command of zero and 1 for one that is worth whole steps."""
         shares = np.abs(command[:, : len(self.whole_steps)]) / self.whole_steps[: command.shape[1]]
         return np.minimum(1.0, shares.max(axis=1))
 
     def positions(self, phase: ArrayLike, command: ArrayLike) -> Floats:
-        """Joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2 or 3)."""
+        """Return joint positions (N, J) in rad at gait phases (N,) in rad, for commands (N, 2 or 3)."""
         waves = self.waves(np.asarray(command, dtype=np.float64))
         return wave_positions(np.asarray(phase, dtype=np.float64), self._phases, *waves)
 
@@ -398,7 +398,7 @@ class CommandedGait:
         return self.at((0.4 * scale_of("m/s", self.robot), 0.0))
 
     def at(self, command: Sequence[float]) -> SinusoidalGait:
-        """The sinusoidal gait for one command (2,) or (3,)."""
+        """Return the sinusoidal gait for one command (2,) or (3,)."""
         sine, cosine, offset = (values[0] for values in self.waves(np.array([command])))
         return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
 
@@ -446,7 +446,7 @@ def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
 
 
 def _trot(robot: Robot, trot: Trot, frequency: float) -> CommandedGait:
-    """The trot of a robot other than the built-in one, at a frequency in Hz."""
+    """Return the trot of a robot other than the built-in one, at a frequency in Hz."""
     root = scale_of("m/s", robot)
     largest, speeds = trot.largest_yaw_rate / root, tuple(speed * root for speed in _TROT_SPEEDS)
     lateral = _LATERAL * root if robot.moves_sideways else 0.0

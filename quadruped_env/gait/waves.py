@@ -74,8 +74,10 @@ def reachable_lift(robot: Robot, frequency: float, trot: Trot) -> float:
     """Return the lift of a trot, or a smaller one if the joints are too slow for it; as in `Trot`.
 
     Raises:
-        QuadrupedError: if the legs cannot lift their feet.
+        QuadrupedError: if the legs cannot lift their feet, or a motor has no gain.
     """
+    if not all(motor.kp for motor in robot.motors.of_joints(robot.joint_kinds)):
+        raise QuadrupedError(f"gait: a motor of {robot.name!r} has kp 0 N m/rad, so its joint follows no gait")
     still, lift = np.zeros((1, 3)), trot.lift
     for _ in range(_LIFTS):
         sine, cosine, offset = joint_waves(robot, frequency, still, lift, trot.height)
@@ -125,7 +127,7 @@ def _check_lift(robot: Robot, lift: float, sine: Floats, cosine: Floats, offset:
 
 
 def _leading(robot: Robot, rate: float, sine: Floats, cosine: Floats, offset: Floats) -> Waves:
-    """Return the waves of the targets for those of the joints, at an angular frequency in rad/s."""
+    """Return the waves of the targets with which the joints follow their own, at an angular frequency in rad/s."""
     motors = robot.motors.of_joints(robot.joint_kinds)
     kp = np.array([motor.kp for motor in motors])
     damping = np.array([motor.kd + motor.damping for motor in motors])

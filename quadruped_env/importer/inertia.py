@@ -12,13 +12,13 @@ _DENSITY = 1000.0
 _SLACK = 1e-6
 """Relative error of the triangle inequality that rounding in a file causes."""
 _POINT = 1e-12
-"""Inertia per mass below which it is that of a point, m^2."""
+"""Inertia per mass below which a link counts as a point, m^2."""
 _ROUNDING = 1e-3
 """Negative eigenvalue, relative to the largest, that rounding in a file causes."""
 
 
 def repair(described: Description, source: str) -> None:
-    """Replace inertia that is zero or violates the triangle inequality by that of a box; in place.
+    """Replace inertia that is zero or violates the triangle inequality by a box's; changes the links.
 
     Raises:
         QuadrupedError: if a link's inertia has a negative eigenvalue, which no rounding explains.
@@ -42,7 +42,7 @@ def repair(described: Description, source: str) -> None:
             link.inertia = np.diag(_box_inertia(link))
             repaired.setdefault("against the triangle inequality", []).append(link.name)
     for cause, names in repaired.items():
-        described.add("repaired", "inertia", f"{named(names)}: {cause}; now that of a box of the link's size and mass")
+        described.add("repaired", "inertia", f"{named(names)}: {cause}; now a box of the link's size and mass")
 
 
 def _box_inertia(link: Link) -> Floats:

@@ -1,7 +1,7 @@
 """Process in which a xacro file is expanded: reads a request from stdin, and writes the URDF to stdout, as JSON.
 
 The library's own evaluator runs Python expressions whose nested code it does not check, and `$(eval)`, `$(env)` and
-`$(find)` read the environment. Here expressions are arithmetic, and files are those of the folders that a user names.
+`$(find)` read the environment. Here expressions are arithmetic, and only files in the given folders are read.
 """
 
 import json

@@ -108,7 +108,8 @@ class TaskContext:
         self._contacts()
         self.velocity[:, 0] = self.readings.linear_velocity_b[:, 0]
         self.velocity[:, 1] = self.readings.angular_velocity_b[:, 2]
-        self.velocity[:, 2:] = self.readings.linear_velocity_b[:, 1 : self.velocity.shape[1] - 1]
+        if self.velocity.shape[1] > 2:
+            self.velocity[:, 2] = self.readings.linear_velocity_b[:, 1]
         self.smooth_velocity += self._smoothing * (self.velocity - self.smooth_velocity)
         np.subtract(self.smooth_velocity, self.command, out=self.tracking_error)
         self.read()

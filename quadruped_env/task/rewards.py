@@ -87,7 +87,7 @@ def upright(context: TaskContext) -> Floats:
 def base_motion(context: TaskContext, base_arm: Annotated[float, Positive("m")] = 0.2) -> Floats:
     """v_y^2 + v_z^2 + (0.2 m)^2 (w_x^2 + w_y^2): motion of the base that no command asks for."""
     v, w = context.readings.linear_velocity_b, context.readings.angular_velocity_b
-    sideways = v[:, 1] - np.add.reduce(context.command[:, 2:], axis=-1)  # zero without a lateral command
+    sideways = v[:, 1] - context.command[:, 2] if context.command.shape[1] > 2 else v[:, 1]
     return sideways**2 + v[:, 2] ** 2 + base_arm**2 * (w[:, 0] ** 2 + w[:, 1] ** 2)
 
 

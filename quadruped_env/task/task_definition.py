@@ -53,7 +53,7 @@ class TaskDefinition(Terms):
 
     @property
     def paid(self) -> tuple[RewardTerm, ...]:
-        """The `rewards` that the robot can earn: those of the lateral velocity only if it moves sideways."""
+        """The `rewards` that the robot can earn: without `lateral` if it does not move sideways."""
         return tuple(term for term in self.rewards if self.robot.moves_sideways or term is not lateral)
 
     @property

@@ -51,7 +51,7 @@ def rollout(velocity, command, **changes):
         "command": np.tile(command, (steps, 1, 1)),
         **changes,
     }
-    return replace(synthetic_rollout(steps, envs), robot=ROBOT, **values)
+    return synthetic_rollout(steps, envs, ROBOT, **values)
 
 
 class TestConditions:

@@ -254,6 +254,9 @@ def test_sketch_reads_a_third_number_as_the_velocity_to_the_left(tmp_path):
     rolls = [1 + joints[0] for joints in compiled.policy.robot.leg_joints]
     assert np.ptp(standing[settled:, rolls], axis=0).max() < 4
     assert np.ptp(sideways[settled:, rolls], axis=0).min() > 4
+    lines = [(1, LEVEL, STILL, text) for text, count in (("-", 60), ("0 0 0.1", 60), ("0 0", 80)) for _ in range(count)]
+    again, _ = run(lines)
+    assert np.ptp(again[-20:, rolls], axis=0).max() < 4, "without a third number it stands"
     _, log = run([(1, LEVEL, STILL, "-")] * 60 + [(1, LEVEL, STILL, "0.1")] * 5)
     assert "limp: asked to stop" in log
 

@@ -71,7 +71,27 @@ def test_readings_of_the_trace_are_those_of_a_robot_that_walks_and_reach_their_b
     state = {"command", "requested_command", "gait_phase", "observation_history"}
     assert state & trace.keys() == (set() if name == "blind" else state)
     assert name == "blind" or len(np.unique(trace["requested_command"], axis=0)) >= 4
+    assert name == "blind" or (np.ptp(trace["requested_command"], axis=0) > 0.1).all(), "every velocity"
     assert name != "own field" or set(trace["height_command"][:160].ravel()) == {np.float32(0.18)}
+
+
+def test_manifest_and_card_describe_three_velocities(tmp_path):
+    policy = random_policy("position", twelve_joints.ROBOT)
+    export = export_policy(EvaluatedPolicy("mine", policy, tmp_path, tmp_path), tmp_path / "export")
+    command = export.manifest["command"]
+    forward, turn, left = command["components"]
+    assert [part["name"] for part in (forward, turn, left)] == ["forward_velocity", "yaw_rate", "lateral_velocity"]
+    assert [part["rate_unit"] for part in (forward, turn, left)] == ["m/s^2", "rad/s^2", "m/s^2"]
+    assert left["high"] == -left["low"] == policy.control.commands[2].range[1]
+    assert (left["largest_rate"], left["idle"]) == (policy.control.command_rate[2], 0.0)
+    assert command["meaning"].endswith("lateral along y, positive to the left")
+    assert len(command["standing_up_to"]) == len(export.manifest["golden_trace"]["largest_rates"]) == 3
+    (entry,) = [entry for entry in export.manifest["graph"]["inputs"] if entry["name"] == "command"]
+    assert (entry["shape"], entry["unit"]) == (["batch", 3], "m/s, rad/s, m/s")
+    assert entry["description"].startswith("Commanded forward velocity, yaw rate and lateral velocity, on their way")
+    card = (export.folder / "README.md").read_text()
+    assert "idle command [0.0, 0.0, 0.0]" in " ".join(card.split())
+    assert "# of the command in a control step: m/s, rad/s, m/s" in card
 
 
 def test_program_runs_the_graph_and_says_that_it_equals_the_trace(flat, capsys):

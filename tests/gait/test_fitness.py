@@ -107,3 +107,5 @@ def test_robot_that_cannot_walk_by_the_gait_is_one_line():
     assert "can lift its foot by 0 mm" in line
     (line,) = fitness(dataclasses.replace(second_robot.ROBOT, leg_corners=(0, 0, 2, 3)))
     assert "one leg in each corner" in line
+    (line,) = fitness(planar({"kp": 0.0})[0])
+    assert "a motor of 'planar' has kp 0 N m/rad" in line

@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 import pytest
+import twelve_joints
 
-from quadruped_env import QuadrupedError, SinusoidalGait
+from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
 from quadruped_env.gait import PRESETS
 from quadruped_env.gait.gait_settings import GaitSettings, edited
 
@@ -37,6 +38,14 @@ def test_settings_of_a_gait_leave_it_unchanged(name):
     assert all(0.0 <= phase < 1.0 for phase in settings.phases)
     times = np.linspace(0.0, 1.0, 7)
     np.testing.assert_allclose(edited(gait, settings).positions(times), gait.positions(times), atol=1e-12)
+
+
+def test_settings_of_three_joints_per_leg_leave_a_gait_unchanged():
+    """The roll joint has a phase of its own, and the leg's is the hip's before the knee."""
+    robot = twelve_joints.robot()
+    gait = CommandedGait.tuned(robot).at((0.2, 0.1, 0.2))
+    times = np.linspace(0.0, 1.0, 7)
+    np.testing.assert_allclose(edited(gait, GaitSettings.of(gait)).positions(times), gait.positions(times), atol=1e-12)
 
 
 def test_each_setting_changes_what_it_names():

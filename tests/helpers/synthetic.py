@@ -15,7 +15,7 @@ def falls(valid):
     return fell
 
 
-def synthetic_rollout(steps=250, envs=1, **changes):
+def synthetic_rollout(steps=250, envs=1, robot=MINI_QUADRUPED, **changes):
     """Rollout of robots that stand still, with other values of some quantities (T, N, ...)."""
     shape = (steps, envs)
     values = {
@@ -33,7 +33,7 @@ def synthetic_rollout(steps=250, envs=1, **changes):
         **changes,
     }
     return Rollout(
-        robot=MINI_QUADRUPED,
+        robot=robot,
         controller="synthetic",
         timestep=DT,
         seeds=tuple(range(envs)),

@@ -99,7 +99,7 @@ def test_impossible_inertia_becomes_that_of_a_box_of_the_links_mass(tmp_path, mo
     text = text.replace("</robot>", "".join(shank.format(c) for c in ("LF", "RF", "LH", "RH")) + "</robot>")
     read = imported(text, tmp_path)
     assert findings(read, "repaired", "inertia") == [
-        f"RH_shank, LF_shank, RF_shank, LH_shank: {cause}; now that of a box of the link's size and mass"
+        f"RH_shank, LF_shank, RF_shank, LH_shank: {cause}; now a box of the link's size and mass"
     ]
     last = next(body for body in read.bodies if body.name == "LF_shank")
     np.testing.assert_allclose(last.inertia, 0.2 / 12 * 2 * (2 * RADIUS) ** 2 * np.eye(3), rtol=1e-9)
@@ -182,6 +182,7 @@ def test_base_joint_under_world_is_removed(tmp_path, kind):
     world = link("world") + joint("root", "world", "base", "0 0 0.3", "0 0 1", "", kind)
     read = imported(robot(extra=world), tmp_path)
     assert read.bodies[0].name == "base"
+    assert not read.anatomy.locked
     assert findings(read, "left out", "base") == ["root: joints above it; the robot floats by itself"]
 
 
@@ -287,3 +288,35 @@ def test_limits_that_are_no_limits_count_as_none(tmp_path):
     read = imported(robot(2, knee='lower="-1e16" upper="1e16" effort="inf" velocity="5"'), tmp_path)
     assert "the file has none" in findings(read, "assumed", "ranges")[0]
     assert "the file: inf" in findings(read, "assumed", "motors")[0]
+
+
+def test_weakest_motor_of_a_kind_counts(tmp_path):
+    text = robot(2).replace('effort="20"', 'effort="12"', 1)
+    assert imported(text, tmp_path).motors[0].values["stall_torque"][0] == 12.0
+
+
+def test_impossible_inertia_of_an_mjcf_is_repaired(tmp_path):
+    text = re.sub(
+        r'mass="0.2(0*)" diaginertia="[^"]*"', 'mass="0.2" diaginertia="0 0 0"', imported(robot(2), tmp_path).mjcf
+    )
+    assert text.count('diaginertia="0 0 0"') == 4
+    read = imported(text, tmp_path, "zero.xml")
+    assert "RH_shank, LF_shank, RF_shank, LH_shank: zero" in findings(read, "repaired", "inertia")[0]
+    assert all(np.linalg.eigvalsh(body.inertia)[0] > 1e-6 for body in read.bodies)
+
+
+def test_base_frame_far_from_the_hips_is_moved_between_them(tmp_path):
+    trunk = link("base") + link("root", 4.0) + joint("f", "root", "base", "0.5 0 0.4", "")
+    read = imported(robot(base=trunk), tmp_path)
+    assert "is 0.64 m off" in findings(read, "assumed", "base")[0]
+    np.testing.assert_allclose(read.bodies[0].centre, [-0.5, 0.0, -0.41], atol=1e-12)
+    assert read.robot().stance_height == pytest.approx(read.stance.height, abs=1e-4)
+
+
+def test_joints_between_the_world_and_the_base_are_removed(tmp_path):
+    carriage = link("world") + link("cart", 0.1) + joint("rail", "world", "cart", "0 0 0", "0 0 1", "", "prismatic")
+    read = imported(robot(extra=carriage + joint("root", "cart", "base", "0 0 0.3", "0 0 1", "", "floating")), tmp_path)
+    assert not read.anatomy.locked
+    assert findings(read, "left out", "base") == ["rail, root: joints above it; the robot floats by itself"]
+    assert findings(read, "left out", "mass") == ["0.1 kg of links that are not part of the robot"]
+    assert read.mass == pytest.approx(MASS)

@@ -53,6 +53,12 @@ def five_bar():
     return f'<robot name="x">{link("base", 4.0)}{text}</robot>'
 
 
+def hand():
+    """A torso of two joints with a light hand of four fingers."""
+    fingers = with_legs("LF", "RF", "LH", "RH").replace('value="4.0"', 'value="0.1"').replace("</robot>", "")
+    return fingers + link("torso", 40.0) + joint("wrist", "torso", "base", "0 0 1") + "</robot>"
+
+
 def coupled():
     return robot(2).replace('<limit lower="-2.6"', '<mimic joint="LF_hip"/><limit lower="-2.6"', 1)
 
@@ -61,6 +67,7 @@ def coupled():
     ("text", "found"),
     [
         (with_legs("LF", "RF"), "found 'base' with chains of 3, 3 joints"),
+        (hand(), "no link carries four chains of two or more joints"),
         (more_legs(), "'base' carries 6 chains, of 2, 2, 2, 2, 2, 2 joints, and 6 of these are alike"),
         (ankles(), "a wheel, an ankle or a passive joint ('RH_ankle') makes 4 a leg"),
         (five_bar(), "five-bar legs, which are closed chains"),

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import yourdfpy
 from public_robots import answers, place
-from urdf_robots import CORNERS, MASS, SHANK, imported, robot
+from urdf_robots import CORNERS, MASS, SHANK, THIGH, imported, robot
 
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.importer import import_robot
@@ -58,16 +58,37 @@ def check_feet(made, read, model):
         np.testing.assert_allclose(feet_of(made, read, joints), expected, rtol=0.0, atol=1e-6)
 
 
+PLATE = (
+    '<link name="plate"><inertial><origin xyz="0.01 0.02 0.03" rpy="0.3 0.5 0.7"/><mass value="0.3"/>'
+    '<inertia ixx="0.001" iyy="0.002" izz="0.0025" ixy="0.0001" ixz="0.0002" iyz="-0.0003"/></inertial></link>'
+    '<joint name="mount" type="fixed"><parent link="LF_shank"/><child link="plate"/>'
+    '<origin xyz="0.04 0.05 -0.06" rpy="1.1 -0.4 0.8"/></joint>'
+)
+
+
+def twisted(joints):
+    """A robot whose knees are bent at 0, and that has a plate on each shank; its mass is 1.2 kg more."""
+    plates = [PLATE.replace("LF", c).replace("plate", f"{c}_plate").replace("mount", f"{c}_mount") for c in CORNERS]
+    turned = [plate.replace("1.1 -0.4", f"{i} {0.3 * i}") for i, plate in enumerate(plates)]
+    return robot(joints, extra="".join(turned)).replace(f'xyz="0 0 {-THIGH}"', f'xyz="0 0 {-THIGH}" rpy="0 0.4 0"')
+
+
+def test_written_robot_has_the_feet_of_an_mjcf_whose_joints_are_off_their_bodies(tmp_path):
+    text = imported(robot(3), tmp_path).mjcf.replace('axis="0 1 0"', 'axis="0 1 0" pos="0.01 0.02 0.03"')
+    read = imported(text, tmp_path, "off.xml")
+    check_feet(written(read, tmp_path), read, mujoco.MjModel.from_xml_string(text))
+
+
 @pytest.mark.parametrize("joints", [2, 3])
 def test_written_robot_has_the_feet_mass_and_inertia_of_the_read_one(tmp_path, joints):
-    text = robot(joints)
+    text = twisted(joints)
     read = imported(text, tmp_path)
     made = written(read, tmp_path)
     original = mujoco.MjSpec.from_string(text.replace("</robot>", OPEN))
     original.body("base").add_freejoint()
     model = original.compile()
     check_feet(made, read, model)
-    assert made.total_mass == pytest.approx(MASS if joints == 3 else MASS - 4 * 0.3, rel=1e-9)
+    assert made.total_mass == pytest.approx(MASS + 1.2 if joints == 3 else MASS, rel=1e-9)
     values, matrices = random_joints(made, np.random.default_rng(1)), []
     for each in (model, made.skeleton.model):
         data = mujoco.MjData(each)

@@ -50,7 +50,7 @@ KINDS = [
         "vecnormalize.pkl",
         r"a pickle, which is not opened; .*import-policy MODEL.zip --vecnormalize \S*\.pkl'",
     ),
-    ("dog.urdf", r"dog.urdf: this is a URDF .*give the robot as a QuadrupedDesign or a Robot"),
+    ("dog.urdf", r"dog.urdf: this is a URDF, not a Python file; '\S*mini-quadruped robot FILE' reads it"),
 ]
 
 

@@ -66,6 +66,7 @@ def test_readme_is_one_page_in_the_agreed_order():
         "",
         "Install",
         "In Python",
+        "Your own robot",
         "The environment",
         "Commands",
         "Results",

@@ -103,6 +103,24 @@ def test_command_that_is_not_followed_here_leaves_the_conclusion_open(here):
     assert made(([here, 0.3], [0, 0.2]), ([0, 0], [0, 0]), commands=((0.5, 0.0), (0.3, 0.0))).carries_over() is False
 
 
+def test_lateral_velocity_has_columns_a_loss_and_a_target():
+    commands = ((0.3, 0.0, 0.0), (0.0, 0.0, -0.2))
+    here, there = made(([0.3, 0.0], [0.3, 0.0]), ([0, 0], [0, 0]), ((0, 0), (0, 0)), commands).values["policy"]
+    here["lateral_velocity"], there["lateral_velocity"] = np.array([[0.0], [-0.2]]), np.array([[0.1], [-0.15]])
+    found = Transfer({"policy": commands}, (0,), 10.0, ENGINES, {"policy": (here, there)})
+    assert found.largest_loss("policy", "lateral_velocity") == (pytest.approx(0.25), (0.0, 0.0, -0.2))
+    assert found.carries_over() is False
+    head, _, sideways = found.tables()[0].splitlines()[1:]
+    assert head.split("  ")[0].strip() == "m/s, rad/s, m/s"
+    assert "0, 0, -0.2" in sideways
+    assert "25.0 %" in sideways
+    assert any(
+        "Largest loss of lateral velocity against MuJoCo: 25.0 %, at 0 m/s and 0 rad/s and -0.2 m/s; target 5.0 %"
+        in line
+        for line in found.verdict()
+    )
+
+
 def test_same_engine_twice_loses_nothing_and_ignores_the_tasks_randomization(policy):
     config = policy.config.randomized("hard").on_terrain("stairs")
     hard = policy.for_task(policy.weights, policy.biases, policy.activation, config, policy.card)

@@ -181,7 +181,7 @@ def test_trot_with_three_joints_per_leg_moves_as_in_mujoco():
         found.append(mean_velocities(rollout))
     asked = [abs(velocities[[0, 1, 2, 3], [0, 1, 2, 0]]) for velocities in found]
     np.testing.assert_allclose(asked, [[0.3, 0.5, 0.15, 0.2]] * 2, rtol=0.33)
-    np.testing.assert_allclose(asked[1], asked[0], rtol=0.2)
+    np.testing.assert_allclose(asked[1], asked[0], rtol=0.25)
 
 
 def on_its_belly():

@@ -86,13 +86,13 @@ def test_page_has_a_slider_and_a_chart_of_the_lateral_velocity_and_its_arrow_poi
         data = robot(controller).data
         heading = 0.5
         data.qpos[3:7] = [math.cos(heading / 2), 0.0, 0.0, math.sin(heading / 2)]
-        controller.set_command(0.12, 0.0, 0.16)
+        controller.set_command(0.02, 0.0, 0.16)
         controller.step()
         show.draw(controller.view())
-        assert [slider.value for slider in show.panel._velocities] == [0.12, 0.0, 0.16]
+        assert [slider.value for slider in show.panel._velocities] == [0.02, 0.0, 0.16]
         (arrow,) = show._scene._velocities.points  # the measured velocity is too small for one
-        angle = controller.view().robots[0].heading + math.atan2(0.16, 0.12)
-        expected = 0.2 * _METRES_PER_VELOCITY * np.array([math.cos(angle), math.sin(angle), 0.0])
+        angle = controller.view().robots[0].heading + math.atan2(0.16, 0.02)
+        expected = math.hypot(0.02, 0.16) * _METRES_PER_VELOCITY * np.array([math.cos(angle), math.sin(angle), 0.0])
         np.testing.assert_allclose(arrow[1] - arrow[0], expected, atol=1e-6)
     finally:
         show.close()

@@ -286,15 +286,20 @@ def test_keys_walk_sideways_and_turn_a_robot_whose_legs_can_roll(sideways):
         page.keyboard.down(key)
         assert state(page, "walk.request") == pytest.approx(request)
         page.evaluate("quadruped.page.step(150)")
-        walked[key] = state(page, "[...walker.simulation.position(), walker.simulation.yaw(), walker.left]")
+        walked[key] = state(
+            page, "[...walker.simulation.position(), walker.simulation.yaw(), walker.left, walker.travelled]"
+        )
         page.keyboard.up(key)
         assert state(page, "walk.request") == pytest.approx([0, 0, 0])
     assert walked["q"][1] == pytest.approx(3.0 * high, rel=0.3)
     assert walked["E"][1] == pytest.approx(-3.0 * high, rel=0.3)
-    assert walked["q"][4] == pytest.approx(high, rel=0.3)
+    assert walked["q"][4:] == pytest.approx([high, walked["q"][1]], rel=0.3)
     assert walked["ArrowLeft"][3] == pytest.approx(3.0 * page_turn(page), rel=0.3)
     page.evaluate("quadruped.page.controls.show()")
     assert page.locator("#wanted_left").is_visible()
+    page.evaluate("quadruped.page.controls.limitTo([0.4, 0.2]), quadruped.page.controls.steer(1, 1, 1)")
+    assert state(page, "walk.request") == pytest.approx([0.4, 0.2, 0]), "what a robot learns on the page"
+    page.evaluate("quadruped.page.controls.limitTo(null)")
 
 
 def page_turn(page):

@@ -1,5 +1,6 @@
 """The suite as data: version, hash and seeds."""
 
+import hashlib
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ from half_robot import ROBOT, TIME
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.evaluation.rollout import FIRST_SEED
-from quadruped_env.evaluation.suite import suite_definition
+from quadruped_env.evaluation.suite import changing, suite_definition
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.simulation import TERRAINS
@@ -25,6 +26,17 @@ SHA256_OF_VERSION_2 = "5daeb88810a8c2531ffd473a9d075ccb817dcfcc2db71cb979be62edb
 def test_hash_of_the_version_is_the_one_that_results_were_made_with():
     assert (suite_definition.NAME, suite_definition.VERSION) == ("mq-eval", 2)
     assert full_suite().sha256 == SHA256_OF_VERSION_2
+
+
+def test_commands_that_are_drawn_are_the_ones_that_results_were_made_with():
+    """Their ranges are not in the hash of the version."""
+    joystick = full_suite().joystick
+    schedules = [changing.schedule(joystick, seed, 0.02) for seed in joystick.seeds[:4]]
+    found = [
+        hashlib.sha256(np.array(values).tobytes()).hexdigest()[:16]
+        for values in (full_suite().commands.drawn, schedules)
+    ]
+    assert found == ["cd0f21c7cc637155", "0778e680c3798555"]
 
 
 def test_hash_covers_the_values_of_the_preset_and_of_the_terrains(monkeypatch):
