@@ -82,6 +82,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 def _place(file: Path, output: Path | None) -> Path:
     """Return the path of the files that are written, without suffix."""
     if output is not None:
+        if output.name in ("", ".."):
+            raise QuadrupedError(f"--output: {output} has no name; give NAME or PATH/NAME")
         place = output.with_suffix("") if output.suffix in (".py", ".xml") else output
     else:
         place = Path(file.name.split(".")[0] or "robot")

@@ -82,6 +82,13 @@ def test_link_to_itself_is_refused_on_one_line(tmp_path, capsys):
     assert capsys.readouterr().err.startswith("mini-quadruped robot: error: dog.urdf: ")
 
 
+@pytest.mark.parametrize("place", [".", "..", "/"])
+def test_output_without_a_name_is_refused(tmp_path, capsys, place):
+    (tmp_path / "dog.urdf").write_text(robot(2), encoding="utf-8")
+    assert main(["robot", "dog.urdf", "-o", place]) == 2
+    assert f"error: --output: {place} has no name" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("option", [["--forward", "-x"], ["--forward=-x"], ["-x"]])
 def test_forward_takes_an_axis_with_a_sign(tmp_path, option):
     (tmp_path / "dog.urdf").write_text(robot(2), encoding="utf-8")
