@@ -50,8 +50,7 @@ def describe_mjcf(content: bytes, root: Node, source: str, folders: Folders) -> 
         raise _unreadable(source, error) from error
     missing = _load_meshes(spec, folders)
     if missing:
-        text = f"{len(missing)} meshes are not read: {missing[0]}; shapes are of what is there"
-        described.add("left out", "collision", text)
+        described.add_missing(missing)
     given = _impossible_inertia(spec)
     try:
         with warnings.catch_warnings():

@@ -203,7 +203,7 @@ def test_mesh_that_is_too_large_is_not_read_and_said(tmp_path, monkeypatch):
 def test_damaged_mesh_is_left_out_and_said(tmp_path, content, name):
     (tmp_path / name).write_bytes(content)
     read = imported(mesh_robot(name), tmp_path)
-    assert f"1 meshes are not read: {name}: has fewer than four vertices" in findings(read, "left out", "collision")[0]
+    assert f"1 mesh is not read: {name}: has fewer than four vertices" in findings(read, "left out", "collision")[0]
 
 
 @pytest.mark.parametrize("how", ["absolute", "parents", "link"])
