@@ -272,21 +272,21 @@ def test_velocity_commands_of_both_types_are_received(nodes):
     received = []
     commands = VelocityCommands(
         SimpleNamespace(node=ours, refuse=pytest.fail),
-        SimpleNamespace(command=lambda *command: received.append(command[:2])),
+        SimpleNamespace(command=lambda velocity, now: received.append(tuple(velocity))),
     )
     stamped, twists = nav2.publish(CMD_VEL_STAMPED, SENSOR_DATA_QOS), user.publish(CMD_VEL)
     wait_until(lambda: stamped.readers and twists.readers)
-    fields = {"linear": {"x": 0.3}, "angular": {"z": -0.2}}
+    fields = {"linear": {"x": 0.3, "y": 0.1}, "angular": {"z": -0.2}}
     stamped.send(cdr.message(CMD_VEL_STAMPED.type_name, twist=fields))
-    wait_until(lambda: commands.take(SystemTime()) or received == [(0.3, -0.2)])
+    wait_until(lambda: commands.take(SystemTime()) or received == [(0.3, -0.2, 0.1)])
     twists.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.1}))
-    wait_until(lambda: commands.take(SystemTime()) or received == [(0.3, -0.2), (0.1, 0.0)])
+    wait_until(lambda: commands.take(SystemTime()) or received == [(0.3, -0.2, 0.1), (0.1, 0.0, 0.0)])
     # The later one of two that have arrived counts.
     twists.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.1}))
     stamped.send(cdr.message(CMD_VEL_STAMPED.type_name, twist=fields))
     twists.send(cdr.message(CMD_VEL.type_name, linear={"x": 0.5}))
     wait_until(lambda: [len(one.entities[0].read(9)) for one in commands._subscriptions] == [2, 1])
     commands.take(SystemTime())
-    assert received[2:] == [(0.5, 0.0)]
+    assert received[2:] == [(0.5, 0.0, 0.0)]
     for node in (ours, nav2, user):
         assert node.graph.problems() == []
