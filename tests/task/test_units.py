@@ -201,6 +201,8 @@ def test_the_travel_of_the_feet_is_the_largest_of_a_joint_over_the_distance_of_t
     depth = 2.0 * LINK * math.cos(BEND)
     # In the built-in robot a hip moves a foot, below it, forwards; the feet are 0.3 m apart.
     built_in = -MINI_QUADRUPED.stance_feet[0, 2] / 0.3
+    long = QuadrupedDesign(name="long", base_size=(0.6, 0.15, 0.08), hip_offset=(0.3, 0.1)).robot()
+    assert foot_travel(long) == 1.0, "no more exploration than on the built-in robot"
     assert foot_travel(TWELVE) == pytest.approx(depth / 0.26 / built_in, rel=2e-2)
 
 

@@ -132,7 +132,8 @@ def test_recipe_explores_less_on_a_robot_whose_joints_move_its_feet_further(aske
     config = asked("--task", str(file))
     # The feet are 0.15 m from each other where the built-in robot's are 0.3 m.
     assert config.task["action"] == {"residual_scale": 0.2}
-    assert "action" not in asked("--task", str(file), "--action-mode", "position").task
+    for options in (("--action-mode", "position"), ("--recipe", "rough")):  # which is in this mode
+        assert "action" not in asked("--task", str(file), *options).task
     assert "action" not in asked().task
     own = asked("--task", str(file), "--task", '{"action": {"residual_scale": 0.3}}')
     assert own.task["action"] == {"residual_scale": 0.3}
