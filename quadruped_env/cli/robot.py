@@ -25,7 +25,9 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import fitness
 from quadruped_env.importer import ImportedRobot, import_robot
 from quadruped_env.importer.imported_robot import FORWARD
+from quadruped_env.importer.xml_tree import FIX
 from quadruped_env.robot import Robot
+from quadruped_env.utils.documents import check_regular
 from quadruped_env.utils.files import check_free, write_whole
 from quadruped_env.utils.text_table import text_table
 
@@ -60,6 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     """Read the robot, write its files and print what was found."""
+    check_regular(arguments.file, FIX)
     place = _place(arguments.file, arguments.output)
     files = {suffix: place.with_name(place.name + suffix) for suffix in (".py", ".xml", ".png")}
     check_free(files.values(), arguments.overwrite)
@@ -79,6 +82,8 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
 def _place(file: Path, output: Path | None) -> Path:
     """Return the path of the files that are written, without suffix."""
     if output is not None:
+        if output.name in ("", ".."):
+            raise QuadrupedError(f"--output: {output} has no name; give NAME or PATH/NAME")
         place = output.with_suffix("") if output.suffix in (".py", ".xml") else output
     else:
         place = Path(file.name.split(".")[0] or "robot")

@@ -115,6 +115,11 @@ class Description:
         """Add a finding."""
         self.findings.append(Finding(status, subject, text))
 
+    def add_missing(self, problems: list[str]) -> None:
+        """Add a finding for meshes that are not read, of which the first problem is quoted."""
+        count = "1 mesh is" if len(problems) == 1 else f"{len(problems)} meshes are"
+        self.add("left out", "collision", f"{count} not read: {problems[0]}; only the other shapes are used")
+
 
 def named(names: list[str]) -> str:
     """Return names for a finding: all of a few, or the first of many and their number."""

@@ -8,7 +8,7 @@ from typing import Final
 import mujoco
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.importer.description import FIXED, HINGE, LARGEST, Description, Joint, Link, Shape
 from quadruped_env.importer.files import MAX_MESH, Folders
 from quadruped_env.importer.shapes import ball, box, cylinder, mesh
@@ -42,14 +42,15 @@ def describe_mjcf(content: bytes, root: Node, source: str, folders: Folders) -> 
     described = Description(root.get("model") or "robot", [], [])
     files: dict[str, bytes] = {}
     _collect_includes(root, folders, source, files)
+    for part in (root, *(parse(content, name) for name, content in files.items())):
+        _check_counts(part, source)
     try:
         spec = mujoco.MjSpec.from_string(content.decode("utf-8-sig", errors="replace"), include=files)
     except (ValueError, mujoco.FatalError, UnicodeError) as error:
         raise _unreadable(source, error) from error
     missing = _load_meshes(spec, folders)
     if missing:
-        text = f"{len(missing)} meshes are not read: {missing[0]}; shapes are of what is there"
-        described.add("left out", "collision", text)
+        described.add_missing(missing)
     given = _impossible_inertia(spec)
     try:
         with warnings.catch_warnings():
@@ -74,6 +75,21 @@ def _check_finite(model: mujoco.MjModel, source: str) -> None:
 
 def _unreadable(source: str, error: Exception) -> QuadrupedError:
     return QuadrupedError(f"{source}: MuJoCo cannot read it ({' '.join(str(error).split())}); correct the file")
+
+
+def _check_counts(root: Node, source: str) -> None:
+    """Refuse what would fill the memory, or never end, while MuJoCo reads the file."""
+    for node in root.iter():
+        assert isinstance(node, Node)
+        for name in ("nrow", "ncol", "count"):
+            found = node.get(name, "")
+            if any(len(word) > 4 for word in found.split()):
+                raise QuadrupedError(
+                    f"{source}, line {node.line}: <{node.tag[:40]}> {name}: expected numbers below 10000; found "
+                    f"{short(found)}"
+                )
+        if node.tag == "replicate" and node.find(".//replicate") is not None:
+            raise QuadrupedError(f"{source}, line {node.line}: <replicate> contains another; write the bodies out")
 
 
 def _collect_includes(root: Node, folders: Folders, source: str, files: dict[str, bytes]) -> None:

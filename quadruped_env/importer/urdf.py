@@ -250,8 +250,7 @@ class Urdf:
 
     def _report(self, described: Description, links: dict[str, Node]) -> None:
         if self.missing:
-            text = f"{len(self.missing)} meshes are not read: {next(iter(self.missing.values()))}"
-            described.add("left out", "collision", f"{text}; shapes are of what is there")
+            described.add_missing(list(self.missing.values()))
         bare = [
             n.name
             for n in described.links

@@ -240,7 +240,7 @@ def task_file(
     lines += [
         "ROBOT = Robot(",
         f'    name="{robot_name(described.name)}",',
-        f"    mjcf=Path(__file__).with_name({json.dumps(model_file)}),",
+        f"    mjcf=Path(__file__).with_name({_quoted(model_file)}),",
         f"    stance={_stance_text(stance, order, len(anatomy.kinds))},  # rad",
         f"    motors=MotorConfig({given}),",
         ")",
@@ -255,8 +255,13 @@ def motor_kinds(anatomy: Anatomy) -> list[str]:
 
 
 def _docstring(described: Description, source: str) -> str:
-    shown = re.sub(r"[^\w ,.-]", "_", f"{robot_name(described.name)}, read from {source}", flags=re.ASCII)
+    shown = re.sub(r"[^\w ,.-]", "_", f"{robot_name(described.name)}, read from {source}")
     return f'"""{shown}. Edit an assumed number here; the model is in the file next to this one."""'
+
+
+def _quoted(name: str) -> str:
+    """Return a file's name as a Python string; a Chinese name stays readable."""
+    return json.dumps(name, ensure_ascii=not name.isprintable())
 
 
 def _stance_text(stance: Stance, order: Sequence[str], count: int) -> str:

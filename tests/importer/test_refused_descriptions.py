@@ -1,6 +1,7 @@
 """What is no four-legged robot of two or three joints, and files that are damaged or hostile: one clear line each."""
 
 import os
+import re
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from urdf_robots import FOOT, THIGH, collision, findings, imported, joint, leg, 
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.importer import files as importer_files
-from quadruped_env.importer import import_robot
+from quadruped_env.importer import import_robot, mjcf
 from quadruped_env.robot import asset_path
 
 
@@ -151,6 +152,19 @@ def test_damaged_mjcf_is_refused(tmp_path, text):
     refused(text, tmp_path, "x.xml")
 
 
+@pytest.mark.parametrize(
+    ("inside", "message"),
+    [
+        ('<asset><hfield nrow="9" ncol="100000"/></asset>', "line 1: <hfield> ncol: expected .* found '100000'"),
+        ('<worldbody><replicate count="10000000"/></worldbody>', "line 1: <replicate> count: expected numbers below"),
+        ('<worldbody><replicate count="9"><body><replicate count="9"/></body></replicate></worldbody>', "another"),
+    ],
+)
+def test_mjcf_that_would_fill_the_memory_is_refused_before_mujoco_reads_it(tmp_path, monkeypatch, inside, message):
+    monkeypatch.delattr(mjcf.mujoco, "MjSpec")
+    assert re.search(message, refused(f"<mujoco>{inside}</mujoco>", tmp_path, "x.xml"))
+
+
 def test_missing_file_folder_and_pipe_are_refused(tmp_path):
     os.mkfifo(tmp_path / "pipe.urdf")
     for path, message in (
@@ -189,7 +203,7 @@ def test_mesh_that_is_too_large_is_not_read_and_said(tmp_path, monkeypatch):
 def test_damaged_mesh_is_left_out_and_said(tmp_path, content, name):
     (tmp_path / name).write_bytes(content)
     read = imported(mesh_robot(name), tmp_path)
-    assert f"1 meshes are not read: {name}: has fewer than four vertices" in findings(read, "left out", "collision")[0]
+    assert f"1 mesh is not read: {name}: has fewer than four vertices" in findings(read, "left out", "collision")[0]
 
 
 @pytest.mark.parametrize("how", ["absolute", "parents", "link"])

@@ -76,6 +76,28 @@ def test_refused_file_leaves_nothing_behind(tmp_path, capsys):
     assert [path.name for path in tmp_path.iterdir()] == ["dog.urdf"]
 
 
+def test_link_to_itself_is_refused_on_one_line(tmp_path, capsys):
+    (tmp_path / "dog.urdf").symlink_to("dog.urdf")
+    assert main(["robot", "dog.urdf"]) == 2
+    assert capsys.readouterr().err.startswith("mini-quadruped robot: error: dog.urdf: ")
+
+
+def test_chinese_names_of_files_stay_readable(tmp_path):
+    (tmp_path / "小狗.urdf").write_text(robot(2), encoding="utf-8")
+    assert main(["robot", "小狗.urdf", "-o", "my dogs/我的狗"]) == 0
+    task = tmp_path / "my dogs" / "我的狗.py"
+    assert "read from 小狗.urdf" in task.read_text(encoding="utf-8")
+    assert 'with_name("我的狗.xml")' in task.read_text(encoding="utf-8")
+    assert load_robot(task).name == "made"
+
+
+@pytest.mark.parametrize("place", [".", "..", "/"])
+def test_output_without_a_name_is_refused(tmp_path, capsys, place):
+    (tmp_path / "dog.urdf").write_text(robot(2), encoding="utf-8")
+    assert main(["robot", "dog.urdf", "-o", place]) == 2
+    assert f"error: --output: {place} has no name" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("option", [["--forward", "-x"], ["--forward=-x"], ["-x"]])
 def test_forward_takes_an_axis_with_a_sign(tmp_path, option):
     (tmp_path / "dog.urdf").write_text(robot(2), encoding="utf-8")
