@@ -67,21 +67,6 @@ def motor_heat(robot: Robot) -> float:
     return max(1.0, _rounded(float(own / built_in) / scale_of("W/(N m)^2", robot), 3))
 
 
-@functools.lru_cache(maxsize=64)
-def foot_travel(robot: Robot) -> float:
-    """Return how far a joint moves a foot towards the others, relative to the built-in robot; 1 or more.
-
-    In each horizontal direction it is the largest motion of a foot per rad of a joint, in the stance, over the distance
-    of the outer feet from the middle.
-    """
-
-    def travel(r: Robot) -> float:
-        moved = np.abs(r.skeleton.foot_jacobians(r.stance)[:, :2]).max(axis=(0, 2))
-        return float((moved / np.ptp(r.stance_feet[:, :2], axis=0)).max())
-
-    return max(1.0, _rounded(travel(robot) / travel(MINI_QUADRUPED), 3))
-
-
 def scaled(value: Plain, factor: float, digits: int = 6) -> Plain:
     """Return a number, or each in a list or tuple, times a factor, rounded to some digits; a factor of 1 keeps it."""
     if isinstance(value, (list, tuple)):
