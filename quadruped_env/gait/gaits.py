@@ -49,6 +49,8 @@ LEG_TABLES: Final = ("fore", "hind", "fore_turn", "hind_turn", "fore_side", "hin
 """Tables of a gait of two joints per leg; see `CommandedGait.of_legs`."""
 _WAVES: Final = ("straight", "turn", "side", "lateral")
 
+_SAME_SHAPE: Final = 1e-3
+"""Distance of the feet of two robots of the same shape, as a part of the height of the stance."""
 _WHOLE_STEPS: Final = (0.05, 0.15, 0.05)
 """Forward velocity (m/s), yaw rate (rad/s) and lateral velocity (m/s) from which on the tuned robot takes whole
 steps."""
@@ -305,8 +307,8 @@ class CommandedGait:
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
         """Return a gait by name: the robot's own of `Robot.gaits`, or else the preset.
 
-        On the built-in robot `sinusoid` is the trot in closed form, and `tuned`, `crouched`, `low` and `fast` were
-        found by searches. Another robot has the gaits of `TROTS`.
+        On the built-in robot, and on those of its shape in any size, `sinusoid` is the trot in closed form, and
+        `tuned`, `crouched`, `low` and `fast` were found by searches. Another robot has the gaits of `TROTS`.
 
         Raises:
             QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
@@ -424,8 +426,8 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
             f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
             f"{', '.join(COMMANDED)}"
         )
-    if name not in gaits and robot == TUNED_ON:
-        return CommandedGait.of_legs(COMMANDED[name], robot)
+    if name not in gaits and _has_tuned_shape(robot):
+        return _scaled_to(robot, COMMANDED[name])
     if name not in gaits:
         return _trot(robot, TROTS[name], TROTS[name].frequency / scale_of("m/s", robot))
     try:
@@ -440,9 +442,43 @@ def _commanded(name: str, robot: Robot) -> CommandedGait:
 def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
     if SINUSOID in (robot.gaits or {}):
         return _commanded(SINUSOID, robot)
-    if robot == TUNED_ON:
-        return CommandedGait.of_legs(sinusoid(frequency), robot)
+    if _has_tuned_shape(robot):
+        return _scaled_to(robot, sinusoid(frequency * scale_of("m/s", robot)))
     return _trot(robot, TROTS[SINUSOID], frequency)
+
+
+def _has_tuned_shape(robot: Robot) -> bool:
+    """Return True for a robot whose feet move like those of the built-in one, in proportion to its height."""
+    if robot == TUNED_ON:
+        return True
+    if robot.num_joints != TUNED_ON.num_joints:
+        return False
+    order = np.argsort(corners(robot))  # The built-in robot's legs are in the order of the corners.
+    joints = np.array(robot.leg_joints)[order].ravel()
+    postures = TUNED_ON.stance + np.outer([0.0, 0.3, -0.3], np.tile([1.0, -0.5], 4))
+    own = np.empty_like(postures)
+    own[:, joints] = postures
+    feet = robot.skeleton.foot_centres(own)[:, order] / robot.stance_height
+    tuned = TUNED_ON.skeleton.foot_centres(postures) / TUNED_ON.stance_height
+    return np.allclose(robot.stance[joints], TUNED_ON.stance) and np.allclose(feet, tuned, atol=_SAME_SHAPE)
+
+
+def _scaled_to(robot: Robot, numbers: Mapping[str, Any]) -> CommandedGait:
+    """Return a gait of the built-in robot, in the form of `COMMANDED`, on a robot of its shape."""
+    root = scale_of("m/s", robot)
+    if root == 1.0:
+        return CommandedGait.of_legs(numbers, robot)
+    turns = [name for name in LEG_TABLES if "_" in name]  # per rad/s
+    return CommandedGait.of_legs(
+        {
+            **numbers,
+            **{name: {part: np.multiply(root, row) for part, row in numbers[name].items()} for name in turns},
+            "angular_frequency": numbers["angular_frequency"] / root,
+            "speeds": tuple(root * speed for speed in numbers["speeds"]),
+            "largest_yaw_rate": numbers["largest_yaw_rate"] / root,
+        },
+        robot,
+    )
 
 
 def _trot(robot: Robot, trot: Trot, frequency: float) -> CommandedGait:

@@ -103,9 +103,12 @@ def joint_waves(robot: Robot, frequency: float, velocities: Floats, lift: float,
         # Feet at (x, y) that slide sideways by w x balance those that slide along x by (k - 1) w y at 1 + (x / y)^2.
         x, y = np.abs(home[:, :2]).mean(axis=0)
         speed[..., 0] = forward - _SLIDING * (1.0 + (x / y) ** 2) * yaw_rate * home[:, 1]
-    feet = home + speed[:, None] * along[:, None, None] / (4.0 * frequency)
+    away, leg = speed[:, None] * along[:, None, None] / (4.0 * frequency), robot.stance_height
+    # On an arc, so that a stride turns a leg about its hip and leaves its knee for the lift.
+    arc = leg - np.sqrt(np.maximum(0.0, leg * leg - (away * away).sum(axis=-1)))
     up = lift * np.maximum(0.0, np.sin(angle)) + 1.0 - height
-    feet[..., 2] += robot.stance_height * up[:, None]
+    feet = home + away
+    feet[..., 2] += arc + leg * up[:, None]
     joints = postures_with_feet_at(robot, feet.reshape(-1, *home.shape)).reshape(*feet.shape[:2], -1)
     wave = 2.0 / _SAMPLES
     sine = wave * (joints * np.sin(angle)[:, None]).sum(axis=1)

@@ -1,5 +1,6 @@
 """Stance of a robot: each foot under its hip, with the knees bent to the side that their ranges or a home pose say."""
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,6 +16,8 @@ from quadruped_env.utils.arrays import Floats
 REACH: Final = 0.85
 """Height of the hips over the feet in the stance, relative to the length of the straight leg."""
 _REACHES: Final = sorted(np.arange(0.5, 0.97, 0.01).round(2).tolist(), key=lambda share: abs(share - REACH))
+_ROOM: Final = (0.1, 0.06, 0.0)
+"""Height by which the feet can be lifted from the stance within the limits, relative to the leg, most first."""
 _BENT: Final = (0.45, 2.3)
 """Angles of a knee at which a leg stands, rad."""
 _SURE: Final = 3.0
@@ -187,28 +190,29 @@ def _under_hips(
     anatomy: Anatomy, planes: Sequence[LegPlane], choices: Sequence[str]
 ) -> tuple[str, dict[str, float], str]:
     """Return the knees, the joint positions with each foot under its hip, and what a finding says about them."""
-    reach = np.array([plane.thigh + plane.shank for plane in planes])
-    hips = np.array([plane.hip[2] for plane in planes])
-    for knees in dict.fromkeys(choices):
-        for share in _REACHES:
-            ground = float((hips - share * reach).mean())
-            found = [
-                _bent(anatomy, leg, plane, hip - ground, knee)
-                for leg, plane, hip, knee in zip(anatomy.legs, planes, hips, knees, strict=True)
-            ]
-            if all(positions is not None for positions in found):
-                named_positions = {
-                    name: value
-                    for leg, positions in zip(anatomy.legs, found, strict=True)
-                    for name, value in zip(leg.names, positions, strict=True)  # type: ignore[arg-type]
-                }
-                return knees, named_positions, f"each foot under its hip, at {share:.2f} of the leg's length"
+    for knees, room, share in itertools.product(dict.fromkeys(choices), _ROOM, _REACHES):
+        positions = _feet_under(anatomy, planes, knees, share)
+        if positions is not None and _feet_under(anatomy, planes, knees, share - room) is not None:
+            return knees, positions, f"each foot under its hip, at {share:.2f} of the leg's length"
     middle = {
         joint.name: 0.0 if joint.low is None or joint.high is None else 0.5 * (joint.low + joint.high)
         for leg in anatomy.legs
         for joint in leg.joints
     }
     return choices[0], middle, "the middle of the ranges, since the limits allow no foot under its hip; correct it"
+
+
+def _feet_under(anatomy: Anatomy, planes: Sequence[LegPlane], knees: str, share: float) -> dict[str, float] | None:
+    """Return joint positions with the feet under the hips at a share of the legs' length; None beyond limits."""
+    heights = np.array([[plane.hip[2], plane.thigh + plane.shank] for plane in planes])
+    ground = float((heights[:, 0] - share * heights[:, 1]).mean())
+    found: dict[str, float] = {}
+    for leg, plane, knee in zip(anatomy.legs, planes, knees, strict=True):
+        positions = _bent(anatomy, leg, plane, float(plane.hip[2]) - ground, knee)
+        if positions is None:
+            return None
+        found.update(zip(leg.names, positions, strict=True))
+    return found
 
 
 def _bent(anatomy: Anatomy, leg: Leg, plane: LegPlane, drop: float, knee: str) -> list[float] | None:

@@ -9,6 +9,8 @@ import re
 from collections.abc import Mapping
 from typing import Final
 
+import numpy as np
+
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
@@ -43,6 +45,43 @@ def scale_of(unit: str, robot: Robot) -> float:
     return float(mass**of_mass * length**of_length)
 
 
+@functools.lru_cache(maxsize=64)
+def steadiness(robot: Robot) -> float:
+    """Return how far apart a robot's feet are for its height, relative to the built-in robot; at most 1.
+
+    A rigid robot tips over its feet at a speed of w sqrt(g / L), with half the smaller distance w between its fore and
+    hind or its left and right feet, and under a horizontal force of m g w / L.
+    """
+    own, built_in = (np.ptp(r.stance_feet[:, :2], axis=0).min() / r.stance_height for r in (robot, MINI_QUADRUPED))
+    return min(1.0, _rounded(float(own / built_in), 3))
+
+
+@functools.lru_cache(maxsize=64)
+def motor_heat(robot: Robot) -> float:
+    """Return the heat in a robot's motors while they carry its weight, relative to the built-in robot; 1 or more.
+
+    For the same torque a motor heats in proportion to its no-load speed, so fast motors are not those of a similar
+    robot.
+    """
+    own, built_in = (r.motors.joule_coefficients(r.joint_kinds).mean() for r in (robot, MINI_QUADRUPED))
+    return max(1.0, _rounded(float(own / built_in) / scale_of("W/(N m)^2", robot), 3))
+
+
+@functools.lru_cache(maxsize=64)
+def foot_travel(robot: Robot) -> float:
+    """Return how far a joint moves a foot towards the others, relative to the built-in robot; 1 or more.
+
+    In each horizontal direction it is the largest motion of a foot per rad of a joint, in the stance, over the distance
+    of the outer feet from the middle.
+    """
+
+    def travel(r: Robot) -> float:
+        moved = np.abs(r.skeleton.foot_jacobians(r.stance)[:, :2]).max(axis=(0, 2))
+        return float((moved / np.ptp(r.stance_feet[:, :2], axis=0)).max())
+
+    return max(1.0, _rounded(travel(robot) / travel(MINI_QUADRUPED), 3))
+
+
 def scaled(value: Plain, factor: float, digits: int = 6) -> Plain:
     """Return a number, or each in a list or tuple, times a factor, rounded to some digits; a factor of 1 keeps it."""
     if isinstance(value, (list, tuple)):
@@ -57,7 +96,7 @@ def scaled_values(values: Mapping[str, Plain], units: Mapping[str, Plain], robot
 
     Args:
         values: numbers, ranges and other values by name, nested.
-        units: their units, nested in the same way; a value without one is unchanged.
+        units: their units, or factors for the other robot, nested in the same way; a value without one is unchanged.
         robot: the other robot.
     """
     result: dict[str, Plain] = {}
@@ -66,7 +105,8 @@ def scaled_values(values: Mapping[str, Plain], units: Mapping[str, Plain], robot
         if isinstance(value, Mapping):
             result[name] = scaled_values(value, unit, robot) if isinstance(unit, Mapping) else dict(value)
         else:
-            result[name] = value if isinstance(unit, Mapping) else scaled(value, scale_of(unit, robot))
+            factor = unit if isinstance(unit, float) else None if isinstance(unit, Mapping) else scale_of(unit, robot)
+            result[name] = value if factor is None else scaled(value, factor)
     return result
 
 

@@ -70,10 +70,15 @@ def values_for(values: Mapping[str, Plain], robot: Robot) -> dict[str, Plain]:
     values = {**values}
     if "randomization" in values:
         values["randomization"] = with_preset(values["randomization"], BUILT_IN.robot)
-    units: dict[str, Plain] = {"clock_frequency": "Hz"}
+    units: dict[str, Any] = {"clock_frequency": "Hz"}
     units |= {
         name: units_of(section_type(base, BUILT_IN, values[name])) for name, base in SECTIONS.items() if name in values
     }
+    if "randomization" in units:
+        units["randomization"] |= {entry.name: entry.scale(robot) for entry in BUILT_IN.randomizations}
+    if "reward" in units:
+        scale = BUILT_IN.with_robot(robot).weight_scale
+        units["reward"]["weights"] |= {name: scale(term) for term in BUILT_IN.rewards for name in term.weights}
     return plain(scaled_values(values, units, robot))
 
 

@@ -13,13 +13,13 @@ from quadruped_env.control.observations import ObservationField
 from quadruped_env.control.task_file import Terms, execute, merged, names_of
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
-from quadruped_env.robot.units import scale_of, scaled
+from quadruped_env.robot.units import motor_heat, scale_of, scaled
 from quadruped_env.simulation.built_in_terrains import TERRAINS
 from quadruped_env.simulation.terrain import Terrain, Tiles
 from quadruped_env.task.privileged import PRIVILEGED, PrivilegedReading
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
 from quadruped_env.task.randomization.randomization import Randomization
-from quadruped_env.task.rewards import REWARDS, lateral
+from quadruped_env.task.rewards import REWARDS, electrical_power, lateral
 from quadruped_env.task.terminations import TERMINATIONS
 from quadruped_env.task.terms import RewardTerm, Termination
 from quadruped_env.utils.provenance import TaskFile
@@ -60,10 +60,13 @@ class TaskDefinition(Terms):
     def weights(self) -> dict[str, float]:
         """Default weight of every reward term, per second, in the order in which they are added."""
         return {
-            name: scaled(weight, 1.0 / self.scale(term, term.unit))
-            for term in self.paid
-            for name, weight in term.weights.items()
+            name: scaled(weight, self.weight_scale(term)) for term in self.paid for name, weight in term.weights.items()
         }
+
+    def weight_scale(self, term: RewardTerm) -> float:
+        """Return the factor on the weights of a reward term, which are the built-in robot's if the term is built in."""
+        heat = motor_heat(self.robot) if term is electrical_power else 1.0
+        return 1.0 / (heat * self.scale(term, term.unit))
 
     def scale(self, term: object, unit: str) -> float:
         """Return the factor on the numbers of a term in a unit, which are the built-in robot's if the term is built in.

@@ -5,9 +5,11 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final
 
+from quadruped_env.control.control_config import ActionConfig
 from quadruped_env.envs.arguments import changed
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import foot_travel, scaled
 from quadruped_env.task.randomization.randomization_presets import PRESET
 from quadruped_env.task.sections import values_for
 from quadruped_env.training.algorithms import ALGORITHMS, SETTINGS
@@ -63,7 +65,8 @@ RECIPES: Final[Mapping[str, Recipe]] = MappingProxyType(
 def with_recipe(given: Mapping[str, Any], robot: Robot, whole: Iterable[str] = ()) -> TrainConfig:
     """Return the settings of a training: what the user gave, then the recipe, then the algorithm.
 
-    All numbers of the recipe's task follow the robot's size by their units.
+    All numbers of the recipe's task follow the robot's size by their units, and the scale of residual actions follows
+    how far its joints move its feet.
 
     Args:
         given: fields of `TrainConfig`; of `task`, changes to the config.
@@ -79,6 +82,10 @@ def with_recipe(given: Mapping[str, Any], robot: Robot, whole: Iterable[str] = (
     own = given.get("task", {})
     chosen = {*whole, *(section for section, values in own.items() if isinstance(values, dict) and PRESET in values)}
     task = {name: values for name, values in values_for(recipe.task, robot).items() if name not in chosen}
+    mode = given.get("action_mode", recipe.training.get("action_mode", TrainConfig.action_mode))
+    if mode == "residual" and (travel := foot_travel(robot)) > 1.0:
+        # What explores on one robot topples another one, whose joints move its feet further.
+        task["action"] = {"residual_scale": scaled(ActionConfig.residual_scale, 1.0 / travel, 2)}
     defaults = {"name": algo, **ALGORITHMS[algo].defaults, **recipe.training, **(recipe.ppo if algo == "ppo" else {})}
     return TrainConfig(**{**defaults, **given, "task": changed(task, own)})
 

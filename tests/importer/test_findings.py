@@ -320,3 +320,10 @@ def test_joints_between_the_world_and_the_base_are_removed(tmp_path):
     assert findings(read, "left out", "base") == ["rail, root: joints above it; the robot floats by itself"]
     assert findings(read, "left out", "mass") == ["0.1 kg of links that are not part of the robot"]
     assert read.mass == pytest.approx(MASS)
+
+
+def test_stance_leaves_room_to_lift_the_feet(tmp_path):
+    # A knee that bends by 60 degrees holds the leg at 0.866 of its length or more: there it could not be lifted.
+    read = imported(robot(2, knee='lower="-1.0472" upper="0" effort="20" velocity="15"'), tmp_path)
+    height = (read.stance.height - RADIUS) / (THIGH + SHANK)
+    assert 0.92 < height < 0.97

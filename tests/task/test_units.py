@@ -1,11 +1,14 @@
 """Everything in units of the robot: the built-in robot at half its size has the same task."""
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
 from half_robot import ROBOT, SIZE, TIME
 from second_robot import ROBOT as OTHER
+from twelve_joints import BEND, LINK
+from twelve_joints import ROBOT as TWELVE
 
 from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
 from quadruped_env.control.live_controller import Safety
@@ -14,10 +17,10 @@ from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.gait import CommandedGait
 from quadruped_env.policies import GaitController
-from quadruped_env.robot import MINI_QUADRUPED
-from quadruped_env.robot.units import scale_of, scaled_values
+from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
+from quadruped_env.robot.units import foot_travel, motor_heat, scale_of, scaled_values, steadiness
 from quadruped_env.simulation import BatchSimulation
-from quadruped_env.task import PRESETS, Section, Task, TaskConfig, load_task_file, preset_values
+from quadruped_env.task import BUILT_IN, PRESETS, Section, Task, TaskConfig, load_task_file, preset_values
 from quadruped_env.task.sections import values_for
 from quadruped_env.training.recipes import RECIPES
 from quadruped_env.utils.fields import units_of
@@ -138,6 +141,67 @@ def test_values_of_the_built_in_robot_become_those_of_another_one():
         "c": True,
         "d": 3,
     }
+
+
+NARROW = QuadrupedDesign(name="narrow", base_size=(0.3, 0.07, 0.08), hip_offset=(0.15, 0.06)).robot()
+"""The built-in robot with its left and right feet at 0.6 times the distance."""
+WIDE = QuadrupedDesign(name="wide", hip_offset=(0.15, 0.2)).robot()
+STILTS = QuadrupedDesign(name="stilts", leg_length=0.25).robot()
+
+
+def fast(factor):
+    """The built-in robot with motors of another no-load speed."""
+    motors = MINI_QUADRUPED.motors
+    hip, knee = (dataclasses.replace(m, no_load_speed=factor * m.no_load_speed) for m in (motors.hip, motors.knee))
+    return QuadrupedDesign(name="fast", motors=dataclasses.replace(motors, hip=hip, knee=knee)).robot()
+
+
+@pytest.mark.parametrize("law", [steadiness, motor_heat, foot_travel])
+def test_a_similar_robot_is_as_steady_heats_as_much_and_moves_its_feet_as_far(law):
+    assert (law(MINI_QUADRUPED), law(ROBOT)) == (1.0, 1.0)
+
+
+def test_pushes_follow_the_distance_of_the_feet_from_each_other():
+    """What tips a rigid robot over its feet is in proportion to their distance over the height."""
+    assert steadiness(NARROW) == pytest.approx(0.6, abs=1e-3)
+    assert steadiness(WIDE) == 1.0, "no larger pushes than the built-in robot's"
+    assert steadiness(STILTS) == pytest.approx(MINI_QUADRUPED.stance_height / STILTS.stance_height, abs=2e-3)
+    # The feet of the robot with twelve joints are 0.13 m to the side of its middle.
+    built_in = 0.1 / MINI_QUADRUPED.stance_height
+    assert steadiness(TWELVE) == pytest.approx(0.13 / TWELVE.stance_height / built_in, abs=1e-3)
+    for preset in ("moderate", "hard"):
+        full, narrow = preset_values(preset), preset_values(preset, NARROW)
+        pushes = {"push_velocity", "push_rotation", "push_speed", "push_force"} & full.keys()
+        assert len(pushes) == {"moderate": 3, "hard": 2}[preset]
+        for name, value in full.items():
+            expected = np.array(value) * (0.6 if name in pushes else 1.0)
+            np.testing.assert_allclose(narrow[name], expected, rtol=2e-3, err_msg=name)
+        assert values_for({"randomization": preset}, NARROW)["randomization"] == narrow
+        assert TaskConfig.from_dict({}, BUILT_IN.with_robot(NARROW)).randomized(preset).randomization.to_dict() == (
+            TaskConfig.from_dict({"randomization": preset}, BUILT_IN.with_robot(NARROW)).randomization.to_dict()
+        )
+
+
+def test_the_cost_of_power_follows_what_the_motors_heat():
+    """At the same torque a motor of five times the speed takes five times the power for the winding's heat."""
+    assert motor_heat(fast(5.0)) == pytest.approx(5.0, rel=1e-3)
+    assert motor_heat(fast(0.5)) == 1.0, "no larger weight than the built-in robot's"
+    plain, quick = BUILT_IN.weights, BUILT_IN.with_robot(fast(5.0)).weights
+    assert {name for name in plain if plain[name] != quick[name]} == {"electrical_power"}
+    assert quick["electrical_power"] == pytest.approx(0.2 * plain["electrical_power"], rel=1e-3)
+    weights = {"electrical_power": -0.01, "fall": -300.0}
+    assert values_for({"reward": {"weights": weights}}, fast(5.0))["reward"]["weights"] == {
+        "electrical_power": -0.002,
+        "fall": -300.0,
+    }
+
+
+def test_the_travel_of_the_feet_is_the_largest_of_a_joint_over_the_distance_of_the_feet():
+    """A roll joint moves a foot to the side by the foot's depth under it; the feet are 2 x 0.13 m apart."""
+    depth = 2.0 * LINK * math.cos(BEND)
+    # In the built-in robot a hip moves a foot, below it, forwards; the feet are 0.3 m apart.
+    built_in = -MINI_QUADRUPED.stance_feet[0, 2] / 0.3
+    assert foot_travel(TWELVE) == pytest.approx(depth / 0.26 / built_in, rel=2e-2)
 
 
 TWIN = dataclasses.replace(MINI_QUADRUPED, name="twin")

@@ -123,6 +123,21 @@ def test_recipe_for_another_robot_asks_for_steps_of_its_size(asked, tmp_path):
     assert config.task["reward"]["foot_lift"] == pytest.approx(scale * 0.045, rel=1e-5)
 
 
+def test_recipe_explores_less_on_a_robot_whose_joints_move_its_feet_further(asked, tmp_path):
+    file = tmp_path / "own.py"
+    file.write_text(
+        "from quadruped_env.robot import QuadrupedDesign\n"
+        "ROBOT = QuadrupedDesign(name='short', base_size=(0.2, 0.15, 0.08), hip_offset=(0.075, 0.1))\n"
+    )
+    config = asked("--task", str(file))
+    # The feet are 0.15 m from each other where the built-in robot's are 0.3 m.
+    assert config.task["action"] == {"residual_scale": 0.2}
+    assert "action" not in asked("--task", str(file), "--action-mode", "position").task
+    assert "action" not in asked().task
+    own = asked("--task", str(file), "--task", '{"action": {"residual_scale": 0.3}}')
+    assert own.task["action"] == {"residual_scale": 0.3}
+
+
 def test_help_lists_the_recipes_with_their_descriptions():
     program = make_parser(only="train")._subparsers._group_actions[0].choices["train"]
     (text,) = (action.help for action in program._actions if action.dest == "recipe")

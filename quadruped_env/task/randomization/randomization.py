@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.units import scale_of, steadiness
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
 from quadruped_env.task.randomization.servo_errors import ServoErrors
@@ -127,6 +128,8 @@ class Randomization:
     """Meaning of the values, for the docs."""
     source: str = ""
     """Reason or reference for the built-in ranges."""
+    tips: bool = False
+    """True for what tips a robot over: its ranges for the built-in robot follow another one's `steadiness`, too."""
 
     def __post_init__(self) -> None:
         what = f"randomization {self.name}"
@@ -151,6 +154,10 @@ class Randomization:
     def parts(self) -> tuple[Apply | Bindable, ...]:
         """Functions and descriptions that receive the same values."""
         return self.apply if isinstance(self.apply, tuple) else (self.apply,)
+
+    def scale(self, robot: Robot) -> float:
+        """Return the factor on a range for the built-in robot that suits another one."""
+        return scale_of(self.unit, robot) * (steadiness(robot) if self.tips else 1.0)
 
     def columns(self, robot: Robot) -> int:
         """Return the number of values, and of uniform draws, per env."""

@@ -59,7 +59,7 @@ def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plai
             f"config.randomization: there is no preset {short(name)}; choose one of {', '.join(PRESETS)}, or give "
             f"ranges such as {{'friction': [0.5, 1.0]}}"
         )
-    units = {entry.name: entry.unit for entry in RANDOMIZATIONS}
+    units: dict[str, Plain] = {entry.name: entry.scale(robot) for entry in RANDOMIZATIONS}
     units |= {times[0]: "s" for entry in RANDOMIZATIONS for times in (entry.interval, entry.duration) if times}
     values: dict[str, Plain] = plain(scaled_values(PRESETS[name], units, robot))
     return values
