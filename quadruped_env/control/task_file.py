@@ -17,6 +17,7 @@ from quadruped_env.control.observations import OBSERVATIONS, ObservationField
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.description import description_problem
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
+from quadruped_env.robot.model_completion import read_files
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.documents import check_regular
@@ -30,6 +31,8 @@ TASK_FILE: Final = "task_file"
 """Field of a config's plain values that names the user's file of terms."""
 KEPT_FILE: Final = "task.py"
 """Copy of the user's file in a run, as data."""
+_FILES: Final = "__read_files__"
+"""Attribute of an executed file's module: the model files that it reads in its folder."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +97,11 @@ def recorded_terms(recorded: Mapping[str, Plain]) -> dict[str, list[str]]:
     if not isinstance(terms, dict) or not all(isinstance(names, list) for names in terms.values()):
         return {}
     return {kind: list(map(str, names)) for kind, names in terms.items()}
+
+
+def kept_files(file: TaskFile | None) -> dict[str, bytes]:
+    """Return name -> content of the copies in a run, from which the file can be executed again: none of no file."""
+    return {} if file is None else {**file.beside, KEPT_FILE: file.content}
 
 
 class TaskFileError(QuadrupedError):
@@ -205,7 +213,8 @@ def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> t
             f"{file}: its SHA-256 is {found.sha256[:12]}..., and the task was made with {short(expected.name)} of "
             f"{short(expected.sha256)[:12]}...; name that version of the file with --task FILE"
         )
-    return found, _executed(file, content)
+    module = _executed(file, content)
+    return replace(found, beside=vars(module)[_FILES]), module
 
 
 def _executed(file: Path, content: bytes) -> ModuleType:
@@ -219,6 +228,8 @@ def _executed(file: Path, content: bytes) -> ModuleType:
     module.__file__ = path
     # Registered, because unpickling an env looks up the file's classes by their module.
     sys.modules[name] = module
+    files: dict[Path, bytes] = {}
+    token = read_files.set(files)
     try:
         # Compiled from the bytes that were hashed.
         exec(compile(content, path, "exec"), vars(module))  # noqa: S102
@@ -229,4 +240,11 @@ def _executed(file: Path, content: bytes) -> ModuleType:
         line = lines[-1] if lines else getattr(error, "lineno", None)
         where = f", line {line}" if line else ""
         raise QuadrupedError(f"{file}{where}: {type(error).__name__}: {error}") from error
+    finally:
+        read_files.reset(token)
+    folder = Path(path).parent
+    found = {Path(os.path.abspath(name)): content for name, content in files.items()}
+    vars(module)[_FILES] = {
+        name.relative_to(folder).as_posix(): content for name, content in found.items() if name.is_relative_to(folder)
+    }
     return module

@@ -325,7 +325,7 @@ def _report(model: mujoco.MjModel, described: Description) -> None:
     ]
     ground = model.body_geomnum[0]
     for count, what, why in (
-        (int(ground), "ground", "geoms of the world; the task has its own"),
+        (int(ground), "ground", "of the world's geoms; the task has its own"),
         (model.nu, "actuators", "of the file; the motors take their place"),
         (model.nsensor, "sensors", "of the file; the robot gets its own"),
     ):

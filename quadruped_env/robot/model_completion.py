@@ -3,6 +3,7 @@
 import math
 import os
 from collections.abc import Mapping, Sequence
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Final
 from xml.etree import ElementTree
@@ -40,6 +41,10 @@ _SENSORS: Final = {
 the first link of each leg."""
 
 
+read_files: Final[ContextVar[dict[Path, bytes] | None]] = ContextVar("read_files", default=None)
+"""Files of models that were read, by path, for a caller that sets a dict."""
+
+
 def read_model(path: Path) -> tuple[str, dict[str, bytes]]:
     """Return an MJCF, and the files that it names: meshes, textures and included MJCF, searched next to it.
 
@@ -57,6 +62,8 @@ def _read(path: Path, folder: Path, assets: dict[str, bytes], fix: str) -> bytes
         root = ElementTree.fromstring(content) if path.suffix == ".xml" else None  # noqa: S314  the user's own file
     except (OSError, ElementTree.ParseError) as error:
         raise QuadrupedError(f"{path}: cannot be read ({error}); {fix}") from error
+    if (files := read_files.get()) is not None:
+        files[path] = content
     if root is None:
         return content
     directories = [text for element in root.iter("compiler") for name in _DIRECTORIES if (text := element.get(name))]

@@ -21,7 +21,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.task_file import KEPT_FILE
+from quadruped_env.control.task_file import KEPT_FILE, kept_files
 from quadruped_env.envs.arguments import changed, task_config
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import asset_path
@@ -159,7 +159,7 @@ class Sweep:
             "task_file": None if file is None else file.to_dict(),
         }
         if file is not None:
-            write_whole({self.path / KEPT_FILE: file.content})
+            write_whole({self.path / name: content for name, content in kept_files(file).items()})
         document = {"format_version": FORMAT_VERSION, **plain(fields), **circumstances(command)}
         write_json(self.path / SWEEP_FILE, document)
         return Sweep.open(self.path)

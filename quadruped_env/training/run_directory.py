@@ -12,7 +12,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
-from quadruped_env.control.task_file import KEPT_FILE
+from quadruped_env.control.task_file import kept_files
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.training.train_config import TrainConfig
@@ -71,12 +71,13 @@ class Run:
         # Terms that only the resumed run had keep their columns.
         self._columns = tuple(dict.fromkeys([*PROGRESS_COLUMNS, *columns, *(curve[0] if curve else ())]))
         self.directory = new_directory(parent, config.name)
-        kept = {} if task_file is None else {self.directory / KEPT_FILE: task_file.content}
+        kept = kept_files(task_file)
+        self.kept = tuple(kept)
         header = dict(zip(self._columns, self._columns, strict=True))
         try:
             write_whole(
                 {
-                    **kept,
+                    **{self.directory / name: content for name, content in kept.items()},
                     self.directory / PROGRESS_FILE: "".join(map(self._line, (header, *curve))).encode(),
                     self.directory / CONFIG_FILE: (json.dumps(document, indent=2) + "\n").encode(),
                 }

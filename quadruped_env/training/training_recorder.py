@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 import quadruped_env.training.sb3_models  # noqa: F401
 
 # isort: split
-from quadruped_env.control.task_file import KEPT_FILE
 from quadruped_env.envs import MAX_EPISODE_STEPS
 from quadruped_env.envs.sb3 import MiniQuadrupedSB3VecEnv
 from quadruped_env.errors import MissingExtraError, QuadrupedError
@@ -168,8 +167,9 @@ class Recorder(Scheduled):
         """Write a checkpoint, which appears when it is complete and does not depend on the run's files."""
         with whole(directory) as part:
             part.mkdir()
-            for name in (CONFIG_FILE, PROGRESS_FILE, KEPT_FILE):
+            for name in (CONFIG_FILE, PROGRESS_FILE, *self._run.kept):
                 if (self._run.directory / name).exists():
+                    (part / name).parent.mkdir(parents=True, exist_ok=True)
                     shutil.copyfile(self._run.directory / name, part / name)
             for name, content in self._files().items():
                 (part / name).write_bytes(content)

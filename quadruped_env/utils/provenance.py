@@ -5,6 +5,7 @@ import hashlib
 import os
 import platform
 import subprocess
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from importlib import metadata
 from pathlib import Path
@@ -23,6 +24,8 @@ class TaskFile:
     sha256: str
     content: bytes = field(default=b"", repr=False, compare=False)
     """The file's bytes, which a run keeps; empty if only its name and hash are known."""
+    beside: Mapping[str, bytes] = field(default_factory=dict, repr=False, compare=False)
+    """Files of the robot's model that it reads in its own folder, by their paths in it, which a run keeps, too."""
 
     def to_dict(self) -> dict[str, str]:
         """Return plain values, as stored in configs and results."""

@@ -21,6 +21,7 @@ from quadruped_env.live.nodes import controller
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import CHECKPOINTS, kept_file, read_policy
 from quadruped_env.policies.policy_data import CARD_FILE
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
@@ -105,6 +106,31 @@ def test_run_and_checkpoints_keep_the_file_as_it_was(rewarded):
         assert (folder / KEPT_FILE).read_text() == REWARDS
     recorded = json.loads((rewarded / CONFIG_FILE).read_text())["task"]["task_file"]
     assert recorded["sha256"] == hashlib.sha256(REWARDS.encode()).hexdigest()
+
+
+MODEL_FROM_FILE = """
+import dataclasses
+from pathlib import Path
+from quadruped_env.robot import MINI_QUADRUPED
+
+ROBOT = dataclasses.replace(MINI_QUADRUPED, name="dog", mjcf=Path(__file__).with_name("dog.xml"))
+"""
+
+
+def test_run_and_checkpoints_keep_the_model_that_the_file_reads(tmp_path):
+    folder = tmp_path / "mine"
+    model = edited(folder, MODEL_FROM_FILE).with_name("dog.xml")
+    model.write_text(MINI_QUADRUPED.mjcf.replace("<worldbody>", '<include file="parts/custom.xml"/><worldbody>', 1))
+    model.with_name("parts").mkdir()
+    (folder / "parts" / "custom.xml").write_text("<mujocoinclude><custom/></mujocoinclude>")
+    run = trained(folder / "my_task.py", tmp_path / "runs", checkpoint_seconds=1e-6)
+    robot = load_policy(run, folder / "my_task.py").robot
+    shutil.rmtree(folder)
+    for kept in (run, *(run / CHECKPOINTS).iterdir()):
+        assert load_policy(kept, trust_task=True).robot == robot
+    again = trained(run / KEPT_FILE, tmp_path / "again", run)
+    shutil.rmtree(run)
+    assert load_policy(again, trust_task=True).robot.name == "dog"
 
 
 def test_policy_without_the_file_of_its_reward_walks_and_nothing_is_executed(rewarded):

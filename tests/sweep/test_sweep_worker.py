@@ -12,6 +12,7 @@ from waiting import output_of, wait_until
 
 from quadruped_env import QuadrupedError
 from quadruped_env.cli.main import main
+from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.sweep import worker
 from quadruped_env.sweep.folder import Sweep
 from quadruped_env.task import BUILT_IN
@@ -212,10 +213,16 @@ def test_task_file_is_copied_and_executed_only_where_it_is_trusted(tmp_path, mon
     stub_score(monkeypatch)
     file = tmp_path / "mine.py"
     terms = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    return context.base_height\n"
-    file.write_text(terms)
+    (tmp_path / "mine.xml").write_text(MINI_QUADRUPED.mjcf)
+    file.write_text(
+        "import dataclasses, pathlib\nfrom quadruped_env.robot import MINI_QUADRUPED\n"
+        "ROBOT = dataclasses.replace(MINI_QUADRUPED, name='mine', mjcf=pathlib.Path(__file__).with_name('mine.xml'))\n"
+        + terms
+    )
     options = ("--timesteps", "32", "--num-envs", "4", "--n-steps", "8", "--batch-size", "16")
     assert main(["sweep", "--task", "mine.py", *options, "--workers", "0"]) == 0
     file.unlink()
+    (tmp_path / "mine.xml").unlink()
     (path,) = (tmp_path / "sweeps").iterdir()
     assert f"sweep --work sweeps/{path.name} --trust-task" in capsys.readouterr().out
     assert main(["sweep", "--work", str(path)]) == 1
