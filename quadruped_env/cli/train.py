@@ -5,7 +5,7 @@ mini-quadruped train --recipe rough           for terrain of all kinds
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
-mini-quadruped train --task my_robot.py       a robot of your own, which 'mini-quadruped robot FILE' reads
+mini-quadruped train --task my_robot.py       with your own robot, which 'mini-quadruped robot FILE' writes
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
