@@ -27,7 +27,6 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_presets import (
     ARTICLE,
     COMMANDED,
-    LEG_PHASES,
     PRESETS,
     SINUSOID,
     TROTS,
@@ -229,18 +228,8 @@ def _sinusoids(
 def _tuned_for_one_speed(name: str) -> SinusoidalGait:
     """Return a preset on the robot for which it was tuned."""
     angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
-    legs = (fore, fore, hind, hind)
-    sine = np.array([part for leg in legs for part in (leg.hip_sine, leg.knee_sine)])
-    cosine = np.array([part for leg in legs for part in (leg.hip_cosine, leg.knee_cosine)])
-    offset = np.array([part for leg in legs for part in (leg.hip_offset, leg.knee_offset)])
-    phases = math.tau * np.repeat(LEG_PHASES[name], 2)
-    return _sinusoids(TUNED_ON, angular_frequency, phases, sine, cosine, offset)
-
-
-_PRESETS: Final = {
-    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
-    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
-}
+    waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", TUNED_ON))
+    return _sinusoids(TUNED_ON, angular_frequency, joint_phases(TUNED_ON, name), *waves)
 
 
 def turn_size(yaw_rate: Floats, largest: float) -> Floats:
@@ -300,7 +289,7 @@ class CommandedGait:
         """
         legs = {name: LegTable(**numbers[name]) for name in LEG_TABLES}
         others = {name: value for name, value in numbers.items() if name not in LEG_TABLES}
-        straight, turn, side = (_waves_of(legs, part, len(numbers["speeds"]), robot) for part in ("", "_turn", "_side"))
+        straight, turn, side = (_waves_of(legs, part, robot) for part in ("", "_turn", "_side"))
         return cls(**others, straight=straight, turn=turn, side=side, robot=robot, legs=legs)
 
     @classmethod
@@ -405,15 +394,15 @@ class CommandedGait:
         return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
 
 
-def _waves_of(legs: Mapping[str, LegTable], part: str, count: int, robot: Robot) -> Waves:
+def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
     """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
-    waves = np.zeros((3, count, robot.num_joints))
+    waves = np.zeros((3, np.size(legs["fore" + part].hip_sine), robot.num_joints))
     for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
         hip, knee = joints
         table = legs[("fore", "hind")[corner // 2] + part]
         sign = -1.0 if part == "_side" and corner % 2 == 0 else 1.0
-        waves[:, :, hip] = np.multiply(sign, (table.hip_sine, table.hip_cosine, table.hip_offset))
-        waves[:, :, knee] = np.multiply(sign, (table.knee_sine, table.knee_cosine, table.knee_offset))
+        waves[:, :, hip] = sign * np.array((table.hip_sine, table.hip_cosine, table.hip_offset)).reshape(3, -1)
+        waves[:, :, knee] = sign * np.array((table.knee_sine, table.knee_cosine, table.knee_offset)).reshape(3, -1)
     sine, cosine, offset = waves
     return sine, cosine, offset
 
@@ -507,3 +496,9 @@ def _rounded(waves: Floats) -> Waves:
     """Return waves to 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums."""
     sine, cosine, offset = waves.round(6)
     return sine, cosine, offset
+
+
+_PRESETS: Final = {
+    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
+    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
+}
