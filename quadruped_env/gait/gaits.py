@@ -17,7 +17,7 @@ trot of `quadruped_env.gait.waves` in their place, with the frequency, lift, hei
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
@@ -190,20 +190,14 @@ def _published(robot: Robot) -> SinusoidalGait:
 
     The first of three joints of a leg stays as in the stance.
     """
-    article, knees = _PRESETS["article"], _knees(robot)
-    phases, still = np.empty(robot.num_joints), np.zeros(robot.num_joints, dtype=np.bool_)
+    sine, cosine, phases = np.zeros((3, robot.num_joints))
+    offset = robot.stance.copy()
     for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
-        hip, knee = article.phases[2 * corner : 2 * corner + 2]
-        phases[list(joints)] = [hip] * (len(joints) - 1) + [knee]
-        still[list(joints[:-2])] = True
-    hips = still[~knees]
-    return replace(
-        article,
-        hip_amplitude=tuple(np.where(hips, 0.0, article.hip_amplitude).tolist()),
-        hip_offset=tuple(np.where(hips, robot.stance[~knees], article.hip_offset).tolist()),
-        phases=tuple(phases.tolist()),
-        robot=robot,
-    )
+        hip, knee = joints[-2:]
+        sine[hip], cosine[knee] = ARTICLE["hip_amplitude"], ARTICLE["knee_amplitude"]
+        offset[hip], offset[knee] = ARTICLE["hip_offset"], ARTICLE["knee_offset"]
+        phases[hip], phases[knee] = ARTICLE["phases"][2 * corner : 2 * corner + 2]
+    return _sinusoids(robot, ARTICLE["angular_frequency"], phases, sine, cosine, offset)
 
 
 def _sinusoids(
@@ -320,7 +314,7 @@ class CommandedGait:
         Raises:
             QuadrupedError: if the scripted gaits do not fit the robot.
         """
-        return _sinusoid(robot, frequency)
+        return _commanded(SINUSOID, robot, frequency)
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
@@ -408,32 +402,25 @@ def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
 
 
 @functools.cache
-def _commanded(name: str, robot: Robot) -> CommandedGait:
+def _commanded(name: str, robot: Robot, frequency: float | None = None) -> CommandedGait:
+    """Return a preset, or `sinusoid` with the strides of a clock with a frequency in Hz."""
     gaits = robot.gaits or {}
     if unknown := set(gaits) - set(COMMANDED):
         raise QuadrupedError(
             f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
             f"{', '.join(COMMANDED)}"
         )
-    if name not in gaits and _has_tuned_shape(robot):
-        return _scaled_to(robot, COMMANDED[name])
     if name not in gaits:
-        return _trot(robot, TROTS[name], TROTS[name].frequency / scale_of("m/s", robot))
+        root = scale_of("m/s", robot)
+        if _has_tuned_shape(robot):
+            return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
+        return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
     try:
         return CommandedGait.of_legs(gaits[name], robot)
     except (TypeError, KeyError, ValueError) as error:
         raise QuadrupedError(
             f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
         ) from error
-
-
-@functools.cache
-def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
-    if SINUSOID in (robot.gaits or {}):
-        return _commanded(SINUSOID, robot)
-    if _has_tuned_shape(robot):
-        return _scaled_to(robot, sinusoid(frequency * scale_of("m/s", robot)))
-    return _trot(robot, TROTS[SINUSOID], frequency)
 
 
 def _has_tuned_shape(robot: Robot) -> bool:
@@ -455,8 +442,6 @@ def _has_tuned_shape(robot: Robot) -> bool:
 def _scaled_to(robot: Robot, numbers: Mapping[str, Any]) -> CommandedGait:
     """Return a gait of the built-in robot, in the form of `COMMANDED`, on a robot of its shape."""
     root = scale_of("m/s", robot)
-    if root == 1.0:
-        return CommandedGait.of_legs(numbers, robot)
     turns = [name for name in LEG_TABLES if "_" in name]  # per rad/s
     return CommandedGait.of_legs(
         {

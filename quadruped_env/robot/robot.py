@@ -370,7 +370,8 @@ class Robot:
         make_servos(spec, self.joint_names)
         self.motors.write(spec, self.joint_kinds, max_delay=0.0)  # the delay depends on the time step
         if self.sensors is None:
-            hips = [self._link_of(joints[0]) for joints in self.leg_joints]
+            bodies = self.skeleton.model.jnt_bodyid[[1 + joints[0] for joints in self.leg_joints]]
+            hips = [self.skeleton.model.body(body).name for body in bodies]
             add_sensors(spec, self.sensor_names, self.foot_sites, self.foot_radius, hips)
         return spec
 
@@ -440,11 +441,6 @@ class Robot:
                 if mujoco.mj_name2id(model, getattr(mujoco.mjtObj, f"mjOBJ_{kind.upper()}"), name) < 0:
                     raise self._error(f"its model has no {kind} {name!r}")
         return Skeleton(spec, model, self.joint_names, self.link_names, self.foot_sites)
-
-    def _link_of(self, joint: int) -> str:
-        """Return the link that a joint moves."""
-        model = self.skeleton.model
-        return str(model.body(int(model.jnt_bodyid[1 + joint])).name)
 
     def _check_restated(self) -> None:
         """Fill the fields that restate the model and are not given, and compare the others with it.
