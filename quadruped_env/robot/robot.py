@@ -314,7 +314,7 @@ class Robot:
         if self.motor_kinds is not None:
             return self.motor_kinds
         kinds = ["hip"] * self.num_joints
-        axes = np.abs(self.skeleton.joint_axes(self.stance)[0])
+        axes = np.abs(self.skeleton.joint_frames(self.stance)[1])
         for joints in self.leg_joints:
             for joint in joints[:-1] if len(joints) > 2 else ():
                 if axes[joint, 0] > axes[joint, 1]:
@@ -343,7 +343,7 @@ class Robot:
         """
         if self.mirror_signs is not None:
             return np.array(self.mirror_signs, dtype=np.float32)
-        axes, hinges = self.skeleton.joint_axes(self.stance)
+        axes, hinges = self.skeleton.joint_frames(self.stance)[1], self.skeleton.hinges
         images = axes * np.where(hinges[:, None], [-1.0, 1.0, -1.0], [1.0, -1.0, 1.0])
         cosines = (images * axes[list(self.joint_mirror)]).sum(axis=-1)
         wrong = np.abs(cosines) < 1.0 - _MIRROR_TOLERANCE
