@@ -124,9 +124,7 @@ class SinusoidalGait:
         if name == "article":
             return _published(robot)
         root, trot = scale_of("m/s", robot), TROTS[name]
-        gait = _trot(robot, trot, trot.frequency / root)
-        waves = (values[0] for values in gait.waves(np.array([[trot.speed * root, 0.0]])))
-        return _sinusoids(robot, gait.angular_frequency, joint_phases(robot, trot.phases), *waves)
+        return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0), trot.phases)
 
     def parameters(self) -> dict[str, Any]:
         """Return the numbers of the gait as plain values for JSON."""
@@ -382,10 +380,10 @@ class CommandedGait:
         """The sinusoidal gait straight ahead at 0.4 m/s, in proportion to the robot's size."""
         return self.at((0.4 * scale_of("m/s", self.robot), 0.0))
 
-    def at(self, command: Sequence[float]) -> SinusoidalGait:
-        """Return the sinusoidal gait for one command (2,) or (3,)."""
-        sine, cosine, offset = (values[0] for values in self.waves(np.array([command])))
-        return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
+    def at(self, command: Sequence[float], phases: str = "trot") -> SinusoidalGait:
+        """Return the sinusoidal gait for one command (2,) or (3,), with the phases of a gait of `LEG_PHASES`."""
+        waves = (values[0] for values in self.waves(np.array([command])))
+        return _sinusoids(self.robot, self.angular_frequency, joint_phases(self.robot, phases), *waves)
 
 
 def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
