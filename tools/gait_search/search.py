@@ -8,6 +8,7 @@ Hansen 2016, https://arxiv.org/abs/1604.00772, of the package cmaes.
 
 import math
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import astuple
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -193,7 +194,7 @@ def tune_preset(name: str, generations: int, say: Callable[[str], None]) -> Floa
     """Columns of the fore and the hind leg (2, 6) of a preset for one speed, on the robot that the presets are for."""
     angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
     start = np.zeros((3, 2, 6))
-    start[0] = fore, hind
+    start[0] = [astuple(leg) for leg in (fore, hind)]
     found = search(TUNED_ON, ONE_SPEED[name], angular_frequency, LEG_PHASES[name], start, HIGH_STEPS, generations)
     say(_line(f"{name} at {angular_frequency} rad/s", found, (0.0,)))
     return found.candidate[0].round(3)
