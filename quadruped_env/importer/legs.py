@@ -87,20 +87,19 @@ class Anatomy:
         return hip, knee
 
 
-def find_legs(described: Description, source: str, forward: str | None) -> Anatomy:
+def find_legs(described: Description, forward: str | None) -> Anatomy:
     """Find the legs, and fix every joint that is no part of one, in place.
 
     Args:
         described: content of a file; its joints of legs stay.
-        source: names the file in errors.
         forward: axis of the base link along which the robot walks, such as `-y`; None takes the convention.
 
     Raises:
         QuadrupedError: if it is no robot with four legs of two or three joints.
     """
     tree = _Tree(described)
-    base, chains = _four_chains(tree, source)
-    kinds = _kinds(tree, base, chains, source)
+    base, chains = _four_chains(tree)
+    kinds = _kinds(tree, base, chains)
     if described.links[base].parent >= 0:
         above = [
             link.joint.name for i, link in enumerate(tree.links) if link.joint.kind != FIXED and tree.is_below(base, i)
@@ -109,7 +108,7 @@ def find_legs(described: Description, source: str, forward: str | None) -> Anato
     locked = tree.lock(base, {link for chain in chains for link in chain})
     if locked:
         described.add("left out", "joints", f"{named(locked)}: no part of a leg; locked at 0, or at the nearest limit")
-    return _Geometry(tree, base, chains, kinds, source).anatomy(forward, tuple(locked))
+    return _Geometry(tree, base, chains, kinds).anatomy(forward, tuple(locked))
 
 
 class _Tree:
@@ -172,7 +171,7 @@ class _Tree:
         return link == other
 
 
-def _four_chains(tree: _Tree, source: str) -> tuple[int, list[tuple[int, ...]]]:
+def _four_chains(tree: _Tree) -> tuple[int, list[tuple[int, ...]]]:
     """Return the link that carries four chains of as many joints, and these."""
     total = max((tree.mass[i] for i, link in enumerate(tree.links) if link.parent < 0), default=0.0)
     carriers = [g for g, below in tree.below.items() if sum(tree.depth[child] > 1 for child in below) >= 4]
@@ -184,12 +183,12 @@ def _four_chains(tree: _Tree, source: str) -> tuple[int, list[tuple[int, ...]]]:
             fork = max(forks)[-1]
             depths = ", ".join(str(tree.depth[child]) for child in tree.below[fork])
             what = f"{tree.links[fork].name!r} with chains of {depths} joints"
-        raise QuadrupedError(f"{source}: no link carries four chains of two or more joints; found {what}; {SUPPORTED}")
+        raise QuadrupedError(f"no link carries four chains of two or more joints; found {what}; {SUPPORTED}")
     base = max(carriers, key=lambda g: (tree.mass[g], g))
     chains = [tree.chain(child) for child in tree.below[base] if tree.depth[child] > 1]
     counts = [len(chain) for chain in chains]
     counted = ", ".join(map(str, counts))
-    where = f"{source}: {tree.links[base].name!r} carries {len(chains)} chains, of {counted} joints"
+    where = f"{tree.links[base].name!r} carries {len(chains)} chains, of {counted} joints"
     if counts.count(2) == 8:
         raise QuadrupedError(f"{where}: pairs, as of five-bar legs, which are closed chains; {SUPPORTED}")
     of = next((n for n in (3, 2) if counts.count(n) >= 4), None) or max(
@@ -203,7 +202,7 @@ def _four_chains(tree: _Tree, source: str) -> tuple[int, list[tuple[int, ...]]]:
         raise QuadrupedError(f"{where}: a wheel, an ankle or a passive joint ({last!r}) makes {of} a leg; {SUPPORTED}")
     if len(legs) > 4:
         legs = _most_alike(tree, legs, where)
-    _check_serial(tree, legs, source)
+    _check_serial(tree, legs)
     return base, legs
 
 
@@ -221,27 +220,25 @@ def _most_alike(tree: _Tree, chains: list[tuple[int, ...]], where: str) -> list[
     return [chains[i] for i in best]
 
 
-def _check_serial(tree: _Tree, chains: list[tuple[int, ...]], source: str) -> None:
+def _check_serial(tree: _Tree, chains: list[tuple[int, ...]]) -> None:
     """Refuse legs with slides, with joints that follow others, and with closed chains."""
     in_leg = {link for chain in chains for link in chain}
     for link in sorted(in_leg):
         joint = tree.links[link].joint
         if joint.kind != HINGE:
-            raise QuadrupedError(
-                f"{source}: {joint.name!r} in a leg is a {joint.kind} joint; its joints must be hinges"
-            )
+            raise QuadrupedError(f"{joint.name!r} in a leg is a {joint.kind} joint; its joints must be hinges")
         if joint.coupled_to:
             raise QuadrupedError(
-                f"{source}: the leg's joint {joint.name!r} follows {joint.coupled_to!r}; supported are legs whose "
+                f"the leg's joint {joint.name!r} follows {joint.coupled_to!r}; supported are legs whose "
                 f"joints move independently, so model the transmission as joints with motors of their own"
             )
     index = {link.name: i for i, link in enumerate(tree.links)}
     for pair in tree.described.loops:
         if any(tree.top[index[name]] in in_leg for name in pair if name in index):
-            raise QuadrupedError(f"{source}: {pair[0]!r} and {pair[1]!r} close a chain in a leg; {SUPPORTED}")
+            raise QuadrupedError(f"{pair[0]!r} and {pair[1]!r} close a chain in a leg; {SUPPORTED}")
 
 
-def _kinds(tree: _Tree, base: int, chains: list[tuple[int, ...]], source: str) -> tuple[str, ...]:
+def _kinds(tree: _Tree, base: int, chains: list[tuple[int, ...]]) -> tuple[str, ...]:
     """Return `roll` or `pitch` of the joints of all legs, by angles between their axes that no joint changes."""
     _, rotations = tree.described.poses()
     axes = np.array([[rotations[link] @ tree.links[link].joint.axis for link in chain] for chain in chains])
@@ -263,16 +260,14 @@ def _kinds(tree: _Tree, base: int, chains: list[tuple[int, ...]], source: str) -
         f"{named([tree.name(link) for link in chain])}: {np.round(axes[i], 2).tolist()}"
         for i, chain in enumerate(chains[:2])
     )
-    raise QuadrupedError(f"{source}: the axes of the legs' joints are {found}; {SUPPORTED}")
+    raise QuadrupedError(f"the axes of the legs' joints are {found}; {SUPPORTED}")
 
 
 class _Geometry:
     """Geometry of four legs in the frame of the base link, with the joints at 0."""
 
-    def __init__(
-        self, tree: _Tree, base: int, chains: list[tuple[int, ...]], kinds: tuple[str, ...], source: str
-    ) -> None:
-        self.tree, self.base, self.chains, self.kinds, self.source = tree, base, chains, kinds, source
+    def __init__(self, tree: _Tree, base: int, chains: list[tuple[int, ...]], kinds: tuple[str, ...]) -> None:
+        self.tree, self.base, self.chains, self.kinds = tree, base, chains, kinds
         self.links = tree.links
         places, rotations = tree.described.poses()
         own = rotations[base].T
@@ -300,7 +295,7 @@ class _Geometry:
             found = ", ".join(
                 f"{self.tree.name(chain[0])} {CORNERS[c]}" for chain, c in zip(self.chains, corners, strict=True)
             )
-            raise QuadrupedError(f"{self.source}: expected a leg in each corner; found {found}")
+            raise QuadrupedError(f"expected a leg in each corner; found {found}")
         legs = [
             Leg(
                 CORNERS[c],
@@ -366,7 +361,7 @@ class _Geometry:
         normal = np.linalg.svd(hips)[2][-1]
         if abs(normal @ main) > 0.7:
             first = named([self.tree.name(chain[0]) for chain in self.chains])
-            raise QuadrupedError(f"{self.source}: {first} turn about the vertical (yaw hips); {SUPPORTED}")
+            raise QuadrupedError(f"{first} turn about the vertical (yaw hips); {SUPPORTED}")
         across = hips - np.outer(hips @ main, main)
         second = np.linalg.svd(across)[2][0]
         ahead = main if self.kinds[0] == "roll" else second
@@ -398,9 +393,7 @@ class _Geometry:
         name = "xyz"[axis]
         if forward is not None:
             if forward.lstrip("+-") != name:
-                raise QuadrupedError(
-                    f"{self.source}: --forward: expected {name} or -{name}, along the body; found {forward}"
-                )
+                raise QuadrupedError(f"--forward: expected {name} or -{name}, along the body; found {forward}")
             return -sign if forward.startswith("-") else sign
         if name != "x" or abs(ahead[axis]) < _SNAP:
             text = f"{name} of {self.links[self.base].name!r}, along the body; the sign is a convention: or --forward"

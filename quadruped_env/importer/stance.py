@@ -68,14 +68,14 @@ class Stance:
         return float(np.mean([plane.shank for plane in self.planes]))
 
 
-def find_stance(described: Description, anatomy: Anatomy, source: str) -> Stance:
+def find_stance(described: Description, anatomy: Anatomy) -> Stance:
     """Find the stance, and give joints without limits a range about it, in place.
 
     Raises:
         QuadrupedError: if a leg has no length.
     """
     planes = tuple(_plane(anatomy, leg) for leg in anatomy.legs)
-    _check_lengths(anatomy, planes, source)
+    _check_lengths(anatomy, planes)
     knees, unsure = _knees(described, anatomy, planes)
     positions = _home(described, anatomy, planes)
     if positions is not None:
@@ -126,14 +126,14 @@ def _upright(leg: Leg, place: int, left: Floats) -> float:
     return min((_wrapped(angle + turn) for turn in (0.0, math.pi)), key=cost)
 
 
-def _check_lengths(anatomy: Anatomy, planes: Sequence[LegPlane], source: str) -> None:
+def _check_lengths(anatomy: Anatomy, planes: Sequence[LegPlane]) -> None:
     lengths = np.array([[plane.thigh, plane.shank] for plane in planes])
     if lengths.min() < 0.1 * lengths.max() or lengths.max() < 1e-4:
         found = "; ".join(
             f"{leg.corner} {a:.3g} and {b:.3g} m" for leg, (a, b) in zip(anatomy.legs, lengths, strict=True)
         )
         raise QuadrupedError(
-            f"{source}: thigh and shank of the legs are {found}; expected two links of similar length, with the foot "
+            f"thigh and shank of the legs are {found}; expected two links of similar length, with the foot "
             f"at the end of the second: check the joints' origins and the shapes of the last links (a wheel is none)"
         )
 

@@ -29,8 +29,8 @@ _MAX_LINKS: Final = 2000
 class Urdf:
     """Content of one URDF, on its way to a `Description`."""
 
-    def __init__(self, root: Node, source: str, folders: Folders) -> None:
-        self.root, self.source, self.folders = root, source, folders
+    def __init__(self, root: Node, folders: Folders) -> None:
+        self.root, self.folders = root, folders
         self.missing: dict[str, str] = {}
         """Meshes that cannot be read, with the reason."""
 
@@ -58,12 +58,11 @@ class Urdf:
         return described
 
     def _error(self, node: Node, message: str) -> QuadrupedError:
-        return QuadrupedError(f"{self.source}, line {node.line}: <{node.tag}> {message}")
+        return QuadrupedError(f"line {node.line}: <{node.tag}> {message}")
 
     def _named(self, tag: str) -> dict[str, Node]:
         found: dict[str, Node] = {}
         for node in self.root.findall(tag):
-            assert isinstance(node, Node)
             name = node.get("name") or ""
             if not name or len(name) > 100:
                 raise self._error(node, f"needs a name of up to 100 characters; found {short(name)}")
@@ -105,7 +104,9 @@ class Urdf:
         return order
 
     def _reference(self, joint: Node, role: str, links: dict[str, Node]) -> str:
-        name = self._one(joint, role, required=True).get("link") or ""  # type: ignore[union-attr]
+        reference = self._one(joint, role, required=True)
+        assert reference is not None
+        name = reference.get("link") or ""
         if name not in links:
             raise self._error(joint, f"{short(joint.get('name'))}: its {role} {short(name)} is no link of the file")
         return name
@@ -115,10 +116,9 @@ class Urdf:
         found = node.findall(tag)
         if len(found) > 1 or (required and not found):
             child = found[1] if found else node
-            assert isinstance(child, Node)
             place = f"in {short(node.get('name'))}: " if node.get("name") else ""
             raise self._error(child, f"{place}expected one <{tag}>; found {len(found)}")
-        return found[0] if found else None  # type: ignore[return-value]
+        return found[0] if found else None
 
     def _numbers(
         self, node: Node, name: str, default: Sequence[float] | None = None, largest: float = LARGEST
@@ -182,7 +182,7 @@ class Urdf:
             self._inertial(inertial, link)
         for tag in ("collision", "visual"):
             for part in node.findall(tag) if not link.shapes else ():
-                shape = self._shape(part)  # type: ignore[arg-type]
+                shape = self._shape(part)
                 if shape is not None:
                     shape.collides = tag == "collision"
                     link.shapes.append(shape)
@@ -205,8 +205,7 @@ class Urdf:
     def _shape(self, node: Node) -> Shape | None:
         geometry = self._one(node, "geometry")
         position, rotation = self._origin(node)
-        for kind in () if geometry is None else geometry:
-            assert isinstance(kind, Node)
+        for kind in () if geometry is None else geometry.children:
             if kind.tag == "sphere":
                 return ball(position, self._size(kind, "radius"))
             if kind.tag == "box":
@@ -229,10 +228,7 @@ class Urdf:
         name = node.get("filename") or ""
         scale = np.array(self._numbers(node, "scale", (1.0, 1.0, 1.0)))
         try:
-            path = self.folders.find(name)
-            if path is None:
-                raise QuadrupedError(f"{name.rpartition('/')[2]!r} is not found; name its folder with --folder")
-            return mesh(position, rotation, mesh_vertices(path) * scale)
+            return mesh(position, rotation, mesh_vertices(self.folders.find(name)) * scale)
         except QuadrupedError as error:
             if collides:
                 self.missing[name] = str(error)
@@ -254,9 +250,9 @@ class Urdf:
         bare = [
             n.name
             for n in described.links
-            if links[n.name].find("inertial") is None and links[n.name].find("collision") is not None
+            if not links[n.name].findall("inertial") and links[n.name].findall("collision")
         ]
-        if bare and any(links[name].find("inertial") is not None for name in links):
+        if bare and any(links[name].findall("inertial") for name in links):
             described.add(
                 "found", "mass", f"{named(bare)}: shapes without <inertial> get no mass (MuJoCo would give 1000 kg/m^3)"
             )
