@@ -19,7 +19,7 @@ from quadruped_env.importer.mjcf import describe_mjcf
 from quadruped_env.importer.stance import Stance, find_stance
 from quadruped_env.importer.urdf import Urdf
 from quadruped_env.importer.xml_tree import FIX, parse, read_bytes
-from quadruped_env.robot import JointMotor, MotorConfig, Robot
+from quadruped_env.robot import MotorConfig, Robot
 
 FORWARD: Final = ("x", "-x", "y", "-y", "z", "-z")
 """Axes of the base link along which a robot may walk."""
@@ -69,25 +69,22 @@ class ImportedRobot:
         Raises:
             QuadrupedError: if the model cannot be simulated.
         """
-        motors = {
-            kind: JointMotor(**{name: value for name, (value, _) in motor.values.items()})
-            for kind, motor in zip(writing.motor_kinds(self.anatomy), self.motors, strict=True)
-        }
-        abduction = motors.get("abduction")
+        motors = {motor.field: motor.motor() for motor in self.motors}
+        hip, knee, abduction = motors["hip"], motors["knee"], motors.get("abduction")
         return Robot(
             name=self.name,
             mjcf=self.mjcf,
-            stance=np.array([self.stance.positions[name] for name in self.joint_names]),
-            motors=MotorConfig(
-                motors["hip"], motors["knee"], abduction=None if abduction == motors["hip"] else abduction
-            ),
+            stance=np.array(self._joint_positions),
+            motors=MotorConfig(hip, knee, abduction=None if hip == knee == abduction else abduction),
         )
 
     def task_file(self, model_file: str) -> str:
         """Return a Python file that defines the robot; `model_file` is the name of the MJCF next to it."""
-        return writing.task_file(
-            self.described, self.source.name, model_file, self.anatomy, self.stance, self.motors, self.joint_names
-        )
+        return writing.task_file(self.described, self.source.name, model_file, self._joint_positions, self.motors)
+
+    @property
+    def _joint_positions(self) -> list[float]:
+        return [self.stance.positions[name] for name in self.joint_names]
 
 
 def import_robot(path: Path, folders: Sequence[Path] = (), forward: str | None = None) -> ImportedRobot:

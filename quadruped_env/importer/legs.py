@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, about, named
+from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, about, named, poses
 from quadruped_env.importer.shapes import end_ball, moved
 from quadruped_env.utils.arrays import Floats
 
@@ -108,7 +108,7 @@ def find_legs(described: Description, forward: str | None) -> Anatomy:
     locked = tree.lock(base, {link for chain in chains for link in chain})
     if locked:
         described.add("left out", "joints", f"{named(locked)}: no part of a leg; locked at 0, or at the nearest limit")
-    return _Geometry(tree, base, chains, kinds).anatomy(forward, tuple(locked))
+    return _Geometry(_Tree(described), base, chains, kinds).anatomy(forward, tuple(locked))
 
 
 class _Tree:
@@ -150,11 +150,7 @@ class _Tree:
             joint = link.joint
             if i in moving or i == base or joint.kind == FIXED or link.parent < 0:
                 continue
-            at = float(
-                np.clip(
-                    0.0, joint.low if joint.low is not None else -1e9, joint.high if joint.high is not None else 1e9
-                )
-            )
+            at = float(np.clip(0.0, joint.low, joint.high))
             if joint.kind == HINGE:
                 link.rotation = link.rotation @ about(joint.axis, at)
             elif joint.kind == "slide":
@@ -240,7 +236,7 @@ def _check_serial(tree: _Tree, chains: list[tuple[int, ...]]) -> None:
 
 def _kinds(tree: _Tree, base: int, chains: list[tuple[int, ...]]) -> tuple[str, ...]:
     """Return `roll` or `pitch` of the joints of all legs, by angles between their axes that no joint changes."""
-    _, rotations = tree.described.poses()
+    _, rotations = poses(tree.links)
     axes = np.array([[rotations[link] @ tree.links[link].joint.axis for link in chain] for chain in chains])
     cosines = np.abs(np.einsum("lni,lni->ln", axes[:, :-1], axes[:, 1:]))
     first = np.abs(axes[:, 0] @ axes[:, 0].T).min()
@@ -269,7 +265,7 @@ class _Geometry:
     def __init__(self, tree: _Tree, base: int, chains: list[tuple[int, ...]], kinds: tuple[str, ...]) -> None:
         self.tree, self.base, self.chains, self.kinds = tree, base, chains, kinds
         self.links = tree.links
-        places, rotations = tree.described.poses()
+        places, rotations = poses(tree.links)
         own = rotations[base].T
         self.places, self.rotations = (places - places[base]) @ own.T, own @ rotations
         self.anchors = self.places[np.array(chains)]
@@ -328,7 +324,7 @@ class _Geometry:
 
     def _foot(self, last: int) -> tuple[Floats, float, bool, str]:
         """Return centre (3,) and radius of a foot in the last link, whether it is a ball, and where they come from."""
-        group = [i for i in range(len(self.links)) if self._fixed_to(i, last)]
+        group = [i for i, top in enumerate(self.tree.top) if top == last]
         turn = self.rotations[last].T
         for collides, note in ((True, "the end of the collision shapes"), (False, "the end of the visual shapes")):
             shapes = [
@@ -345,11 +341,6 @@ class _Geometry:
         if np.linalg.norm(end) < 1e-6:
             end, note = 2.0 * self.links[last].centre, "twice the distance of the last link's centre of mass"
         return end, 0.06 * float(np.linalg.norm(end)), False, note
-
-    def _fixed_to(self, link: int, other: int) -> bool:
-        while link != other and link >= 0 and self.links[link].joint.kind == FIXED:
-            link = self.links[link].parent
-        return link == other
 
     def _frame(self, feet: Floats, forward: str | None) -> Floats:
         """Return the robot's forward, left and up as columns, in the base link's frame."""

@@ -16,12 +16,8 @@ from quadruped_env.importer.xml_tree import Node, parse, read_bytes
 from quadruped_env.utils.arrays import Floats
 
 _GEOM: Final = mujoco.mjtGeom
-_KINDS: Final = {
-    mujoco.mjtJoint.mjJNT_HINGE: HINGE,
-    mujoco.mjtJoint.mjJNT_SLIDE: "slide",
-    mujoco.mjtJoint.mjJNT_BALL: "ball",
-    mujoco.mjtJoint.mjJNT_FREE: "free",
-}
+_KINDS: Final = ("free", "ball", "slide", HINGE)
+"""By MuJoCo's number of a joint's type."""
 _NUMBERS: Final = (
     *("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia", "jnt_pos", "jnt_axis"),
     *("jnt_range", "geom_pos", "geom_quat", "geom_size", "key_qpos", "dof_armature"),
@@ -172,7 +168,7 @@ def _links(model: mujoco.MjModel, described: Description, given: dict[int, Float
     data = mujoco.MjData(model)
     data.qpos[:] = 0.0
     for joint in range(model.njnt):
-        kind = _KINDS[mujoco.mjtJoint(model.jnt_type[joint])]
+        kind = _KINDS[model.jnt_type[joint]]
         if kind in ("free", "ball"):
             data.qpos[model.jnt_qposadr[joint] + (3 if kind == "free" else 0)] = 1.0
     mujoco.mj_kinematics(model, data)
@@ -188,7 +184,7 @@ def _links(model: mujoco.MjModel, described: Description, given: dict[int, Float
         name = model.body(body).name or f"body_{body}"
         for place, joint in enumerate(joints or [-1]):
             final = place == max(len(joints) - 1, 0)
-            hinged = joint >= 0 and _KINDS[mujoco.mjtJoint(model.jnt_type[joint])] in (HINGE, "slide")
+            hinged = joint >= 0 and _KINDS[model.jnt_type[joint]] in (HINGE, "slide")
             origin = data.xanchor[joint].copy() if hinged else data.xpos[body].copy()
             link = Link(name if final else f"{name}_{place + 1}", parent, origin, own, _joint(model, data, joint, own))
             if joint >= 0:
@@ -211,7 +207,7 @@ def _joint(model: mujoco.MjModel, data: mujoco.MjData, joint: int, own: Floats) 
     if joint < 0:
         return Joint("", FIXED, np.array([1.0, 0.0, 0.0]))
     axis = own.T @ data.xaxis[joint]
-    kind = _KINDS[mujoco.mjtJoint(model.jnt_type[joint])]
+    kind = _KINDS[model.jnt_type[joint]]
     found = Joint(model.joint(joint).name or f"joint_{joint}", kind, axis / (np.linalg.norm(axis) or 1.0))
     if model.jnt_limited[joint] and kind in (HINGE, "slide"):
         found.low, found.high = map(float, model.jnt_range[joint])

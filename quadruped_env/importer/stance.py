@@ -119,8 +119,7 @@ def _upright(leg: Leg, place: int, left: Floats) -> float:
         joint, positions = leg.joints[place], np.zeros(len(leg.axes))
         positions[place] = position
         _, anchors, _ = leg.moved(positions)
-        low, high = (-math.inf, math.inf) if joint.low is None else (joint.low, joint.high)
-        outside = max(low - position, position - high, 0.0)  # type: ignore[operator]
+        outside = max(joint.low - position, position - joint.high, 0.0)
         return round(outside, 2), round(abs(position), 1), -side * float(anchors[-1][1])
 
     return min((_wrapped(angle + turn) for turn in (0.0, math.pi)), key=cost)
@@ -153,9 +152,9 @@ def _knees(described: Description, anatomy: Anatomy, planes: Sequence[LegPlane])
     return knees, unsure
 
 
-def _shares(plane: LegPlane, low: float | None, high: float | None) -> tuple[float, float]:
+def _shares(plane: LegPlane, low: float, high: float) -> tuple[float, float]:
     """Return the sizes of a knee's ranges in which the leg stands, with the knee behind and in front, rad."""
-    if low is None or high is None:
+    if math.isinf(low):
         return 1.0, 1.0
     ends = sorted(plane.zero[1] + plane.signs[-1] * position for position in (low, high))
 
@@ -175,10 +174,7 @@ def _home(described: Description, anatomy: Anatomy, planes: Sequence[LegPlane]) 
         positions = [home[name] for name in leg.names]
         foot, reach = leg.moved(np.array(positions))[2], plane.thigh + plane.shank
         offset = np.hypot(*(foot - plane.hip)[:2])
-        inside = all(
-            joint.low is None or joint.high is None or joint.low < position < joint.high
-            for joint, position in zip(leg.joints, positions, strict=True)
-        )
+        inside = all(joint.low < position < joint.high for joint, position in zip(leg.joints, positions, strict=True))
         if not inside or offset > 0.3 * reach or not 0.4 * reach < plane.hip[2] - foot[2] < 0.98 * reach:
             return None
         drops.append(foot[2])
@@ -195,7 +191,7 @@ def _under_hips(
         if positions is not None and _feet_under(anatomy, planes, knees, share - room) is not None:
             return knees, positions, f"each foot under its hip, at {share:.2f} of the leg's length"
     middle = {
-        joint.name: 0.0 if joint.low is None or joint.high is None else 0.5 * (joint.low + joint.high)
+        joint.name: 0.0 if math.isinf(joint.low) else 0.5 * (joint.low + joint.high)
         for leg in anatomy.legs
         for joint in leg.joints
     }
@@ -226,13 +222,11 @@ def _bent(anatomy: Anatomy, leg: Leg, plane: LegPlane, drop: float, knee: str) -
     positions = []
     for joint, kind, sign in zip(leg.joints, anatomy.kinds, plane.signs, strict=True):
         position = plane.roll if kind == "roll" else sign * _wrapped(next(wanted))
-        if joint.low is not None and joint.high is not None:
-            turns = [position + turn for turn in (0.0, -_TURN, _TURN)]
-            inside = [x for x in turns if joint.low + _MARGIN < x < joint.high - _MARGIN]
-            if not inside:
-                return None
-            position = inside[0]
-        positions.append(position)
+        turns = [position + turn for turn in (0.0, -_TURN, _TURN)]
+        inside = [x for x in turns if joint.low + _MARGIN < x < joint.high - _MARGIN]
+        if not inside:
+            return None
+        positions.append(inside[0])
     return positions
 
 
@@ -243,7 +237,7 @@ def _limit(
     given = []
     for leg, plane, knee in zip(anatomy.legs, planes, knees, strict=True):
         for joint, kind, sign in zip(leg.joints, anatomy.kinds, plane.signs, strict=True):
-            if joint.low is not None:
+            if math.isfinite(joint.low):
                 continue
             at, is_knee = positions[joint.name], joint is leg.joints[-1]
             below, above = (0.8, 0.8) if kind == "roll" else (1.2, 1.2)
