@@ -1,6 +1,7 @@
 """Base, legs, corners, feet and knees of a robot: from the tree and the geometry of its links, never from names."""
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -42,13 +43,15 @@ class Leg:
     foot_in_link: Floats
     """The same in the frame of the last link."""
     joints: tuple[Joint, ...]
+    kinds: tuple[str, ...]
+    """`roll` or `pitch`, of each joint."""
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the joints."""
         return tuple(joint.name for joint in self.joints)
 
-    def moved(self, positions: Floats) -> tuple[Floats, Floats, Floats]:
+    def moved(self, positions: Sequence[float]) -> tuple[Floats, Floats, Floats]:
         """Return axes (n, 3), anchors (n, 3) and the foot's centre (3,) at joint positions (n,) in rad."""
         axes, anchors, foot = self.axes.copy(), self.anchors.copy(), self.foot.copy()
         for i in reversed(range(len(positions))):
@@ -67,8 +70,6 @@ class Anatomy:
     """Index of the link that carries the legs."""
     legs: tuple[Leg, ...]
     """One for each of `CORNERS`."""
-    kinds: tuple[str, ...]
-    """`roll` or `pitch`, of each joint of a leg from the base to the foot."""
     frame: Floats
     """Rotation (3, 3) from the robot's axes, forward, left and up, to the base link's."""
     foot_radius: float
@@ -76,15 +77,9 @@ class Anatomy:
     """Joints that are no part of a leg."""
 
     @property
-    def roll(self) -> int | None:
-        """Place of the roll joint in a leg, or None."""
-        return self.kinds.index("roll") if "roll" in self.kinds else None
-
-    @property
-    def pitches(self) -> tuple[int, ...]:
-        """Places of the two pitch joints in a leg: of the hip and of the knee."""
-        hip, knee = (i for i, kind in enumerate(self.kinds) if kind == "pitch")
-        return hip, knee
+    def kinds(self) -> tuple[str, ...]:
+        """Kinds of the joints of each leg."""
+        return self.legs[0].kinds
 
 
 def find_legs(described: Description, forward: str | None) -> Anatomy:
@@ -301,10 +296,11 @@ class _Geometry:
                 feet[i],
                 in_links[i],
                 tuple(self.links[j].joint for j in self.chains[i]),
+                self.kinds,
             )
             for i, c in sorted(enumerate(corners), key=lambda entry: entry[1])
         ]
-        return Anatomy(self.base, tuple(legs), self.kinds, frame, float(np.median(radii)), locked)
+        return Anatomy(self.base, tuple(legs), frame, float(np.median(radii)), locked)
 
     def _feet(self) -> tuple[Floats, Floats, bool]:
         """Return centres (4, 3) and radii (4,) of the feet's balls, and whether one of them is not in the file."""
