@@ -148,8 +148,7 @@ def test_macros_that_grow_without_an_end_are_stopped(tmp_path, monkeypatch):
 
 
 def test_missing_library_is_named_with_its_extra(tmp_path, monkeypatch):
-    answer = subprocess.CompletedProcess([], 0, stdout=b'{"missing": true}')
-    monkeypatch.setattr(xacro_file.subprocess, "run", lambda *_, **__: answer)
+    monkeypatch.setattr(xacro_file.importlib.util, "find_spec", lambda _: None)
     with pytest.raises(MissingExtraError, match=r"reading xacro files needs the 'xacro' extra"):
         imported(xacro(robot(2), '<xacro:property name="x" value="1"/>'), tmp_path, "dog.xacro")
 
