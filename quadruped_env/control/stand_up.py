@@ -41,7 +41,7 @@ class StandUp:
         """
         points = [start.copy()]
         legs = np.array(robot.leg_joints)
-        hips, feet = robot.skeleton.joint_anchors(start)[legs[:, -2]], robot.skeleton.foot_centres(start)
+        hips, feet = robot.skeleton.joint_frames(start)[0][legs[:, -2]], robot.skeleton.foot_centres(start)
         down = hips[:, 2] - feet[:, 2]
         if np.arctan2(np.linalg.norm((feet - hips)[:, :2], axis=1), down).max() > UPRIGHT:
             ahead, behind = _along_the_trunk(robot)
@@ -74,7 +74,7 @@ class StandUp:
 def _along_the_trunk(robot: Robot) -> Floats:
     """Return joint positions (2, J) in rad with all legs along the trunk: the feet ahead of the hips, and behind."""
     stance, legs = robot.skeleton.foot_centres(robot.stance), np.array(robot.leg_joints)
-    hips = robot.skeleton.joint_anchors(robot.stance)[legs[:, -2]]
+    hips = robot.skeleton.joint_frames(robot.stance)[0][legs[:, -2]]
     feet = np.tile(np.stack([hips[:, 0], stance[:, 1], hips[:, 2]], axis=1), (2, 1, 1))
     feet[:, :, 0] += np.multiply.outer([1.0, -1.0], hips[:, 2] - stance[:, 2])
     return postures_with_feet_at(robot, feet)

@@ -1,6 +1,7 @@
 """Check of a robot's numbers against what a trot needs of them, before a training."""
 
 import math
+from collections.abc import Iterator
 from typing import Final
 
 import numpy as np
@@ -45,38 +46,41 @@ def fitness(robot: Robot, frequency: float | None = None) -> list[str]:
         lift = reachable_lift(robot, frequency, TROTS[SINUSOID])
     except QuadrupedError as error:
         return [str(error)]
-    checks = (_gain, _torque, _speed, _servo_errors)
-    found = [line for check in checks if (line := check(robot, frequency, lift * robot.stance_height))]
-    return found + ([line] if (line := _balance(robot)) else [])
+    rise = lift * robot.stance_height
+    return [*_carrying(robot, rise), *_speed(robot, frequency, rise), *_balance(robot)]
 
 
-def _gain(robot: Robot, frequency: float, rise: float) -> str:
-    """Check the position gains: the legs bend under the weight by J^T f / kp at each joint."""
-    kp = np.array([motor.kp for motor in robot.motors.of_joints(robot.joint_kinds)])
-    heights = robot.skeleton.foot_jacobians(robot.stance)[:, 2]
-    sag = float((heights * -weight_torque(robot) / kp).sum(axis=1).max())
-    if sag <= _SAG * rise:
-        return ""
-    softest = float(kp.min())
-    return (
-        f"kp {softest:.3g} N m/rad: in a trot the robot sinks by {1e3 * sag:.0f} mm, and its feet rise by "
-        f"{1e3 * rise:.0f}; {_up(softest * sag / (_SAG * rise))} N m/rad or more"
-    )
+def _carrying(robot: Robot, rise: float) -> Iterator[str]:
+    """Check gains, stall torques and servo errors in the stance on two legs, for feet that rise by a height in m."""
+    motors = robot.motors.of_joints(robot.joint_kinds)
+    heights, torque = robot.skeleton.foot_jacobians(robot.stance)[:, 2], weight_torque(robot)
+    kp = np.array([motor.kp for motor in motors])
+    # The legs bend under the weight by J^T f / kp at each joint.
+    sag, softest = float((heights * -torque / kp).sum(axis=1).max()), float(kp.min())
+    if sag > _SAG * rise:
+        yield (
+            f"kp {softest:.3g} N m/rad: in a trot the robot sinks by {1e3 * sag:.0f} mm, and its feet rise by "
+            f"{1e3 * rise:.0f}; {_up(softest * sag / (_SAG * rise))} N m/rad or more"
+        )
+    joint = int((np.abs(torque) / robot.effort_limit).argmax())
+    stall, carried = robot.effort_limit[joint], float(np.abs(torque[joint]))
+    if _TORQUE * carried > stall:
+        yield (
+            f"stall torque {stall:.3g} N m: on two legs {robot.joint_names[joint]} carries {carried:.3g} N m; "
+            f"{_up(_TORQUE * carried)} N m or more"
+        )
+    step, backlash, dead_band = robot.motors.servo_errors(robot.joint_kinds)
+    errors = 0.5 * step + 0.5 * backlash + dead_band
+    height = float((np.abs(heights) * errors).sum(axis=1).max())
+    if height > _ERROR * rise:
+        yield (
+            f"servo step, backlash and dead band: a foot's height is off by up to {1e3 * height:.0f} mm, and its rise "
+            f"is {1e3 * rise:.0f}; half of step and backlash and the dead band together "
+            f"{math.degrees(errors.max() * _ERROR * rise / height):.2g} degrees or less"
+        )
 
 
-def _torque(robot: Robot, frequency: float, rise: float) -> str:
-    """Check the stall torques against the torque that holds the weight on two legs."""
-    needed = _TORQUE * np.abs(weight_torque(robot))
-    joint = int((needed / robot.effort_limit).argmax())
-    if needed[joint] <= robot.effort_limit[joint]:
-        return ""
-    return (
-        f"stall torque {robot.effort_limit[joint]:.3g} N m: on two legs {robot.joint_names[joint]} carries "
-        f"{needed[joint] / _TORQUE:.3g} N m; {_up(needed[joint])} N m or more"
-    )
-
-
-def _speed(robot: Robot, frequency: float, rise: float) -> str:
+def _speed(robot: Robot, frequency: float, rise: float) -> Iterator[str]:
     """Check the joints' speeds, which limit how far the feet rise, at the fastest forward command."""
     wanted = _RISE * TROTS[SINUSOID].lift
     height, fastest = wanted * robot.stance_height, _FASTEST * scale_of("m/s", robot)
@@ -84,30 +88,15 @@ def _speed(robot: Robot, frequency: float, rise: float) -> str:
     needed: Floats = math.tau * frequency * np.hypot(sine, cosine)[0]
     joint = int((needed / robot.velocity_limit).argmax())
     limit, least = float(robot.velocity_limit[joint]), float(needed[joint]) / _OVER
-    if least <= limit and rise >= height:
-        return ""
-    return (
-        f"no-load speed {limit:.3g} rad/s: the feet rise by {1e3 * rise:.0f} mm; for {1e3 * height:.0f} mm at "
-        f"{fastest:.2g} m/s {robot.joint_names[joint]} turns at {needed[joint]:.3g} rad/s; "
-        f"{_up(max(least, limit * height / rise))} rad/s or more"
-    )
+    if least > limit or rise < height:
+        yield (
+            f"no-load speed {limit:.3g} rad/s: the feet rise by {1e3 * rise:.0f} mm; for {1e3 * height:.0f} mm at "
+            f"{fastest:.2g} m/s {robot.joint_names[joint]} turns at {needed[joint]:.3g} rad/s; "
+            f"{_up(max(least, limit * height / rise))} rad/s or more"
+        )
 
 
-def _servo_errors(robot: Robot, frequency: float, rise: float) -> str:
-    """Check the step, backlash and dead band of the servos: what they leave open of a foot's height."""
-    step, backlash, dead_band = robot.motors.servo_errors(robot.joint_kinds)
-    errors = 0.5 * step + 0.5 * backlash + dead_band
-    height = float((np.abs(robot.skeleton.foot_jacobians(robot.stance)[:, 2]) * errors).sum(axis=1).max())
-    if height <= _ERROR * rise:
-        return ""
-    return (
-        f"servo step, backlash and dead band: a foot's height is off by up to {1e3 * height:.0f} mm, and its rise is "
-        f"{1e3 * rise:.0f}; half of step and backlash and the dead band together "
-        f"{math.degrees(errors.max() * _ERROR * rise / height):.2g} degrees or less"
-    )
-
-
-def _balance(robot: Robot) -> str:
+def _balance(robot: Robot) -> Iterator[str]:
     """Check that the centre of mass is above the area between the feet in the stance."""
     around = [robot.corners.index(corner) for corner in (0, 2, 3, 1)]  # to the left
     feet, centre = robot.stance_feet[around, :2], robot.skeleton.centre_of_mass(robot.stance)[:2]
@@ -115,13 +104,12 @@ def _balance(robot: Robot) -> str:
     outward = np.stack([edges[:, 1], -edges[:, 0]], axis=1) / np.linalg.norm(edges, axis=1)[:, None]
     outside = ((centre - feet) * outward).sum(axis=1)
     side = int(outside.argmax())
-    if outside[side] <= 0.0:
-        return ""
-    where = ("to the left of", "behind", "to the right of", "before")[side]
-    return (
-        f"stance: the centre of mass is {1e3 * outside[side]:.0f} mm {where} its feet, so it tips; move the feet by "
-        f"{1e3 * outside[side]:.0f} mm or more"
-    )
+    where, distance = ("to the left of", "behind", "to the right of", "before")[side], 1e3 * outside[side]
+    if distance > 0.0:
+        yield (
+            f"stance: the centre of mass is {distance:.0f} mm {where} its feet, so it tips; move the feet by "
+            f"{distance:.0f} mm or more"
+        )
 
 
 def _up(value: float) -> str:

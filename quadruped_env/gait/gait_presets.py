@@ -2,11 +2,13 @@
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple
+
+from numpy.typing import ArrayLike
 
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 
@@ -24,31 +26,20 @@ TUNED_ON: Final = MINI_QUADRUPED
 """Robot on which the numbers were found."""
 
 
-class LegSinusoids(NamedTuple):
-    """Parameters of a leg's sinusoids, rad; a joint's are its cosine * cos(w t + p) + sine * sin(w t + p) + offset."""
-
-    hip_sine: float
-    hip_offset: float
-    knee_cosine: float
-    knee_sine: float
-    knee_offset: float
-    hip_cosine: float = 0.0
-
-
 @dataclass(frozen=True)
 class LegTable:
-    """Parameters of a leg's sinusoids as functions of forward velocity, one value per entry of `CommandedGait.speeds`.
+    """Parameters of a leg's sinusoids: a joint's are its cosine * cos(w t + p) + sine * sin(w t + p) + offset.
 
-    In rad, or rad per rad/s where they are what a yaw rate adds. Each joint has a cosine and a sine part,
-    as in `LegSinusoids`.
+    In rad, or rad per rad/s where they are what a yaw rate adds: one value per entry of `CommandedGait.speeds`, or one
+    number where the gait has one speed.
     """
 
-    hip_sine: Sequence[float]
-    hip_offset: Sequence[float]
-    knee_cosine: Sequence[float]
-    knee_sine: Sequence[float]
-    knee_offset: Sequence[float]
-    hip_cosine: Sequence[float]
+    hip_sine: ArrayLike
+    hip_offset: ArrayLike
+    knee_cosine: ArrayLike
+    knee_sine: ArrayLike
+    knee_offset: ArrayLike
+    hip_cosine: ArrayLike
 
 
 ARTICLE: Final[dict[str, Any]] = {
@@ -109,23 +100,23 @@ TROTS: Final = {
 TUNED_FOR_ONE_SPEED: Final = {
     "trot": (
         14.0,
-        LegSinusoids(0.259, 0.545, 0.027, -0.059, -0.761, -0.064),
-        LegSinusoids(0.274, 0.624, 0.223, -0.124, -1.073, 0.077),
+        LegTable(0.259, 0.545, 0.027, -0.059, -0.761, -0.064),
+        LegTable(0.274, 0.624, 0.223, -0.124, -1.073, 0.077),
     ),
     "walk": (
         12.0,
-        LegSinusoids(0.201, 0.679, 0.063, -0.243, -0.8, 0.085),
-        LegSinusoids(-0.104, 0.501, 0.016, 0.118, -0.958, 0.197),
+        LegTable(0.201, 0.679, 0.063, -0.243, -0.8, 0.085),
+        LegTable(-0.104, 0.501, 0.016, 0.118, -0.958, 0.197),
     ),
     "bound": (
         14.0,
-        LegSinusoids(0.132, 0.777, 0.101, -0.166, -0.639, 0.017),
-        LegSinusoids(-0.004, 0.81, 0.198, -0.268, -1.006, -0.011),
+        LegTable(0.132, 0.777, 0.101, -0.166, -0.639, 0.017),
+        LegTable(-0.004, 0.81, 0.198, -0.268, -1.006, -0.011),
     ),
     "pace": (
         14.0,
-        LegSinusoids(-0.044, 0.481, 0.04, -0.187, -0.797, -0.048),
-        LegSinusoids(-0.128, 0.404, 0.177, 0.222, -0.868, 0.133),
+        LegTable(-0.044, 0.481, 0.04, -0.187, -0.797, -0.048),
+        LegTable(-0.128, 0.404, 0.177, 0.222, -0.868, 0.133),
     ),
 }
 """Preset -> angular frequency in rad/s, fore legs, hind legs; `LEG_PHASES` has the phases."""

@@ -17,7 +17,7 @@ trot of `quadruped_env.gait.waves` in their place, with the frequency, lift, hei
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
@@ -27,7 +27,6 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gait_presets import (
     ARTICLE,
     COMMANDED,
-    LEG_PHASES,
     PRESETS,
     SINUSOID,
     TROTS,
@@ -125,9 +124,7 @@ class SinusoidalGait:
         if name == "article":
             return _published(robot)
         root, trot = scale_of("m/s", robot), TROTS[name]
-        gait = _trot(robot, trot, trot.frequency / root)
-        waves = (values[0] for values in gait.waves(np.array([[trot.speed * root, 0.0]])))
-        return _sinusoids(robot, gait.angular_frequency, joint_phases(robot, trot.phases), *waves)
+        return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0), trot.phases)
 
     def parameters(self) -> dict[str, Any]:
         """Return the numbers of the gait as plain values for JSON."""
@@ -191,20 +188,14 @@ def _published(robot: Robot) -> SinusoidalGait:
 
     The first of three joints of a leg stays as in the stance.
     """
-    article, knees = _PRESETS["article"], _knees(robot)
-    phases, still = np.empty(robot.num_joints), np.zeros(robot.num_joints, dtype=np.bool_)
+    sine, cosine, phases = np.zeros((3, robot.num_joints))
+    offset = robot.stance.copy()
     for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
-        hip, knee = article.phases[2 * corner : 2 * corner + 2]
-        phases[list(joints)] = [hip] * (len(joints) - 1) + [knee]
-        still[list(joints[:-2])] = True
-    hips = still[~knees]
-    return replace(
-        article,
-        hip_amplitude=tuple(np.where(hips, 0.0, article.hip_amplitude).tolist()),
-        hip_offset=tuple(np.where(hips, robot.stance[~knees], article.hip_offset).tolist()),
-        phases=tuple(phases.tolist()),
-        robot=robot,
-    )
+        hip, knee = joints[-2:]
+        sine[hip], cosine[knee] = ARTICLE["hip_amplitude"], ARTICLE["knee_amplitude"]
+        offset[hip], offset[knee] = ARTICLE["hip_offset"], ARTICLE["knee_offset"]
+        phases[hip], phases[knee] = ARTICLE["phases"][2 * corner : 2 * corner + 2]
+    return _sinusoids(robot, ARTICLE["angular_frequency"], phases, sine, cosine, offset)
 
 
 def _sinusoids(
@@ -229,18 +220,8 @@ def _sinusoids(
 def _tuned_for_one_speed(name: str) -> SinusoidalGait:
     """Return a preset on the robot for which it was tuned."""
     angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
-    legs = (fore, fore, hind, hind)
-    sine = np.array([part for leg in legs for part in (leg.hip_sine, leg.knee_sine)])
-    cosine = np.array([part for leg in legs for part in (leg.hip_cosine, leg.knee_cosine)])
-    offset = np.array([part for leg in legs for part in (leg.hip_offset, leg.knee_offset)])
-    phases = math.tau * np.repeat(LEG_PHASES[name], 2)
-    return _sinusoids(TUNED_ON, angular_frequency, phases, sine, cosine, offset)
-
-
-_PRESETS: Final = {
-    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
-    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
-}
+    waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", TUNED_ON))
+    return _sinusoids(TUNED_ON, angular_frequency, joint_phases(TUNED_ON, name), *waves)
 
 
 def turn_size(yaw_rate: Floats, largest: float) -> Floats:
@@ -300,7 +281,7 @@ class CommandedGait:
         """
         legs = {name: LegTable(**numbers[name]) for name in LEG_TABLES}
         others = {name: value for name, value in numbers.items() if name not in LEG_TABLES}
-        straight, turn, side = (_waves_of(legs, part, len(numbers["speeds"]), robot) for part in ("", "_turn", "_side"))
+        straight, turn, side = (_waves_of(legs, part, robot) for part in ("", "_turn", "_side"))
         return cls(**others, straight=straight, turn=turn, side=side, robot=robot, legs=legs)
 
     @classmethod
@@ -331,7 +312,7 @@ class CommandedGait:
         Raises:
             QuadrupedError: if the scripted gaits do not fit the robot.
         """
-        return _sinusoid(robot, frequency)
+        return _commanded(SINUSOID, robot, frequency)
 
     @classmethod
     def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
@@ -399,52 +380,45 @@ class CommandedGait:
         """The sinusoidal gait straight ahead at 0.4 m/s, in proportion to the robot's size."""
         return self.at((0.4 * scale_of("m/s", self.robot), 0.0))
 
-    def at(self, command: Sequence[float]) -> SinusoidalGait:
-        """Return the sinusoidal gait for one command (2,) or (3,)."""
-        sine, cosine, offset = (values[0] for values in self.waves(np.array([command])))
-        return _sinusoids(self.robot, self.angular_frequency, self._phases, sine, cosine, offset)
+    def at(self, command: Sequence[float], phases: str = "trot") -> SinusoidalGait:
+        """Return the sinusoidal gait for one command (2,) or (3,), with the phases of a gait of `LEG_PHASES`."""
+        waves = (values[0] for values in self.waves(np.array([command])))
+        return _sinusoids(self.robot, self.angular_frequency, joint_phases(self.robot, phases), *waves)
 
 
-def _waves_of(legs: Mapping[str, LegTable], part: str, count: int, robot: Robot) -> Waves:
+def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
     """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
-    waves = np.zeros((3, count, robot.num_joints))
+    waves = np.zeros((3, np.size(legs["fore" + part].hip_sine), robot.num_joints))
     for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
         hip, knee = joints
         table = legs[("fore", "hind")[corner // 2] + part]
         sign = -1.0 if part == "_side" and corner % 2 == 0 else 1.0
-        waves[:, :, hip] = np.multiply(sign, (table.hip_sine, table.hip_cosine, table.hip_offset))
-        waves[:, :, knee] = np.multiply(sign, (table.knee_sine, table.knee_cosine, table.knee_offset))
+        waves[:, :, hip] = sign * np.array((table.hip_sine, table.hip_cosine, table.hip_offset)).reshape(3, -1)
+        waves[:, :, knee] = sign * np.array((table.knee_sine, table.knee_cosine, table.knee_offset)).reshape(3, -1)
     sine, cosine, offset = waves
     return sine, cosine, offset
 
 
 @functools.cache
-def _commanded(name: str, robot: Robot) -> CommandedGait:
+def _commanded(name: str, robot: Robot, frequency: float | None = None) -> CommandedGait:
+    """Return a preset, or `sinusoid` with the strides of a clock with a frequency in Hz."""
     gaits = robot.gaits or {}
     if unknown := set(gaits) - set(COMMANDED):
         raise QuadrupedError(
             f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
             f"{', '.join(COMMANDED)}"
         )
-    if name not in gaits and _has_tuned_shape(robot):
-        return _scaled_to(robot, COMMANDED[name])
     if name not in gaits:
-        return _trot(robot, TROTS[name], TROTS[name].frequency / scale_of("m/s", robot))
+        root = scale_of("m/s", robot)
+        if _has_tuned_shape(robot):
+            return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
+        return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
     try:
         return CommandedGait.of_legs(gaits[name], robot)
     except (TypeError, KeyError, ValueError) as error:
         raise QuadrupedError(
             f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
         ) from error
-
-
-@functools.cache
-def _sinusoid(robot: Robot, frequency: float) -> CommandedGait:
-    if SINUSOID in (robot.gaits or {}):
-        return _commanded(SINUSOID, robot)
-    if _has_tuned_shape(robot):
-        return _scaled_to(robot, sinusoid(frequency * scale_of("m/s", robot)))
-    return _trot(robot, TROTS[SINUSOID], frequency)
 
 
 def _has_tuned_shape(robot: Robot) -> bool:
@@ -466,8 +440,6 @@ def _has_tuned_shape(robot: Robot) -> bool:
 def _scaled_to(robot: Robot, numbers: Mapping[str, Any]) -> CommandedGait:
     """Return a gait of the built-in robot, in the form of `COMMANDED`, on a robot of its shape."""
     root = scale_of("m/s", robot)
-    if root == 1.0:
-        return CommandedGait.of_legs(numbers, robot)
     turns = [name for name in LEG_TABLES if "_" in name]  # per rad/s
     return CommandedGait.of_legs(
         {
@@ -507,3 +479,9 @@ def _rounded(waves: Floats) -> Waves:
     """Return waves to 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums."""
     sine, cosine, offset = waves.round(6)
     return sine, cosine, offset
+
+
+_PRESETS: Final = {
+    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
+    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
+}

@@ -15,8 +15,6 @@ _DAMPING: Final = 0.1
 """Damping of the inverse kinematics per squared distance of a foot, 1/rad^2."""
 _LEAST_DAMPING: Final = 1e-8
 """1/rad^2, times the squared height of the stance."""
-_DIFFERENCE: Final = 1e-5
-"""Step of numeric derivatives, rad."""
 _REACHED: Final = 1e-8
 """Distance of a foot from its place that counts as none, as a part of the height of the stance."""
 
@@ -48,13 +46,7 @@ def postures_with_feet_at(robot: Robot, feet: Floats) -> Floats:
         missing = feet - robot.skeleton.foot_centres(positions)
         if np.abs(missing).max() < _REACHED * height:
             break
-        jacobians = np.empty((*missing.shape, joints.shape[1]))
-        for column, moved in enumerate(joints.T):
-            ahead, behind = positions.copy(), positions.copy()
-            ahead[:, moved] += _DIFFERENCE
-            behind[:, moved] -= _DIFFERENCE
-            difference = robot.skeleton.foot_centres(ahead) - robot.skeleton.foot_centres(behind)
-            jacobians[..., column] = difference / (2.0 * _DIFFERENCE)
+        jacobians = np.take_along_axis(robot.skeleton.foot_jacobians(positions), joints[None, :, None], axis=-1)
         # Near a straight leg an undamped step is far too long.
         damping = _DAMPING * (missing * missing).sum(axis=-1)[..., None, None] + _LEAST_DAMPING * height**2
         change = _least_squares(jacobians, missing, damping)

@@ -8,15 +8,11 @@ import numpy as np
 
 from quadruped_env.robot import quadruped_files
 from quadruped_env.robot.motors import JOINT_KINDS, MotorConfig
-from quadruped_env.robot.robot import Robot
+from quadruped_env.robot.robot import CORNERS, Robot
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.fields import Fields, Range, check
 from quadruped_env.utils.parameters import Parameter, is_quantity
 from quadruped_env.utils.plain import Plain, plain
-
-LEGS: Final = ("LF", "RF", "LH", "RH")
-"""Names of the legs: left (L) or right (R), front (F) or hind (H)."""
-_OTHER_SIDE: Final = {"L": "R", "R": "L"}
 
 _OF_THE_LINKS: Final[Any] = None
 """Default of the angles that follow from the links."""
@@ -42,10 +38,10 @@ def _angles(value: Plain, path: str) -> tuple[float, float] | None:
 def _legs(value: Plain, path: str) -> tuple[str, ...]:
     names = plain(value)
     check(
-        isinstance(names, list) and sorted(map(str, names)) == sorted(LEGS),
+        isinstance(names, list) and sorted(map(str, names)) == sorted(CORNERS),
         path,
         value,
-        f"{', '.join(LEGS)} in any order",
+        f"{', '.join(CORNERS)} in any order",
     )
     return tuple(names)
 
@@ -61,7 +57,7 @@ class QuadrupedDesign(Fields, path="QuadrupedDesign"):
     """
 
     name: str = "mini_quadruped"
-    leg_names: Annotated[tuple[str, ...], _legs] = LEGS
+    leg_names: Annotated[tuple[str, ...], _legs] = CORNERS
     """Order of the legs, and so of all joints, in every array."""
     base_size: Annotated[tuple[float, float, float], _lengths] = (0.30, 0.15, 0.08)
     """Size of the base along x, y and z, m."""
@@ -114,24 +110,11 @@ class QuadrupedDesign(Fields, path="QuadrupedDesign"):
 
     def robot(self) -> Robot:
         """Return the robot, with its MJCF and its URDF."""
-        joints, legs = self.joint_names, self.leg_names
-        motors = self.motors.of_joints(JOINT_KINDS * len(legs))
         return Robot(
             name=self.name,
-            leg_names=legs,
-            joint_names=joints,
-            link_names=self.link_names,
-            joint_position_low=np.array([self.hip_range[0], self.knee_range[0]] * len(legs)),
-            joint_position_high=np.array([self.hip_range[1], self.knee_range[1]] * len(legs)),
-            velocity_limit=np.array([motor.no_load_speed for motor in motors]),
-            effort_limit=np.array([motor.stall_torque for motor in motors]),
-            stance=np.array(self.stance_angles * len(legs)),
+            stance=np.tile(self.stance_angles, len(self.leg_names)),
             stance_height=self.stance_height,
-            foot_radius=self.leg_radius,
-            foot_sites=tuple(f"{leg}_foot" for leg in legs),
-            joint_mirror=_mirror(joints),
-            foot_mirror=_mirror(legs),
-            sensors=_sensors(joints, legs),
+            sensors=_sensors(self.joint_names, self.leg_names),
             motors=self.motors,
             mjcf=quadruped_files.mjcf(self),
             urdf=quadruped_files.urdf(self),
@@ -141,11 +124,6 @@ class QuadrupedDesign(Fields, path="QuadrupedDesign"):
     def joint_names(self) -> tuple[str, ...]:
         """Names of the joints, in the order of every array."""
         return tuple(f"{leg}_{kind}_joint" for leg in self.leg_names for kind in JOINT_KINDS)
-
-    @property
-    def link_names(self) -> tuple[str, ...]:
-        """Names of the links, the base first."""
-        return ("base_link", *(f"{leg}_{link}" for leg in self.leg_names for link in ("hip", "leg")))
 
     @property
     def foot_height(self) -> float:
@@ -187,10 +165,6 @@ def _are_numbers(values: Any, length: int) -> bool:
     return (
         isinstance(values, list | tuple | np.ndarray) and len(values) == length and all(map(is_quantity, plain(values)))
     )
-
-
-def _mirror(names: tuple[str, ...]) -> tuple[int, ...]:
-    return tuple(names.index(_OTHER_SIDE[name[0]] + name[1:]) for name in names)
 
 
 def _sensors(joint_names: tuple[str, ...], legs: tuple[str, ...]) -> dict[str, tuple[str, ...]]:

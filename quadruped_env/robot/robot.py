@@ -34,16 +34,6 @@ from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
 
 _PER_JOINT = ("joint_position_low", "joint_position_high", "velocity_limit", "effort_limit", "stance")
-_RESTATED = (
-    "link_names",
-    "joint_position_low",
-    "joint_position_high",
-    "velocity_limit",
-    "effort_limit",
-    "foot_radius",
-    "stance_height",
-)
-"""Fields that restate the model or the motors; in an order in which each follows from those before it."""
 _OPTIONAL = ("urdf", "motor_kinds", "mirror_signs", "leg_corners", "gaits", "assets")
 """Fields that may be None; then they are not part of the content, so that robots without them keep their identity."""
 _MIRROR_TOLERANCE = 1e-3
@@ -67,8 +57,8 @@ class Robot:
     """A legged robot as a value: names, stance, symmetry, motors, and its model as text.
 
     Arrays are read-only and in the order of `joint_names` or `leg_names`, which is the order of the model. Masses and
-    kinematics are computed from the model, which is compiled when it is first needed. Two robots are equal if their
-    content is; comments and layout of the model files do not count.
+    kinematics are computed from the model. Two robots are equal if their content is; comments and layout of the model
+    files do not count.
 
         ROBOT = Robot(name="dog", mjcf=Path("dog.xml"), stance=[0.0, 0.8, -1.6] * 4, motors=MotorConfig(MOTOR, MOTOR))
 
@@ -76,7 +66,7 @@ class Robot:
     with the model's value, to six digits.
 
     Raises:
-        QuadrupedError: if the fields contradict each other, or (at the first use of the model) the model.
+        QuadrupedError: if the fields contradict each other or the model.
     """
 
     name: str
@@ -130,7 +120,7 @@ class Robot:
     hind, 3 right hind. None: see `corners`."""
     gaits: Mapping[str, Mapping[str, Any]] | None = None
     """Scripted gaits tuned on this robot, by name of the preset whose place they take, as `tools/tune_gait.py` writes
-    them. None: the presets, mapped to the robot."""
+    them. None: the presets."""
     assets: Mapping[str, bytes] | None = None
     """Files that the MJCF names, such as meshes, by name; with the path of a file as `mjcf` they are read from it."""
 
@@ -142,18 +132,12 @@ class Robot:
         self._check_numbers()
         self._check_given()
         self._find_legs()
+        self._check_restated()
         if len(self.leg_names) != self.num_legs:
             raise self._error(f"leg_names must have {self.num_legs} entries, one per foot; found {self.leg_names!r}")
-        for names in (self.leg_names, self.joint_names, self.link_names or ()):
+        for names in (self.leg_names, self.joint_names, self.link_names):
             if len(set(names)) < len(names):
                 raise self._error(f"names must differ; found {names!r}")
-        if any(getattr(self, name) is None for name in _RESTATED):
-            self._check_restated()
-        outside = (self.stance < self.joint_position_low) | (self.stance > self.joint_position_high)
-        if outside.any():
-            raise self._error(
-                f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
-            )
 
     def _find_joints_and_feet(self) -> None:
         """Fill `joint_names` and `foot_sites` where they are not given as names, and put `stance` in order."""
@@ -178,7 +162,7 @@ class Robot:
         missing = [name for name in ("leg_names", "joint_mirror", "foot_mirror") if getattr(self, name) is None]
         if not missing:
             return
-        legs = self._skeleton.leg_joints
+        legs = self.skeleton.leg_joints
         if sorted(self.corners) != [0, 1, 2, 3] or len({len(joints) for joints in legs}) > 1:
             names = ", ".join(f"{site} {CORNERS[c]}" for site, c in zip(self.foot_sites, self.corners, strict=True))
             raise self._error(
@@ -198,7 +182,7 @@ class Robot:
     def _check_numbers(self) -> None:
         """Check the numbers that are given, and make the arrays read-only."""
         for name in _PER_JOINT:
-            if getattr(self, name) is None and name in _RESTATED:
+            if getattr(self, name) is None and name != "stance":
                 continue
             values = np.array(getattr(self, name), dtype=np.float64)
             if values.shape != (self.num_joints,) or not np.isfinite(values).all():
@@ -273,16 +257,12 @@ class Robot:
     @functools.cached_property
     def model(self) -> mujoco.MjModel:
         """The robot alone, compiled once; it must not be changed."""
-        self._check_restated()
         return self._compiled(self.spec())
 
     @functools.cached_property
     def stance_feet(self) -> Floats:
         """Centres of the feet in the stance (L, 3), in the base frame, m."""
-        data = mujoco.MjData(self.model)
-        data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], self.stance
-        mujoco.mj_kinematics(self.model, data)
-        return np.array([data.site(site).xpos for site in self.foot_sites])
+        return self.skeleton.foot_centres(self.stance)
 
     @functools.cached_property
     def footprint(self) -> float:
@@ -298,7 +278,7 @@ class Robot:
         """
         if self.leg_corners is not None:
             return self.leg_corners
-        x, y, _ = self._skeleton.foot_centres(self.stance).T
+        x, y, _ = self.skeleton.foot_centres(self.stance).T
         return tuple((2 * (x <= 0.5 * (x.min() + x.max())) + (y <= 0.0)).tolist())
 
     @property
@@ -314,7 +294,7 @@ class Robot:
     @property
     def leg_joints(self) -> tuple[tuple[int, ...], ...]:
         """Indices of the joints of each leg, from the base to the foot."""
-        return self._skeleton.leg_joints
+        return self.skeleton.leg_joints
 
     @functools.cached_property
     def moves_sideways(self) -> bool:
@@ -334,7 +314,7 @@ class Robot:
         if self.motor_kinds is not None:
             return self.motor_kinds
         kinds = ["hip"] * self.num_joints
-        axes = np.abs(self._skeleton.joint_axes(self.stance)[0])
+        axes = np.abs(self.skeleton.joint_frames(self.stance)[1])
         for joints in self.leg_joints:
             for joint in joints[:-1] if len(joints) > 2 else ():
                 if axes[joint, 0] > axes[joint, 1]:
@@ -363,7 +343,7 @@ class Robot:
         """
         if self.mirror_signs is not None:
             return np.array(self.mirror_signs, dtype=np.float32)
-        axes, hinges = self.skeleton.joint_axes(self.stance)
+        axes, hinges = self.skeleton.joint_frames(self.stance)[1], self.skeleton.hinges
         images = axes * np.where(hinges[:, None], [-1.0, 1.0, -1.0], [1.0, -1.0, 1.0])
         cosines = (images * axes[list(self.joint_mirror)]).sum(axis=-1)
         wrong = np.abs(cosines) < 1.0 - _MIRROR_TOLERANCE
@@ -390,7 +370,8 @@ class Robot:
         make_servos(spec, self.joint_names)
         self.motors.write(spec, self.joint_kinds, max_delay=0.0)  # the delay depends on the time step
         if self.sensors is None:
-            hips = [self._link_of(joints[0]) for joints in self.leg_joints]
+            bodies = self.skeleton.model.jnt_bodyid[[1 + joints[0] for joints in self.leg_joints]]
+            hips = [self.skeleton.model.body(body).name for body in bodies]
             add_sensors(spec, self.sensor_names, self.foot_sites, self.foot_radius, hips)
         return spec
 
@@ -449,12 +430,6 @@ class Robot:
     @functools.cached_property
     def skeleton(self) -> Skeleton:
         """Kinematics of the robot; computed once."""
-        self._check_restated()
-        return self._skeleton
-
-    @functools.cached_property
-    def _skeleton(self) -> Skeleton:
-        """Kinematics, before the fields that restate the model are compared with it."""
         spec = self._parsed()
         base, model = spec.joints[0].parent, self._compiled(spec)
         if self.link_names is None:
@@ -467,46 +442,43 @@ class Robot:
                     raise self._error(f"its model has no {kind} {name!r}")
         return Skeleton(spec, model, self.joint_names, self.link_names, self.foot_sites)
 
-    def _link_of(self, joint: int) -> str:
-        """Return the link that a joint moves."""
-        model = self._skeleton.model
-        return str(model.body(int(model.jnt_bodyid[1 + joint])).name)
-
     def _check_restated(self) -> None:
-        """Fill the fields that restate the model and are not given, and compare the others with it; once.
+        """Fill the fields that restate the model and are not given, and compare the others with it.
 
         Raises:
             QuadrupedError: if a value differs from the model's, or none is given and the model has none.
         """
-        if "_restated" in vars(self):
-            return
-        found = self._found_in_model()
-        for name in _RESTATED[1:]:
-            given, value = getattr(self, name), next(found)
+        for name, value in self._found_in_model():
+            given = getattr(self, name)
             if given is None:
                 self._set(**{name: frozen(value) if isinstance(value, np.ndarray) else round(float(value), DIGITS)})
             elif (wrong := ~np.isclose(given, value, rtol=_SIX_DIGITS, atol=_SIX_DIGITS, equal_nan=True)).any():
                 of = f" of {self.joint_names[int(wrong.argmax())]}" if wrong.shape else ""
-                given, value = (float(np.asarray(x)[wrong][0]) for x in (given, value))
+                own, expected = (float(np.asarray(x)[wrong][0]) for x in (given, value))
                 owner = "its motors" if name in ("velocity_limit", "effort_limit") else "its model"
                 raise self._error(
-                    f"{name}{of} is {given:.6g}, but {value:.6g} in {owner}; correct it, "
+                    f"{name}{of} is {own:.6g}, but {expected:.6g} in {owner}; correct it, "
                     f"or give {name}=None for the latter"
                 )
-        self._set(_restated=True)
 
-    def _found_in_model(self) -> Iterator[Any]:
-        """Return the values of the fields of `_RESTATED` but for the names, in order."""
-        model = self._skeleton.model
-        yield from model.jnt_range[1:].T.copy()
+    def _found_in_model(self) -> Iterator[tuple[str, Any]]:
+        """Yield the fields that restate the model or the motors, with their values there."""
+        low, high = self.skeleton.model.jnt_range[1:].T
         motors = self.motors.of_joints(self.joint_kinds)
-        yield np.array([motor.no_load_speed for motor in motors])
-        yield np.array([motor.stall_torque for motor in motors])
-        radii = self._skeleton.foot_radii(self.stance)
+        yield "joint_position_low", low.copy()
+        yield "joint_position_high", high.copy()
+        outside = (self.stance < self.joint_position_low) | (self.stance > self.joint_position_high)
+        if outside.any():  # before the height, which would be another one
+            raise self._error(
+                f"the stance must be within the joint limits; {self.joint_names[outside.argmax()]} is not"
+            )
+        yield "velocity_limit", np.array([motor.no_load_speed for motor in motors])
+        yield "effort_limit", np.array([motor.stall_torque for motor in motors])
+        radii = self.skeleton.foot_radii(self.stance)
         if self.foot_radius is None and (np.isnan(radii).any() or np.ptp(radii) > _SIX_DIGITS):
             raise self._error(f"foot_radius does not follow from the shapes at the feet ({short(radii)} m); give it")
-        yield self.foot_radius if np.isnan(radii).any() else float(radii[0])
-        yield self.foot_radius - float(self._skeleton.foot_centres(self.stance)[:, 2].min())
+        yield "foot_radius", self.foot_radius if np.isnan(radii).any() else float(radii[0])
+        yield "stance_height", self.foot_radius - float(self.stance_feet[:, 2].min())
 
     @property
     def total_mass(self) -> float:

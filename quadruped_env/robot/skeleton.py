@@ -19,6 +19,8 @@ Pose = tuple[Floats, Floats]
 MAX_VALUE: Final = mujoco.mjMAXVAL
 """Maximum coordinate, above which MuJoCo treats a simulation as diverged, rad or m."""
 
+_ORIGIN: Final = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
+"""Position and quaternion wxyz of the base in its own frame."""
 _BLOCK: Final = 4096
 """Poses per batch: enough to make Python's overhead negligible, few enough to fit in the processor's cache."""
 
@@ -82,6 +84,8 @@ class Skeleton:
         """Sum of all masses, kg."""
         self.leg_joints = tuple(self._joints_up_to(link) for link, _ in self.feet)
         """See `Robot.leg_joints`."""
+        self.hinges: NDArray[np.bool_] = self.model.jnt_type[1:] == mujoco.mjtJoint.mjJNT_HINGE
+        """True for each joint that turns, False for a slide (J,)."""
 
     def _joints_up_to(self, link: str) -> tuple[int, ...]:
         """Return the indices of the joints between the base and a link, from the base on."""
@@ -107,27 +111,41 @@ class Skeleton:
             QuadrupedError: if the last axis is not J (or 7), the other axes do not broadcast, a value is not finite, or
                 a quaternion is zero.
         """
-        num_joints, num_links = len(self.joint_names), len(self.link_names)
+        links = [self.model.body(name).id for name in self.link_names]
+        xpos, xquat = (values[..., links, :] for values in self._computed(positions, base_pose, "xpos", "xquat"))
+        return {name: (xpos[..., i, :], xquat[..., i, :]) for i, name in enumerate(self.link_names)}
+
+    def joint_frames(self, positions: ArrayLike) -> tuple[Floats, Floats]:
+        """Return the points about which the joints turn, in m, and their axes, (..., J, 3) each, in the base frame.
+
+        Arguments and errors are as in `forward_kinematics`.
+        """
+        anchors, axes = (values[..., 1:, :] for values in self._computed(positions, None, "xanchor", "xaxis"))
+        return anchors, axes
+
+    def _computed(self, positions: ArrayLike, base_pose: ArrayLike | None, *names: str) -> list[Floats]:
+        """Return fields of MuJoCo's data (..., rows, columns); arguments and errors are as in `forward_kinematics`."""
+        num_joints = len(self.joint_names)
         joints = np.asarray(positions, dtype=np.float64)
         if joints.ndim == 0 or joints.shape[-1] != num_joints:
             raise QuadrupedError(
                 f"forward_kinematics: positions must have shape (..., {num_joints}), one value per joint; "
                 f"found {joints.shape}"
             )
-        base = np.array([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]) if base_pose is None else np.asarray(base_pose, np.float64)
+        base = np.asarray(_ORIGIN if base_pose is None else base_pose, dtype=np.float64)
         if base.ndim == 0 or base.shape[-1] != 7:
             raise QuadrupedError(
                 f"forward_kinematics: base_pose must have shape (..., 7), xyz and wxyz; found {base.shape}"
             )
         try:
-            batch = np.broadcast_shapes(joints.shape[:-1], base.shape[:-1])
+            leading = np.broadcast_shapes(joints.shape[:-1], base.shape[:-1])
         except ValueError as error:
             raise QuadrupedError(
                 f"forward_kinematics: the leading axes of positions {joints.shape} and base_pose {base.shape} do not "
                 f"fit"
             ) from error
-        joints = np.broadcast_to(joints, (*batch, num_joints)).reshape(-1, num_joints)
-        base = np.broadcast_to(base, (*batch, 7)).reshape(-1, 7)
+        joints = np.broadcast_to(joints, (*leading, num_joints)).reshape(-1, num_joints)
+        base = np.broadcast_to(base, (*leading, 7)).reshape(-1, 7)
         for values in (joints, base):
             # The minimum and maximum of an array with NaN are NaN, and comparisons with NaN are false.
             if values.size and not (values.min() >= -MAX_VALUE and values.max() <= MAX_VALUE):
@@ -138,25 +156,17 @@ class Skeleton:
         if not base[:, 3:].any(axis=1).all():
             raise QuadrupedError("forward_kinematics: base_pose has a zero quaternion; identity is (1, 0, 0, 0)")
 
-        xpos = np.empty((len(joints), num_links, 3))
-        xquat = np.empty((len(joints), num_links, 4))
-        if len(joints):
-            self._fill_link_poses(joints, base, xpos, xquat)
-        xpos = xpos.reshape(*batch, num_links, 3)
-        xquat = xquat.reshape(*batch, num_links, 4)
-        return {name: (xpos[..., i, :], xquat[..., i, :]) for i, name in enumerate(self.link_names)}
-
-    def _fill_link_poses(self, joints: Floats, base: Floats, xpos: Floats, xquat: Floats) -> None:
-        """Write the link poses (N, L, 3) and (N, L, 4) of joint positions (N, J) and base poses (N, 7)."""
-        links = np.array([self.model.body(name).id for name in self.link_names])
-        batch = Batch(self.model, min(_BLOCK, len(joints)), nthread=1)
-        qpos, positions, quaternions = batch.bind("qpos"), batch.bind("xpos"), batch.bind("xquat")
+        batch = Batch(self.model, max(1, min(_BLOCK, len(joints))), nthread=1)
+        qpos, fields = batch.bind("qpos"), [batch.bind(name) for name in names]
+        found = [np.empty((len(joints), *field.shape[1:])) for field in fields]
         for start in range(0, len(joints), batch.nsim):
             block = slice(start, min(start + batch.nsim, len(joints)))
             count = block.stop - start
             qpos[:count, :7], qpos[:count, 7:] = base[block], joints[block]
             batch.forward(None if count == batch.nsim else np.arange(count), stage=mujoco.mjtStage.mjSTAGE_POS)
-            xpos[block], xquat[block] = positions[:count, links], quaternions[:count, links]
+            for values, field in zip(found, fields, strict=True):
+                values[block] = field[:count]
+        return [values.reshape(*leading, *values.shape[1:]) for values in found]
 
     def foot_centres(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> Floats:
         """Return the centres of the foot balls (..., L, 3) in m, in the order of `leg_names`.
@@ -166,12 +176,16 @@ class Skeleton:
         return self._points(self.feet, self.forward_kinematics(positions, base_pose))
 
     def foot_jacobians(self, positions: ArrayLike) -> Floats:
-        """Return derivatives (L, 3, J) in m/rad of the foot centres in the base frame by the joints, at (J,) in rad."""
-        data = self._data(positions)
-        found = np.zeros((len(self.feet), 3, self.model.nv))
-        for jacobian, (link, _), centre in zip(found, self.feet, self.foot_centres(positions), strict=True):
-            mujoco.mj_jac(self.model, data, jacobian, None, centre, self.model.body(link).id)
-        return found[:, :, 6:]
+        """Return derivatives (..., L, 3, J) in m/rad of the foot centres in the base frame by the joint positions.
+
+        Arguments and errors are as in `forward_kinematics`.
+        """
+        feet, (anchors, axes) = self.foot_centres(positions), self.joint_frames(positions)
+        arms = feet[..., :, None, :] - anchors[..., None, :, :]
+        axes = np.broadcast_to(axes[..., None, :, :], arms.shape)
+        moved = np.where(self.hinges[:, None], np.cross(axes, arms), axes)
+        own = [np.isin(np.arange(len(self.joint_names)), joints) for joints in self.leg_joints]
+        return np.where(np.array(own)[..., None], moved, 0.0).swapaxes(-1, -2)
 
     def foot_radii(self, positions: ArrayLike) -> Floats:
         """Return the distance (L,) of each foot's centre from its link's lowest point, m; NaN without a shape."""
@@ -182,15 +196,6 @@ class Skeleton:
             own = [height for (of, _), height in zip(points, heights, strict=True) if of == link]
             found.append(self._points([(link, centre)], poses)[0, 2] - min(own, default=np.nan))
         return np.array(found)
-
-    def joint_axes(self, positions: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
-        """Return the joints' axes (J, 3) in the base frame, and which are hinges (J,), for positions (J,) in rad."""
-        data = self._data(positions)
-        return data.xaxis[1:].copy(), self.model.jnt_type[1:] == mujoco.mjtJoint.mjJNT_HINGE
-
-    def joint_anchors(self, positions: ArrayLike) -> Floats:
-        """Return the points about which the joints turn (J, 3) in the base frame, m, for positions (J,) in rad."""
-        return self._data(positions).xanchor[1:].copy()
 
     def lowest(self, positions: ArrayLike, up: Floats) -> float:
         """Return the height of the robot's lowest point over its base's centre, along a direction in the base frame, m.
@@ -204,7 +209,10 @@ class Skeleton:
 
     def centre_of_mass(self, positions: ArrayLike) -> Floats:
         """Return the centre of mass of the robot (3,) in the base frame, m, for joint positions (J,) in rad."""
-        data = self._data(positions)
+        data = mujoco.MjData(self.model)
+        data.qpos[:7], data.qpos[7:] = _ORIGIN, positions
+        mujoco.mj_kinematics(self.model, data)
+        mujoco.mj_comPos(self.model, data)
         return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
 
     def resting_pose(self, positions: ArrayLike) -> Floats:
@@ -277,14 +285,6 @@ class Skeleton:
         return tuple(
             Transform(*_links(model, body), model.body_pos[body].copy(), model.body_quat[body].copy()) for body in fixed
         )
-
-    def _data(self, positions: ArrayLike) -> mujoco.MjData:
-        """Return the kinematics and centres of mass for joint positions (J,) in rad, with the base at the origin."""
-        data = mujoco.MjData(self.model)
-        data.qpos[:7], data.qpos[7:] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], positions
-        mujoco.mj_kinematics(self.model, data)
-        mujoco.mj_comPos(self.model, data)
-        return data
 
     @staticmethod
     def _points(points: Sequence[tuple[str, Floats]], poses: dict[str, Pose]) -> Floats:

@@ -11,6 +11,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.motors import JointMotor
 from quadruped_env.robot.quadruped_files import drives, filled, numbers
 from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.rotations import rotate
 
 _UPRIGHT: Final = 1e-7
 """Cosine of a pitch below which it is 90 degrees."""
@@ -72,33 +73,27 @@ def _joint(model: mujoco.MjModel, joint: int, motor: JointMotor) -> dict[str, st
 def _shapes(model: mujoco.MjModel, body: int) -> Iterator[str]:
     """Yield each colliding shape of a body, to be drawn and to collide."""
     for geom in np.flatnonzero((model.geom_bodyid == body) & ((model.geom_contype | model.geom_conaffinity) != 0)):
-        size, place, axes = model.geom_size[geom], model.geom_pos[geom], _matrix(model.geom_quat[geom])
+        size, place, turn = model.geom_size[geom], model.geom_pos[geom], model.geom_quat[geom]
         centre, half = model.geom_aabb[geom].reshape(2, 3)
         ball, rod = f'sphere radius="{numbers(size[0])}"', f'length="{numbers(2.0 * size[1])}"'
         kind = mujoco.mjtGeom(model.geom_type[geom])
-        found = [(f'box size="{numbers(*2.0 * half)}"', place + axes @ centre)]
+        found = [(f'box size="{numbers(*2.0 * half)}"', place + rotate(turn, centre))]
         if kind == mujoco.mjtGeom.mjGEOM_SPHERE:
             found = [(ball, place)]
         if kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
             found = [(f'cylinder radius="{numbers(size[0])}" {rod}', place)]
         if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
-            found += [(ball, place + side * size[1] * axes[:, 2]) for side in (-1.0, 1.0)]
+            found += [(ball, place + rotate(turn, [0.0, 0.0, half])) for half in (-size[1], size[1])]
         for shape, at in found:
-            values = {**_pose(at, model.geom_quat[geom]), "shape": shape}
+            values = {**_pose(at, turn), "shape": shape}
             yield "".join(filled("shape.urdf", values, use=use) for use in ("visual", "collision")).rstrip()
 
 
 def _pose(position: Floats, quaternion: Floats) -> dict[str, str]:
     """Return position (3,) in m and quaternion wxyz as the attributes of an `origin`."""
-    matrix = _matrix(quaternion)
+    matrix = rotate(quaternion, np.eye(3)).T
     level = np.hypot(matrix[2, 1], matrix[2, 2])
     roll, yaw = np.arctan2(matrix[2, 1], matrix[2, 2]), np.arctan2(matrix[1, 0], matrix[0, 0])
     if level < _UPRIGHT:  # only the difference of roll and yaw is defined
         roll, yaw = 0.0, np.arctan2(-matrix[0, 1], matrix[1, 1])
     return {"xyz": numbers(*position), "rpy": numbers(roll, np.arctan2(-matrix[2, 0], level), yaw)}
-
-
-def _matrix(quaternion: Floats) -> Floats:
-    matrix = np.zeros(9)
-    mujoco.mju_quat2Mat(matrix, quaternion)
-    return matrix.reshape(3, 3)

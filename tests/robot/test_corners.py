@@ -39,7 +39,7 @@ def test_a_foot_out_of_reach_gets_near_with_joints_in_their_ranges(robot):
 
 def test_a_joint_at_its_limit_leaves_the_rest_to_the_others():
     """The foot can rise no farther forward than the hip's range allows, and the knee takes what it can."""
-    hip = ROBOT.skeleton.joint_anchors(ROBOT.stance)[0]
+    hip = ROBOT.skeleton.joint_frames(ROBOT.stance)[0][0]
     feet = ROBOT.skeleton.foot_centres(ROBOT.stance)[None].copy()
     feet[0, 0, [0, 2]] = hip[[0, 2]] + [-0.21, 0.0]
     found = postures_with_feet_at(ROBOT, feet)

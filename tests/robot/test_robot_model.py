@@ -129,10 +129,8 @@ def test_delay_of_a_robot_does_not_stay_with_motors_of_a_task():
     ],
 )
 def test_model_without_such_joints_and_actuators_is_refused(mjcf, message):
-    robot = changed(mjcf=mjcf, sensors=None)
-    for use in (lambda: robot.model, lambda: build_model(robot=robot), lambda: robot.total_mass):
-        with pytest.raises(QuadrupedError, match=f"robot 'other': .*{message}"):
-            use()
+    with pytest.raises(QuadrupedError, match=f"robot 'other': .*{message}"):
+        changed(mjcf=mjcf, sensors=None)
 
 
 def test_fields_that_restate_the_model_follow_from_it():
@@ -182,7 +180,7 @@ def test_values_agree_to_the_six_digits_that_mujoco_writes():
     written = changed(mjcf=spec.to_xml(), joint_position_high=[1.5 + 4e-6, 0.0] * 4)
     assert written.model.nu == 8
     with pytest.raises(QuadrupedError, match=r"joint_position_high of LF_hip_joint is 1\.50002"):
-        _ = changed(joint_position_high=[1.50002, 0.0] * 4).model
+        changed(joint_position_high=[1.50002, 0.0] * 4)
 
 
 def test_ranges_in_degrees_limit_the_targets_in_radians():
@@ -236,7 +234,7 @@ def test_meshes_are_searched_next_to_the_file(included, tmp_path, monkeypatch):
     path = folder / "dog.xml"
     path.write_text(text.replace('<site name="imu"', geoms))
     with pytest.raises(QuadrupedError, match=r"opening file 'meshes/trunk.stl'.*next to a file: mjcf=Path"):
-        _ = changed(mjcf=path.read_text()).model
+        changed(mjcf=path.read_text())
     with pytest.raises(QuadrupedError, match=r"meshes/trunk.stl: there is no such file"):
         changed(mjcf=path)
     for name in ("trunk.stl", "legs/leg.stl"):
@@ -250,7 +248,7 @@ def test_meshes_are_searched_next_to_the_file(included, tmp_path, monkeypatch):
     for one in (robot, Robot.from_dict(json.loads(json.dumps(robot.to_dict()))), pickle.loads(pickle.dumps(robot))):  # noqa: S301
         assert build_model(robot=one).nmesh == 2
         assert one == robot
-    other = dataclasses.replace(robot, assets={**robot.assets, "trunk.stl": mesh() + b" "})
+    other = dataclasses.replace(robot, assets={**robot.assets, "trunk.stl": b"x" + mesh()[1:]})
     assert other != robot
 
 

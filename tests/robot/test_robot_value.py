@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from tutorial import random_positions
 
-from quadruped_env import QuadrupedError, build_model, forward_kinematics
+from quadruped_env import QuadrupedError, forward_kinematics
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign, Robot
 from quadruped_env.robot.readings import sensor_columns
 
@@ -109,9 +109,8 @@ class TestModel:
         ],
     )
     def test_model_that_is_not_the_robots_is_refused(self, change, message):
-        robot = dataclasses.replace(MINI_QUADRUPED, **change)
         with pytest.raises(QuadrupedError, match=f"robot 'mini_quadruped': .*{message}"):
-            robot.forward_kinematics(np.zeros(8))
+            dataclasses.replace(MINI_QUADRUPED, **change)
 
     @pytest.mark.parametrize(
         ("change", "message"),
@@ -168,10 +167,8 @@ class TestGround:
     def test_model_with_a_ground_of_its_own_is_refused(self, element, found):
         # Two planes double every contact.
         mjcf = MINI_QUADRUPED.mjcf.replace("<worldbody>", f"<worldbody>{element}", 1)
-        robot = dataclasses.replace(MINI_QUADRUPED, mjcf=mjcf)
-        for use in (lambda: robot.model, lambda: build_model(robot=robot)):
-            with pytest.raises(QuadrupedError, match=f"the robot alone.*found {found} fixed to the world: remove it"):
-                use()
+        with pytest.raises(QuadrupedError, match=f"the robot alone.*found {found} fixed to the world: remove it"):
+            dataclasses.replace(MINI_QUADRUPED, mjcf=mjcf)
 
     def test_lights_cameras_and_sites_of_the_world_are_accepted(self):
         elements = '<light name="sun"/><camera name="above"/><site name="origin"/><body mocap="true" name="goal"/>'
