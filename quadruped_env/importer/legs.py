@@ -103,7 +103,7 @@ def find_legs(described: Description, forward: str | None) -> Anatomy:
     locked = tree.lock(base, {link for chain in chains for link in chain})
     if locked:
         described.add("left out", "joints", f"{named(locked)}: no part of a leg; locked at 0, or at the nearest limit")
-    return _Geometry(_Tree(described), base, chains, kinds).anatomy(forward, tuple(locked))
+    return _Geometry(tree, base, chains, kinds).anatomy(forward, tuple(locked))
 
 
 class _Tree:

@@ -4,7 +4,6 @@ The library's own evaluator runs Python expressions whose nested code it does no
 `$(find)` read the environment. Here expressions are arithmetic, and only files in the given folders are read.
 """
 
-import contextlib
 import sys
 from pathlib import Path
 from typing import Any
@@ -27,8 +26,7 @@ def main() -> int:
     _limit()
     path, *given = map(Path, sys.argv[1:])
     try:
-        with contextlib.redirect_stdout(sys.stderr):  # the library's messages
-            text = expand(path, Folders(tuple(given), path))
+        text = expand(path, Folders(tuple(given), path))
     except RecursionError:
         text = "macros or properties refer to each other without an end"
     except Exception as error:

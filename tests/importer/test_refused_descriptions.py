@@ -229,6 +229,20 @@ def test_include_outside_the_folders_is_refused(tmp_path):
     assert "'gone.xml' is not found" in refused(text.replace("../part.xml", "gone.xml"), inner, "x.xml")
 
 
+def test_included_files_are_checked_as_deep_as_they_go(tmp_path):
+    (tmp_path / "a.xml").write_text('<mujocoinclude>\n<include file="b.xml"/></mujocoinclude>')
+    (tmp_path / "b.xml").write_text('<mujocoinclude>\n\n<replicate count="12345"/></mujocoinclude>')
+    text = '<mujoco><include file="a.xml"/></mujoco>'
+    assert "b.xml: line 3: <replicate> count: expected numbers" in refused(text, tmp_path, "x.xml")
+
+
+def test_folder_with_the_name_of_a_mesh_is_passed_over(tmp_path):
+    (tmp_path / "a" / "m.obj").mkdir(parents=True)
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n")
+    assert not findings(imported(mesh_robot("package://gone/m.obj"), tmp_path), "left out")
+
+
 def test_names_of_a_file_are_data_in_the_task_file(tmp_path):
     evil = "x&quot;&#10;raise SystemExit&#10;&quot;&quot;&quot;"
     text = robot(2, name=evil).replace('"LF_hip"', f'"{evil}"').replace('"LF_knee"', '"a\'b\\"')

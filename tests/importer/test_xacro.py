@@ -22,8 +22,10 @@ def xacro(text, extra=""):
 
 
 def test_properties_macros_includes_and_packages_are_expanded(tmp_path):
-    package = tmp_path / "dog_description"
+    package = tmp_path / "dog"
     (package / "urdf").mkdir(parents=True)
+    (package / "a").mkdir()
+    (package / "a" / "package.xml").write_text("<package><name>other</name></package>")
     (package / "package.xml").write_text("<package><name> dog_description </name></package>")
     (package / "numbers.yaml").write_text("leg: {thigh: 0.2}\n")
     (package / "urdf" / "part.xacro").write_text(
