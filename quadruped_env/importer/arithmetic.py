@@ -12,24 +12,8 @@ _NODES: Final = (
     *(ast.operator, ast.unaryop, ast.boolop, ast.cmpop),
 )
 _BUILT_IN: Final = (
-    *(
-        "abs",
-        "all",
-        "any",
-        "bool",
-        "dict",
-        "float",
-        "int",
-        "len",
-        "list",
-        "max",
-        "min",
-        "round",
-        "sorted",
-        "str",
-        "sum",
-    ),
-    "tuple",
+    *("abs", "all", "any", "bool", "dict", "float", "int", "len", "list"),
+    *("max", "min", "round", "sorted", "str", "sum", "tuple"),
 )
 _MATH: Final = tuple(name for name in vars(math) if name not in ("comb", "factorial", "perm", "prod"))
 _METHODS: Final = ("startswith", "endswith", "lower", "upper", "strip", "split")
