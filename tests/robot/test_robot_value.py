@@ -117,6 +117,7 @@ class TestModel:
         [
             ({"stance": np.zeros(7)}, "stance must be 8 finite numbers"),
             ({"stance": np.full(8, 2.5)}, "the stance must be within the joint limits; LF_hip_joint is not"),
+            ({"stance": np.full(8, -1.9)}, "the stance must be within the joint limits; LF_hip_joint is not"),
             ({"effort_limit": np.full(8, np.nan)}, "effort_limit must be 8 finite numbers"),
             ({"foot_mirror": (0, 1)}, "foot_mirror must be 4 of 0, 1, 2, 3; found"),
             ({"leg_names": ("LF", "LF", "LH", "RH")}, "names must differ"),

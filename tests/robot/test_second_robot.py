@@ -1,5 +1,6 @@
 """The whole path on another robot: kinematics, environments, gait, training, policies, live topics."""
 
+import dataclasses
 import json
 import math
 import pickle
@@ -55,14 +56,21 @@ def walk(controller, commands, seconds=6.0):
 
 
 class TestModel:
-    def test_jacobian_is_the_derivative_of_the_feet(self):
-        positions, step = ROBOT.stance + 0.1, 1e-6
-        jacobian = ROBOT.skeleton.foot_jacobians(positions)
+    @pytest.mark.parametrize("kind", ["hinge", "slide"])
+    def test_jacobian_is_the_derivative_of_the_feet(self, kind):
+        knee = '<joint name="LF_knee_joint" '
+        robot = dataclasses.replace(
+            ROBOT,
+            mjcf=ROBOT.mjcf.replace(knee, f'{knee}type="{kind}" '),
+            **dict.fromkeys(("foot_radius", "stance_height")),
+        )
+        positions, step = np.add(robot.stance, [[0.1], [-0.2]]), 1e-6
+        jacobian = robot.skeleton.foot_jacobians(positions)
         for joint in range(8):
             change = np.zeros(8)
             change[joint] = step
-            ends = [ROBOT.skeleton.foot_centres(positions + sign * change) for sign in (1, -1)]
-            np.testing.assert_allclose(jacobian[:, :, joint], (ends[0] - ends[1]) / (2 * step), atol=1e-9)
+            ends = [robot.skeleton.foot_centres(positions + sign * change) for sign in (1, -1)]
+            np.testing.assert_allclose(jacobian[..., joint], (ends[0] - ends[1]) / (2 * step), atol=1e-9)
 
     def test_masses_and_stance(self):
         assert ROBOT.total_mass == pytest.approx(3.0 + 4 * 0.6, rel=1e-12)
