@@ -1,8 +1,8 @@
 """Search the parameters of the scripted gaits on the simulated robot, or on one's own with --task.
 
 They are the tables of the gait `tuned`, `crouched`, `low` or `fast` over forward velocity, with what a yaw rate adds,
-or a preset for one speed. Each search starts from the shipped tables, mapped to the robot. Writes JSON: of the built-in
-robot the numbers that belong in quadruped_env/gait (commanded_gaits.json, or gait_presets.py for one speed), of another
+or a preset for one speed. Each search starts from the robot's preset of that name. Writes JSON: of the built-in robot
+the numbers that belong in quadruped_env/gait (commanded_gaits.json, or gait_presets.py for one speed), of another
 what it takes as `Robot.gaits`. Prints the velocities that the gait reaches. Takes half an hour on two idle cores, and
 `tuned` more than an hour.
 """

@@ -103,9 +103,9 @@ def _summary(robot: ImportedRobot) -> list[str]:
         "",
     ]
     legs: list[Sequence[str]] = [("leg", "joints from the base to the foot", "signs", "knee")]
-    for leg, plane, knee in zip(robot.anatomy.legs, stance.planes, stance.knees, strict=True):
+    for plane, knee in zip(stance.planes, stance.knees, strict=True):
         signs = "".join("+" if sign > 0 else "-" for sign in plane.signs)
-        legs.append((leg.corner, ", ".join(leg.names), signs, "behind" if knee == "<" else "in front"))
+        legs.append((plane.leg.corner, ", ".join(plane.leg.names), signs, "behind" if knee == "<" else "in front"))
     lines.append(text_table(legs, left=4))
     rows = [
         (status, finding.subject, finding.text)

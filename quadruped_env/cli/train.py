@@ -5,6 +5,7 @@ mini-quadruped train --recipe rough           for terrain of all kinds
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
+mini-quadruped train --task my_robot.py       with your own robot, which 'mini-quadruped robot FILE' writes
 mini-quadruped train --task my_task.py        with rewards, observations or randomizations of your own
 mini-quadruped train --algo sac               with another algorithm of Stable-Baselines3 or sb3-contrib
 mini-quadruped train --resume runs/latest     continue an earlier run, or the last checkpoint of an interrupted one
@@ -107,8 +108,8 @@ def add_settings(parser: argparse.ArgumentParser) -> None:
         type=task_change,
         action="append",
         metavar="TASK",
-        help="a Python file of terms (docs/make-it-yours.md), a JSON file of changes to the task's config, or these "
-        "changes as JSON; may be given again",
+        help="a Python file with a robot (docs/robots.md) or terms (docs/make-it-yours.md) of your own, a JSON file of "
+        "changes to the task's config, or these changes as JSON; may be given again",
     )
     add("n_steps", "steps of each env between updates", **number)
     add("batch_size", "samples in a gradient step", **number)

@@ -115,14 +115,14 @@ class SinusoidalGait:
         """
         if name in COMMANDED:
             return CommandedGait.preset(name, robot).straight_ahead
-        if name not in _PRESETS:
+        if name not in ("article", *TUNED_FOR_ONE_SPEED):
             raise QuadrupedError(
                 f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
             )
-        if robot == TUNED_ON:
-            return _PRESETS[name]
         if name == "article":
-            return _published(robot)
+            return SinusoidalGait(**ARTICLE, robot=robot) if robot == TUNED_ON else _published(robot)
+        if has_tuned_shape(robot):
+            return _tuned_for_one_speed(name, robot)
         root, trot = scale_of("m/s", robot), TROTS[name]
         return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0), trot.phases)
 
@@ -217,11 +217,11 @@ def _sinusoids(
     )
 
 
-def _tuned_for_one_speed(name: str) -> SinusoidalGait:
-    """Return a preset on the robot for which it was tuned."""
+def _tuned_for_one_speed(name: str, robot: Robot) -> SinusoidalGait:
+    """Return a preset on the robot for which it was tuned, or on one of its shape."""
     angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
-    waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", TUNED_ON))
-    return _sinusoids(TUNED_ON, angular_frequency, joint_phases(TUNED_ON, name), *waves)
+    waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", robot))
+    return _sinusoids(robot, angular_frequency / scale_of("m/s", robot), joint_phases(robot, name), *waves)
 
 
 def turn_size(yaw_rate: Floats, largest: float) -> Floats:
@@ -410,7 +410,7 @@ def _commanded(name: str, robot: Robot, frequency: float | None = None) -> Comma
         )
     if name not in gaits:
         root = scale_of("m/s", robot)
-        if _has_tuned_shape(robot):
+        if has_tuned_shape(robot):
             return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
         return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
     try:
@@ -421,7 +421,7 @@ def _commanded(name: str, robot: Robot, frequency: float | None = None) -> Comma
         ) from error
 
 
-def _has_tuned_shape(robot: Robot) -> bool:
+def has_tuned_shape(robot: Robot) -> bool:
     """Return True for a robot whose feet move like those of the built-in one, in proportion to its height."""
     if robot == TUNED_ON:
         return True
@@ -479,9 +479,3 @@ def _rounded(waves: Floats) -> Waves:
     """Return waves to 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums."""
     sine, cosine, offset = waves.round(6)
     return sine, cosine, offset
-
-
-_PRESETS: Final = {
-    "article": SinusoidalGait(**ARTICLE, robot=TUNED_ON),
-    **{name: _tuned_for_one_speed(name) for name in TUNED_FOR_ONE_SPEED},
-}

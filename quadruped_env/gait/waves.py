@@ -19,6 +19,8 @@ Waves = tuple[Floats, Floats, Floats]
 
 _SAMPLES: Final = 24
 """Samples of a cycle."""
+_ARC: Final = 0.3
+"""Largest height of a stride's arc, as a part of the lift."""
 _GRAVITY: Final = 9.81
 _LIFTS: Final = 4
 _LEAST_RISE: Final = 0.2
@@ -104,8 +106,9 @@ def joint_waves(robot: Robot, frequency: float, velocities: Floats, lift: float,
         x, y = np.abs(home[:, :2]).mean(axis=0)
         speed[..., 0] = forward - _SLIDING * (1.0 + (x / y) ** 2) * yaw_rate * home[:, 1]
     away, leg = speed[:, None] * along[:, None, None] / (4.0 * frequency), robot.stance_height
-    # On an arc, so that a stride turns a leg about its hip and leaves its knee for the lift.
+    # On an arc, so that a stride turns a leg about its hip and leaves its knee for the lift. A foot must pass over it.
     arc = leg - np.sqrt(np.maximum(0.0, leg * leg - (away * away).sum(axis=-1)))
+    arc = np.minimum(arc, _ARC * lift * leg)
     up = lift * np.maximum(0.0, np.sin(angle)) + 1.0 - height
     feet = home + away
     feet[..., 2] += arc + leg * up[:, None]

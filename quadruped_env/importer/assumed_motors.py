@@ -7,9 +7,10 @@ from typing import Final
 
 import numpy as np
 
-from quadruped_env.importer.description import Description, Link
+from quadruped_env.importer.description import Description, Link, poses
 from quadruped_env.importer.legs import Anatomy
 from quadruped_env.importer.stance import Stance
+from quadruped_env.robot import JointMotor
 
 GRAVITY: Final = 9.81
 """Gravity, m/s^2."""
@@ -35,9 +36,14 @@ _FRICTION: Final = 0.02
 class AssumedMotor:
     """A motor, with the source of each number."""
 
-    joints: tuple[str, ...]
+    field: str
+    """Field of `MotorConfig`: `abduction`, `hip` or `knee`."""
     values: dict[str, tuple[float, str]]
     """Number and its comment, for each field of `JointMotor`."""
+
+    def motor(self) -> JointMotor:
+        """Return the motor."""
+        return JointMotor(**{name: value for name, (value, _) in self.values.items()})
 
 
 def assumed_motors(
@@ -47,10 +53,11 @@ def assumed_motors(
     mass, height = sum(body.mass for body in bodies), stance.height
     size = f"m {mass:.4g} kg, L {height:.4g} m"
     weight = mass * GRAVITY * height
-    swung = max(_swung(bodies, joint.name) for leg in anatomy.legs for joint in leg.joints)
+    swung = max(_swung(bodies, leg.names) for leg in anatomy.legs)
     assumed: set[str] = set()
     motors = []
-    for place in range(len(anatomy.kinds)):
+    fields = [{"roll": "abduction", "pitch": "hip"}[kind] for kind in anatomy.kinds[:-1]] + ["knee"]
+    for place, field in enumerate(fields):
         joints = [leg.joints[place] for leg in anatomy.legs]
 
         def number(name: str, most: float, otherwise: float, unit: str, law: str) -> tuple[float, str]:
@@ -74,7 +81,7 @@ def assumed_motors(
         kd = round_to(2.0 * _DAMPING_RATIO * math.sqrt(kp * (armature[0] + swung)))
         motors.append(
             AssumedMotor(
-                tuple(joint.name for joint in joints),
+                field,
                 {
                     "stall_torque": torque,
                     "no_load_speed": speed,
@@ -94,23 +101,19 @@ def assumed_motors(
     return motors
 
 
-def _swung(bodies: Sequence[Link], joint: str) -> float:
-    """Return the inertia about a joint's axis of all that it moves, with the joints at 0, kg m^2."""
-    start = next(i for i, body in enumerate(bodies) if body.joint.name == joint)
-    frames = {start: (np.zeros(3), np.eye(3))}
-    axis, total = bodies[start].joint.axis, 0.0
-    for i, body in enumerate(bodies[start:], start):
-        if i != start:
-            if body.parent not in frames:
-                continue
-            place, turn = frames[body.parent]
-            frames[i] = (place + turn @ body.position, turn @ body.rotation)
-        place, turn = frames[i]
-        centre = place + turn @ body.centre
-        off = centre - (centre @ axis) * axis
-        own = turn.T @ axis
-        total += float(own @ body.inertia @ own) + body.mass * float(off @ off)
-    return total
+def _swung(bodies: Sequence[Link], names: Sequence[str]) -> float:
+    """Return the largest inertia about a joint of a leg of all that the joint moves, with the joints at 0, kg m^2."""
+    leg = [i for i, body in enumerate(bodies) if body.joint.name in names]
+    places, rotations = poses(bodies)
+    largest = 0.0
+    for k, first in enumerate(leg):
+        axis, total = rotations[first] @ bodies[first].joint.axis, 0.0
+        for i in leg[k:]:
+            body, own = bodies[i], rotations[i].T @ axis
+            off = np.cross(axis, places[i] + rotations[i] @ body.centre - places[first])
+            total += float(own @ body.inertia @ own) + body.mass * float(off @ off)
+        largest = max(largest, total)
+    return largest
 
 
 def round_to(value: float, digits: int = 3) -> float:

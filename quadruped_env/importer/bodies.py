@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from quadruped_env.importer.description import Description, Joint, Link, named
+from quadruped_env.importer.description import Description, Joint, Link, named, poses
 from quadruped_env.importer.legs import Anatomy
 from quadruped_env.importer.shapes import moved
 from quadruped_env.importer.stance import Stance
@@ -16,7 +16,7 @@ _FAR = 0.25
 
 def fused(described: Description, anatomy: Anatomy, stance: Stance) -> list[Link]:
     """Return the base and the legs' links, each with all that is fixed to it; the first is the base."""
-    places, rotations = described.poses()
+    places, rotations = poses(described.links)
     turn = rotations[anatomy.base] @ anatomy.frame
     origin = places[anatomy.base] + turn @ _origin(described, anatomy, stance)
     places, rotations = (places - origin) @ turn, turn.T @ rotations

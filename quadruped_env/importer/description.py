@@ -1,5 +1,7 @@
 """A robot as a file describes it: a tree of links with joints, inertia and shapes, in SI units."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -52,9 +54,9 @@ class Joint:
     """`hinge`, `slide`, `ball`, `free` or `fixed`."""
     axis: Floats
     """Unit vector (3,) in the frame of the link."""
-    low: float | None = None
-    """Lower limit, rad."""
-    high: float | None = None
+    low: float = -math.inf
+    """Lower limit, rad; infinite, as the upper one, where the file gives no limits."""
+    high: float = math.inf
     """Upper limit, rad."""
     effort: float | None = None
     """Maximum torque, N m."""
@@ -97,20 +99,6 @@ class Description:
     loops: list[tuple[str, str]] = field(default_factory=list)
     """Pairs of links that close a chain."""
 
-    def poses(self) -> tuple[Floats, Floats]:
-        """Return positions (L, 3) and rotations (L, 3, 3) of all links in their root, with the joints at 0 or locked.
-
-        A joint whose range excludes 0 is at the nearest limit if it is locked; the joints of legs are always at 0,
-        since `Link.position` and `Link.rotation` say so: call `lock` first.
-        """
-        places, rotations = np.zeros((len(self.links), 3)), np.tile(np.eye(3), (len(self.links), 1, 1))
-        for i, link in enumerate(self.links):
-            places[i], rotations[i] = link.position, link.rotation
-            if link.parent >= 0:
-                places[i] = places[link.parent] + rotations[link.parent] @ link.position
-                rotations[i] = rotations[link.parent] @ link.rotation
-        return places, rotations
-
     def add(self, status: str, subject: str, text: str) -> None:
         """Add a finding."""
         self.findings.append(Finding(status, subject, text))
@@ -119,6 +107,17 @@ class Description:
         """Add a finding for meshes that are not read, of which the first problem is quoted."""
         count = "1 mesh is" if len(problems) == 1 else f"{len(problems)} meshes are"
         self.add("left out", "collision", f"{count} not read: {problems[0]}; only the other shapes are used")
+
+
+def poses(links: Sequence[Link]) -> tuple[Floats, Floats]:
+    """Return positions (L, 3) and rotations (L, 3, 3) of all links in their root, with the joints at 0."""
+    places, rotations = np.zeros((len(links), 3)), np.tile(np.eye(3), (len(links), 1, 1))
+    for i, link in enumerate(links):
+        places[i], rotations[i] = link.position, link.rotation
+        if link.parent >= 0:
+            places[i] = places[link.parent] + rotations[link.parent] @ link.position
+            rotations[i] = rotations[link.parent] @ link.rotation
+    return places, rotations
 
 
 def named(names: list[str]) -> str:

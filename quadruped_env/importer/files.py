@@ -2,14 +2,13 @@
 
 import os
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError
+from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.importer.xml_tree import read_bytes
 from quadruped_env.utils.arrays import Floats
 
@@ -47,14 +46,14 @@ class Folders:
         target = path.resolve()
         return any(target.is_relative_to(root) for root in self.roots)
 
-    def find(self, name: str, beside: tuple[Path, ...] = ()) -> Path | None:
-        """Return the file of a name as it stands in a description, or None.
+    def find(self, name: str, beside: tuple[Path, ...] = ()) -> Path:
+        """Return the file of a name as it stands in a description.
 
         A relative name is searched next to the description and in `beside`, and `package://NAME/...` below every folder
         by the end of its path.
 
         Raises:
-            QuadrupedError: if the file exists, but in none of the folders.
+            QuadrupedError: if there is no such file, or in none of the folders.
         """
         tail = _PROTOCOL.sub("", name).replace("\0", "")
         if not name.startswith(("package://", "model://")):
@@ -66,40 +65,43 @@ class Folders:
                         f"{name!r} is outside the folders that are searched; name its folder with --folder"
                     )
         parts = [part for part in tail.split("/") if part not in ("", ".", "..")]
-        known = self._files().get(parts[-1], []) if parts else []
-        ends = sorted(known, key=lambda path: -_common_end(path.parts, parts))
-        return ends[0] if ends else None
+        known = [path for path in self._paths().get(parts[-1], []) if not path.is_dir()] if parts else []
+        if not known:
+            raise QuadrupedError(f"{name!r} is not found; name its folder with --folder")
+        return max(known, key=lambda path: _common_end(path.parts, parts))
 
-    def package(self, name: str) -> Path | None:
-        """Return the folder of a ROS package: one of that name, or one whose package.xml has that name."""
-        for root in self.roots:
-            for folder, names, files in _walk(root):
-                if folder.name == name or (
-                    "package.xml" in files
-                    and f"<name>{name}</name>".encode() in read_bytes(folder / "package.xml").replace(b" ", b"")
-                ):
-                    return folder
-                names.sort()
-        return None
+    def package(self, name: str) -> Path:
+        """Return the folder of a ROS package: one of that name, or one whose package.xml has that name.
 
-    def _files(self) -> dict[str, list[Path]]:
+        Raises:
+            QuadrupedError: if there is none.
+        """
+        element = f"<name>{name}</name>".encode()
+        for place in (*self._paths().get(name, []), *self._paths().get("package.xml", [])):
+            if place.name == name and place.is_dir():
+                return place
+            if place.name == "package.xml" and element in read_bytes(place).replace(b" ", b""):
+                return place.parent
+        raise QuadrupedError(
+            f"the package {short(name)} is not found: no folder has that name, or a package.xml with it; name its "
+            f"folder with --folder"
+        )
+
+    def _paths(self) -> dict[str, list[Path]]:
+        """Return the files and folders below all roots by their names, but for hidden folders."""
         if self._index is None:
-            self._index = {}
+            self._index, seen = {}, 0
             for root in self.roots:
-                for folder, _, names in _walk(root):
-                    for name in names:
-                        self._index.setdefault(name, []).append(folder / name)
+                for place, folders, names in os.walk(root):
+                    folders[:] = [name for name in sorted(folders) if not name.startswith(".")]
+                    for path in (Path(place), *(Path(place, name) for name in sorted(names))):
+                        self._index.setdefault(path.name, []).append(path)
+                    seen += len(names) + 1
+                    if seen > _MAX_FILES:
+                        raise QuadrupedError(
+                            f"{root}: has over {_MAX_FILES} files; name the robot's own folder with --folder"
+                        )
         return self._index
-
-
-def _walk(root: Path) -> Iterator[tuple[Path, list[str], list[str]]]:
-    seen = 0
-    for folder, folders, names in os.walk(root):
-        folders[:] = [name for name in sorted(folders) if not name.startswith(".")]
-        seen += len(names) + 1
-        if seen > _MAX_FILES:
-            raise QuadrupedError(f"{root}: has over {_MAX_FILES} files; name the robot's own folder with --folder")
-        yield Path(folder), folders, sorted(names)
 
 
 def _common_end(path: tuple[str, ...], parts: list[str]) -> int:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Final
 
@@ -18,7 +19,7 @@ from quadruped_env.importer.mjcf import describe_mjcf
 from quadruped_env.importer.stance import Stance, find_stance
 from quadruped_env.importer.urdf import Urdf
 from quadruped_env.importer.xml_tree import FIX, parse, read_bytes
-from quadruped_env.robot import JointMotor, MotorConfig, Robot
+from quadruped_env.robot import MotorConfig, Robot
 
 FORWARD: Final = ("x", "-x", "y", "-y", "z", "-z")
 """Axes of the base link along which a robot may walk."""
@@ -29,16 +30,28 @@ class ImportedRobot:
     """A robot that was read from a file, and what was found, assumed and repaired."""
 
     source: Path
+    described: Description
+    """Content of the file, with what was repaired."""
     anatomy: Anatomy
     stance: Stance
     bodies: tuple[Link, ...]
     """Base and links of the legs, with all that is fixed to them."""
     motors: tuple[AssumedMotor, ...]
-    findings: tuple[Finding, ...]
-    name: str
-    mjcf: str
-    """The robot alone."""
-    _described: Description
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What was found, assumed, repaired and left out."""
+        return self.described.findings
+
+    @property
+    def name(self) -> str:
+        """Name of the robot, of letters, digits and underscores."""
+        return writing.robot_name(self.described.name)
+
+    @cached_property
+    def mjcf(self) -> str:
+        """The robot alone."""
+        return writing.mjcf(self.described, self.anatomy, self.stance, self.bodies)
 
     @property
     def mass(self) -> float:
@@ -56,25 +69,22 @@ class ImportedRobot:
         Raises:
             QuadrupedError: if the model cannot be simulated.
         """
-        motors = {
-            kind: JointMotor(**{name: value for name, (value, _) in motor.values.items()})
-            for kind, motor in zip(writing.motor_kinds(self.anatomy), self.motors, strict=True)
-        }
-        abduction = motors.get("abduction")
+        motors = {motor.field: motor.motor() for motor in self.motors}
+        hip, knee, abduction = motors["hip"], motors["knee"], motors.get("abduction")
         return Robot(
             name=self.name,
             mjcf=self.mjcf,
-            stance=np.array([self.stance.positions[name] for name in self.joint_names]),
-            motors=MotorConfig(
-                motors["hip"], motors["knee"], abduction=None if abduction == motors["hip"] else abduction
-            ),
+            stance=np.array(self._joint_positions),
+            motors=MotorConfig(hip, knee, abduction=None if hip == knee == abduction else abduction),
         )
 
     def task_file(self, model_file: str) -> str:
         """Return a Python file that defines the robot; `model_file` is the name of the MJCF next to it."""
-        return writing.task_file(
-            self._described, self.source.name, model_file, self.anatomy, self.stance, self.motors, self.joint_names
-        )
+        return writing.task_file(self.described, self.source.name, model_file, self._joint_positions, self.motors)
+
+    @property
+    def _joint_positions(self) -> list[float]:
+        return [self.stance.positions[name] for name in self.joint_names]
 
 
 def import_robot(path: Path, folders: Sequence[Path] = (), forward: str | None = None) -> ImportedRobot:
@@ -94,31 +104,27 @@ def import_robot(path: Path, folders: Sequence[Path] = (), forward: str | None =
     for folder in folders:
         if not folder.is_dir():
             raise QuadrupedError(f"--folder: {folder} is no folder")
-    source = str(path)
-    with np.errstate(all="ignore"):
-        described = _described(path, Folders(tuple(folders), path))
-        inertia.repair(described, source)
-        anatomy = find_legs(described, source, forward)
-        stance = find_stance(described, anatomy, source)
-        bodies = fused(described, anatomy, stance)
-        motors = assumed_motors(described, anatomy, stance, bodies)
-        text = writing.mjcf(described, anatomy, stance, bodies)
-    name = writing.robot_name(described.name)
-    return ImportedRobot(
-        path, anatomy, stance, tuple(bodies), tuple(motors), tuple(described.findings), name, text, described
-    )
-
-
-def _described(path: Path, folders: Folders) -> Description:
     content = read_bytes(path)
-    root = parse(content, str(path))
+    try:
+        with np.errstate(all="ignore"):
+            described = _described(content, Folders(tuple(folders), path))
+            inertia.repair(described)
+            anatomy = find_legs(described, forward)
+            stance = find_stance(described, anatomy)
+            bodies = fused(described, anatomy, stance)
+            motors = assumed_motors(described, anatomy, stance, bodies)
+    except QuadrupedError as error:
+        raise QuadrupedError(f"{path}: {error}") from error
+    return ImportedRobot(path, described, anatomy, stance, tuple(bodies), tuple(motors))
+
+
+def _described(content: bytes, folders: Folders) -> Description:
+    root = parse(content)
     if xacro_file.is_xacro(root):
-        content = xacro_file.expanded(path, folders)
-        root = parse(content, f"{path} (expanded)")
+        content = xacro_file.expanded(folders)
+        root = parse(content, "expanded, ")
     if root.tag == "robot":
-        return Urdf(root, str(path), folders).description()
+        return Urdf(root, folders).description()
     if root.tag == "mujoco":
-        return describe_mjcf(content, root, str(path), folders)
-    raise QuadrupedError(
-        f"{path}: its root element is <{root.tag[:40]}>; expected <robot> (URDF) or <mujoco> (MJCF); {FIX}"
-    )
+        return describe_mjcf(content, root, folders)
+    raise QuadrupedError(f"its root element is <{root.tag[:40]}>; expected <robot> (URDF) or <mujoco> (MJCF); {FIX}")

@@ -17,7 +17,7 @@ _ROUNDING = 1e-3
 """Negative eigenvalue, relative to the largest, that rounding in a file causes."""
 
 
-def repair(described: Description, source: str) -> None:
+def repair(described: Description) -> None:
     """Replace inertia that is zero or violates the triangle inequality by a box's; changes the links.
 
     Raises:
@@ -35,7 +35,7 @@ def repair(described: Description, source: str) -> None:
         elif moments[0] < -_ROUNDING * max(abs(moments)):
             xx, yy, zz = _box_inertia(link)
             raise QuadrupedError(
-                f"{source}: the inertia of {link.name!r} has the eigenvalue {moments[0]:.3g}, which is "
+                f"the inertia of {link.name!r} has the eigenvalue {moments[0]:.3g}, which is "
                 f"negative; correct it, or take a box of its mass: ixx {xx:.3g}, iyy {yy:.3g}, izz {zz:.3g}, others 0"
             )
         elif 2.0 * moments[2] > moments.sum() * (1.0 + _SLACK) or moments[0] <= 0.0:

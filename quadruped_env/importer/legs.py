@@ -1,13 +1,14 @@
 """Base, legs, corners, feet and knees of a robot: from the tree and the geometry of its links, never from names."""
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, about, named
+from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, about, named, poses
 from quadruped_env.importer.shapes import end_ball, moved
 from quadruped_env.utils.arrays import Floats
 
@@ -42,13 +43,15 @@ class Leg:
     foot_in_link: Floats
     """The same in the frame of the last link."""
     joints: tuple[Joint, ...]
+    kinds: tuple[str, ...]
+    """`roll` or `pitch`, of each joint."""
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the joints."""
         return tuple(joint.name for joint in self.joints)
 
-    def moved(self, positions: Floats) -> tuple[Floats, Floats, Floats]:
+    def moved(self, positions: Sequence[float]) -> tuple[Floats, Floats, Floats]:
         """Return axes (n, 3), anchors (n, 3) and the foot's centre (3,) at joint positions (n,) in rad."""
         axes, anchors, foot = self.axes.copy(), self.anchors.copy(), self.foot.copy()
         for i in reversed(range(len(positions))):
@@ -67,8 +70,6 @@ class Anatomy:
     """Index of the link that carries the legs."""
     legs: tuple[Leg, ...]
     """One for each of `CORNERS`."""
-    kinds: tuple[str, ...]
-    """`roll` or `pitch`, of each joint of a leg from the base to the foot."""
     frame: Floats
     """Rotation (3, 3) from the robot's axes, forward, left and up, to the base link's."""
     foot_radius: float
@@ -76,31 +77,24 @@ class Anatomy:
     """Joints that are no part of a leg."""
 
     @property
-    def roll(self) -> int | None:
-        """Place of the roll joint in a leg, or None."""
-        return self.kinds.index("roll") if "roll" in self.kinds else None
-
-    @property
-    def pitches(self) -> tuple[int, ...]:
-        """Places of the two pitch joints in a leg: of the hip and of the knee."""
-        hip, knee = (i for i, kind in enumerate(self.kinds) if kind == "pitch")
-        return hip, knee
+    def kinds(self) -> tuple[str, ...]:
+        """Kinds of the joints of each leg."""
+        return self.legs[0].kinds
 
 
-def find_legs(described: Description, source: str, forward: str | None) -> Anatomy:
+def find_legs(described: Description, forward: str | None) -> Anatomy:
     """Find the legs, and fix every joint that is no part of one, in place.
 
     Args:
         described: content of a file; its joints of legs stay.
-        source: names the file in errors.
         forward: axis of the base link along which the robot walks, such as `-y`; None takes the convention.
 
     Raises:
         QuadrupedError: if it is no robot with four legs of two or three joints.
     """
     tree = _Tree(described)
-    base, chains = _four_chains(tree, source)
-    kinds = _kinds(tree, base, chains, source)
+    base, chains = _four_chains(tree)
+    kinds = _kinds(tree, base, chains)
     if described.links[base].parent >= 0:
         above = [
             link.joint.name for i, link in enumerate(tree.links) if link.joint.kind != FIXED and tree.is_below(base, i)
@@ -109,7 +103,7 @@ def find_legs(described: Description, source: str, forward: str | None) -> Anato
     locked = tree.lock(base, {link for chain in chains for link in chain})
     if locked:
         described.add("left out", "joints", f"{named(locked)}: no part of a leg; locked at 0, or at the nearest limit")
-    return _Geometry(tree, base, chains, kinds, source).anatomy(forward, tuple(locked))
+    return _Geometry(tree, base, chains, kinds).anatomy(forward, tuple(locked))
 
 
 class _Tree:
@@ -151,11 +145,7 @@ class _Tree:
             joint = link.joint
             if i in moving or i == base or joint.kind == FIXED or link.parent < 0:
                 continue
-            at = float(
-                np.clip(
-                    0.0, joint.low if joint.low is not None else -1e9, joint.high if joint.high is not None else 1e9
-                )
-            )
+            at = float(np.clip(0.0, joint.low, joint.high))
             if joint.kind == HINGE:
                 link.rotation = link.rotation @ about(joint.axis, at)
             elif joint.kind == "slide":
@@ -172,7 +162,7 @@ class _Tree:
         return link == other
 
 
-def _four_chains(tree: _Tree, source: str) -> tuple[int, list[tuple[int, ...]]]:
+def _four_chains(tree: _Tree) -> tuple[int, list[tuple[int, ...]]]:
     """Return the link that carries four chains of as many joints, and these."""
     total = max((tree.mass[i] for i, link in enumerate(tree.links) if link.parent < 0), default=0.0)
     carriers = [g for g, below in tree.below.items() if sum(tree.depth[child] > 1 for child in below) >= 4]
@@ -184,12 +174,12 @@ def _four_chains(tree: _Tree, source: str) -> tuple[int, list[tuple[int, ...]]]:
             fork = max(forks)[-1]
             depths = ", ".join(str(tree.depth[child]) for child in tree.below[fork])
             what = f"{tree.links[fork].name!r} with chains of {depths} joints"
-        raise QuadrupedError(f"{source}: no link carries four chains of two or more joints; found {what}; {SUPPORTED}")
+        raise QuadrupedError(f"no link carries four chains of two or more joints; found {what}; {SUPPORTED}")
     base = max(carriers, key=lambda g: (tree.mass[g], g))
     chains = [tree.chain(child) for child in tree.below[base] if tree.depth[child] > 1]
     counts = [len(chain) for chain in chains]
     counted = ", ".join(map(str, counts))
-    where = f"{source}: {tree.links[base].name!r} carries {len(chains)} chains, of {counted} joints"
+    where = f"{tree.links[base].name!r} carries {len(chains)} chains, of {counted} joints"
     if counts.count(2) == 8:
         raise QuadrupedError(f"{where}: pairs, as of five-bar legs, which are closed chains; {SUPPORTED}")
     of = next((n for n in (3, 2) if counts.count(n) >= 4), None) or max(
@@ -203,7 +193,7 @@ def _four_chains(tree: _Tree, source: str) -> tuple[int, list[tuple[int, ...]]]:
         raise QuadrupedError(f"{where}: a wheel, an ankle or a passive joint ({last!r}) makes {of} a leg; {SUPPORTED}")
     if len(legs) > 4:
         legs = _most_alike(tree, legs, where)
-    _check_serial(tree, legs, source)
+    _check_serial(tree, legs)
     return base, legs
 
 
@@ -221,29 +211,27 @@ def _most_alike(tree: _Tree, chains: list[tuple[int, ...]], where: str) -> list[
     return [chains[i] for i in best]
 
 
-def _check_serial(tree: _Tree, chains: list[tuple[int, ...]], source: str) -> None:
+def _check_serial(tree: _Tree, chains: list[tuple[int, ...]]) -> None:
     """Refuse legs with slides, with joints that follow others, and with closed chains."""
     in_leg = {link for chain in chains for link in chain}
     for link in sorted(in_leg):
         joint = tree.links[link].joint
         if joint.kind != HINGE:
-            raise QuadrupedError(
-                f"{source}: {joint.name!r} in a leg is a {joint.kind} joint; its joints must be hinges"
-            )
+            raise QuadrupedError(f"{joint.name!r} in a leg is a {joint.kind} joint; its joints must be hinges")
         if joint.coupled_to:
             raise QuadrupedError(
-                f"{source}: the leg's joint {joint.name!r} follows {joint.coupled_to!r}; supported are legs whose "
+                f"the leg's joint {joint.name!r} follows {joint.coupled_to!r}; supported are legs whose "
                 f"joints move independently, so model the transmission as joints with motors of their own"
             )
     index = {link.name: i for i, link in enumerate(tree.links)}
     for pair in tree.described.loops:
         if any(tree.top[index[name]] in in_leg for name in pair if name in index):
-            raise QuadrupedError(f"{source}: {pair[0]!r} and {pair[1]!r} close a chain in a leg; {SUPPORTED}")
+            raise QuadrupedError(f"{pair[0]!r} and {pair[1]!r} close a chain in a leg; {SUPPORTED}")
 
 
-def _kinds(tree: _Tree, base: int, chains: list[tuple[int, ...]], source: str) -> tuple[str, ...]:
+def _kinds(tree: _Tree, base: int, chains: list[tuple[int, ...]]) -> tuple[str, ...]:
     """Return `roll` or `pitch` of the joints of all legs, by angles between their axes that no joint changes."""
-    _, rotations = tree.described.poses()
+    _, rotations = poses(tree.links)
     axes = np.array([[rotations[link] @ tree.links[link].joint.axis for link in chain] for chain in chains])
     cosines = np.abs(np.einsum("lni,lni->ln", axes[:, :-1], axes[:, 1:]))
     first = np.abs(axes[:, 0] @ axes[:, 0].T).min()
@@ -263,18 +251,16 @@ def _kinds(tree: _Tree, base: int, chains: list[tuple[int, ...]], source: str) -
         f"{named([tree.name(link) for link in chain])}: {np.round(axes[i], 2).tolist()}"
         for i, chain in enumerate(chains[:2])
     )
-    raise QuadrupedError(f"{source}: the axes of the legs' joints are {found}; {SUPPORTED}")
+    raise QuadrupedError(f"the axes of the legs' joints are {found}; {SUPPORTED}")
 
 
 class _Geometry:
     """Geometry of four legs in the frame of the base link, with the joints at 0."""
 
-    def __init__(
-        self, tree: _Tree, base: int, chains: list[tuple[int, ...]], kinds: tuple[str, ...], source: str
-    ) -> None:
-        self.tree, self.base, self.chains, self.kinds, self.source = tree, base, chains, kinds, source
+    def __init__(self, tree: _Tree, base: int, chains: list[tuple[int, ...]], kinds: tuple[str, ...]) -> None:
+        self.tree, self.base, self.chains, self.kinds = tree, base, chains, kinds
         self.links = tree.links
-        places, rotations = tree.described.poses()
+        places, rotations = poses(tree.links)
         own = rotations[base].T
         self.places, self.rotations = (places - places[base]) @ own.T, own @ rotations
         self.anchors = self.places[np.array(chains)]
@@ -300,7 +286,7 @@ class _Geometry:
             found = ", ".join(
                 f"{self.tree.name(chain[0])} {CORNERS[c]}" for chain, c in zip(self.chains, corners, strict=True)
             )
-            raise QuadrupedError(f"{self.source}: expected a leg in each corner; found {found}")
+            raise QuadrupedError(f"expected a leg in each corner; found {found}")
         legs = [
             Leg(
                 CORNERS[c],
@@ -310,10 +296,11 @@ class _Geometry:
                 feet[i],
                 in_links[i],
                 tuple(self.links[j].joint for j in self.chains[i]),
+                self.kinds,
             )
             for i, c in sorted(enumerate(corners), key=lambda entry: entry[1])
         ]
-        return Anatomy(self.base, tuple(legs), self.kinds, frame, float(np.median(radii)), locked)
+        return Anatomy(self.base, tuple(legs), frame, float(np.median(radii)), locked)
 
     def _feet(self) -> tuple[Floats, Floats, bool]:
         """Return centres (4, 3) and radii (4,) of the feet's balls, and whether one of them is not in the file."""
@@ -333,7 +320,7 @@ class _Geometry:
 
     def _foot(self, last: int) -> tuple[Floats, float, bool, str]:
         """Return centre (3,) and radius of a foot in the last link, whether it is a ball, and where they come from."""
-        group = [i for i in range(len(self.links)) if self._fixed_to(i, last)]
+        group = [i for i, top in enumerate(self.tree.top) if top == last]
         turn = self.rotations[last].T
         for collides, note in ((True, "the end of the collision shapes"), (False, "the end of the visual shapes")):
             shapes = [
@@ -351,11 +338,6 @@ class _Geometry:
             end, note = 2.0 * self.links[last].centre, "twice the distance of the last link's centre of mass"
         return end, 0.06 * float(np.linalg.norm(end)), False, note
 
-    def _fixed_to(self, link: int, other: int) -> bool:
-        while link != other and link >= 0 and self.links[link].joint.kind == FIXED:
-            link = self.links[link].parent
-        return link == other
-
     def _frame(self, feet: Floats, forward: str | None) -> Floats:
         """Return the robot's forward, left and up as columns, in the base link's frame."""
         main = np.linalg.eigh(np.einsum("li,lj->ij", self.axes[:, 0], self.axes[:, 0]))[1][:, -1]
@@ -366,7 +348,7 @@ class _Geometry:
         normal = np.linalg.svd(hips)[2][-1]
         if abs(normal @ main) > 0.7:
             first = named([self.tree.name(chain[0]) for chain in self.chains])
-            raise QuadrupedError(f"{self.source}: {first} turn about the vertical (yaw hips); {SUPPORTED}")
+            raise QuadrupedError(f"{first} turn about the vertical (yaw hips); {SUPPORTED}")
         across = hips - np.outer(hips @ main, main)
         second = np.linalg.svd(across)[2][0]
         ahead = main if self.kinds[0] == "roll" else second
@@ -398,9 +380,7 @@ class _Geometry:
         name = "xyz"[axis]
         if forward is not None:
             if forward.lstrip("+-") != name:
-                raise QuadrupedError(
-                    f"{self.source}: --forward: expected {name} or -{name}, along the body; found {forward}"
-                )
+                raise QuadrupedError(f"--forward: expected {name} or -{name}, along the body; found {forward}")
             return -sign if forward.startswith("-") else sign
         if name != "x" or abs(ahead[axis]) < _SNAP:
             text = f"{name} of {self.links[self.base].name!r}, along the body; the sign is a convention: or --forward"

@@ -16,12 +16,8 @@ from quadruped_env.importer.xml_tree import Node, parse, read_bytes
 from quadruped_env.utils.arrays import Floats
 
 _GEOM: Final = mujoco.mjtGeom
-_KINDS: Final = {
-    mujoco.mjtJoint.mjJNT_HINGE: HINGE,
-    mujoco.mjtJoint.mjJNT_SLIDE: "slide",
-    mujoco.mjtJoint.mjJNT_BALL: "ball",
-    mujoco.mjtJoint.mjJNT_FREE: "free",
-}
+_KINDS: Final = ("free", "ball", "slide", HINGE)
+"""By MuJoCo's number of a joint's type."""
 _NUMBERS: Final = (
     *("body_pos", "body_quat", "body_ipos", "body_iquat", "body_mass", "body_inertia", "jnt_pos", "jnt_axis"),
     *("jnt_range", "geom_pos", "geom_quat", "geom_size", "key_qpos", "dof_armature"),
@@ -33,7 +29,7 @@ _EQUALITY: Final = mujoco.mjtEq
 _ON_JOINT: Final = (mujoco.mjtTrn.mjTRN_JOINT, mujoco.mjtTrn.mjTRN_JOINTINPARENT)
 
 
-def describe_mjcf(content: bytes, root: Node, source: str, folders: Folders) -> Description:
+def describe_mjcf(content: bytes, root: Node, folders: Folders) -> Description:
     """Return the content of an MJCF.
 
     Raises:
@@ -41,73 +37,48 @@ def describe_mjcf(content: bytes, root: Node, source: str, folders: Folders) -> 
     """
     described = Description(root.get("model") or "robot", [], [])
     files: dict[str, bytes] = {}
-    _collect_includes(root, folders, source, files)
-    for part in (root, *(parse(content, name) for name, content in files.items())):
-        _check_counts(part, source)
+    _read_includes(root, folders, files)
     try:
         spec = mujoco.MjSpec.from_string(content.decode("utf-8-sig", errors="replace"), include=files)
-    except (ValueError, mujoco.FatalError, UnicodeError) as error:
-        raise _unreadable(source, error) from error
-    missing = _load_meshes(spec, folders)
-    if missing:
-        described.add_missing(missing)
-    given = _impossible_inertia(spec)
-    try:
+        missing = _load_meshes(spec, folders)
+        given = _impossible_inertia(spec)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of a singular inertia
             model = spec.compile()
     except (ValueError, mujoco.FatalError) as error:
-        raise _unreadable(source, error) from error
-    _check_finite(model, source)
+        raise QuadrupedError(f"MuJoCo cannot read it ({' '.join(str(error).split())}); correct the file") from error
+    if missing:
+        described.add_missing(missing)
+    _check_finite(model)
     _links(model, described, {body.id: inertia for body, inertia in given})
     _report(model, described)
     return described
 
 
-def _check_finite(model: mujoco.MjModel, source: str) -> None:
+def _check_finite(model: mujoco.MjModel) -> None:
     for name in _NUMBERS:
         values = getattr(model, name)
         if not (np.abs(values) <= LARGEST).all():  # NaN compares as false
-            raise QuadrupedError(
-                f"{source}: {name} of its model has a number that is NaN or over {LARGEST:g}; correct it"
-            )
+            raise QuadrupedError(f"{name} of its model has a number that is NaN or over {LARGEST:g}; correct it")
 
 
-def _unreadable(source: str, error: Exception) -> QuadrupedError:
-    return QuadrupedError(f"{source}: MuJoCo cannot read it ({' '.join(str(error).split())}); correct the file")
-
-
-def _check_counts(root: Node, source: str) -> None:
-    """Refuse what would fill the memory, or never end, while MuJoCo reads the file."""
+def _read_includes(root: Node, folders: Folders, files: dict[str, bytes], where: str = "") -> None:
+    """Add the files that one includes, and refuse what would fill the memory, or never end, while MuJoCo reads them."""
     for node in root.iter():
-        assert isinstance(node, Node)
+        place = f"{where}line {node.line}: <{node.tag[:40]}>"
         for name in ("nrow", "ncol", "count"):
-            found = node.get(name, "")
+            found = node.get(name) or ""
             if any(len(word) > 4 for word in found.split()):
-                raise QuadrupedError(
-                    f"{source}, line {node.line}: <{node.tag[:40]}> {name}: expected numbers below 10000; found "
-                    f"{short(found)}"
-                )
-        if node.tag == "replicate" and node.find(".//replicate") is not None:
-            raise QuadrupedError(f"{source}, line {node.line}: <replicate> contains another; write the bodies out")
-
-
-def _collect_includes(root: Node, folders: Folders, source: str, files: dict[str, bytes]) -> None:
-    for node in root.iter("include"):
-        assert isinstance(node, Node)
+                raise QuadrupedError(f"{place} {name}: expected numbers below 10000; found {short(found)}")
+        if node.tag == "replicate" and sum(inner.tag == "replicate" for inner in node.iter()) > 1:
+            raise QuadrupedError(f"{place} contains another; write the bodies out")
         name = node.get("file") or ""
-        if name in files:
-            continue
-        try:
-            path = folders.find(name)
-        except QuadrupedError as error:
-            raise QuadrupedError(f"{source}, line {node.line}: <include> {error}") from error
-        if path is None:
-            raise QuadrupedError(
-                f"{source}, line {node.line}: <include> {name!r} is not found; name its folder with --folder"
-            )
-        files[name] = read_bytes(path)
-        _collect_includes(parse(files[name], str(path)), folders, str(path), files)
+        if node.tag == "include" and name not in files:
+            try:
+                files[name] = read_bytes(folders.find(name))
+            except QuadrupedError as error:
+                raise QuadrupedError(f"{place} {error}") from error
+            _read_includes(parse(files[name], f"{name}: "), folders, files, f"{name}: ")
 
 
 def _load_meshes(spec: mujoco.MjSpec, folders: Folders) -> list[str]:
@@ -152,8 +123,6 @@ def _load(entry: mujoco.MjsMesh | None, spec: mujoco.MjSpec, folders: Folders, a
     directory = spec.compiler.meshdir or spec.modelfiledir or ""
     try:
         path = folders.find(os.path.join(spec.compiler.meshdir or "", entry.file), (folders.file.parent / directory,))
-        if path is None:
-            return f"{entry.file!r} is not found; name its folder with --folder"
         content = read_bytes(path, "simplify the mesh", MAX_MESH)
         alone = mujoco.MjSpec()
         alone.assets = {f"mesh{path.suffix.lower()}": content}
@@ -199,7 +168,7 @@ def _links(model: mujoco.MjModel, described: Description, given: dict[int, Float
     data = mujoco.MjData(model)
     data.qpos[:] = 0.0
     for joint in range(model.njnt):
-        kind = _KINDS[mujoco.mjtJoint(model.jnt_type[joint])]
+        kind = _KINDS[model.jnt_type[joint]]
         if kind in ("free", "ball"):
             data.qpos[model.jnt_qposadr[joint] + (3 if kind == "free" else 0)] = 1.0
     mujoco.mj_kinematics(model, data)
@@ -215,7 +184,7 @@ def _links(model: mujoco.MjModel, described: Description, given: dict[int, Float
         name = model.body(body).name or f"body_{body}"
         for place, joint in enumerate(joints or [-1]):
             final = place == max(len(joints) - 1, 0)
-            hinged = joint >= 0 and _KINDS[mujoco.mjtJoint(model.jnt_type[joint])] in (HINGE, "slide")
+            hinged = joint >= 0 and _KINDS[model.jnt_type[joint]] in (HINGE, "slide")
             origin = data.xanchor[joint].copy() if hinged else data.xpos[body].copy()
             link = Link(name if final else f"{name}_{place + 1}", parent, origin, own, _joint(model, data, joint, own))
             if joint >= 0:
@@ -238,7 +207,7 @@ def _joint(model: mujoco.MjModel, data: mujoco.MjData, joint: int, own: Floats) 
     if joint < 0:
         return Joint("", FIXED, np.array([1.0, 0.0, 0.0]))
     axis = own.T @ data.xaxis[joint]
-    kind = _KINDS[mujoco.mjtJoint(model.jnt_type[joint])]
+    kind = _KINDS[model.jnt_type[joint]]
     found = Joint(model.joint(joint).name or f"joint_{joint}", kind, axis / (np.linalg.norm(axis) or 1.0))
     if model.jnt_limited[joint] and kind in (HINGE, "slide"):
         found.low, found.high = map(float, model.jnt_range[joint])

@@ -17,6 +17,8 @@ from quadruped_env.utils.files import write_whole
 _WIDTH, _HEIGHT = 640, 480
 _AZIMUTH: Final = 135.0
 """Direction of the camera, from the front left, degrees."""
+_LIGHT: Final = (0.0, 0.02, -1.0)
+"""Direction of the light, not quite vertical: level faces under a vertical light have specks of shadow."""
 
 
 def write_picture(robot: Robot, path: Path) -> None:
@@ -26,6 +28,7 @@ def write_picture(robot: Robot, path: Path) -> None:
         QuadrupedError: if OpenGL cannot draw, or the file cannot be written.
     """
     model = scene(robot).compile()
+    model.light_dir0[:] = _LIGHT
     data = mujoco.MjData(model)
     data.qpos[:7] = robot.skeleton.resting_pose(robot.stance)
     data.qpos[7 : robot.num_positions] = robot.stance

@@ -31,6 +31,7 @@ _TURN: Final = 2.0 * math.pi
 class LegPlane:
     """A leg in its plane, which its roll joint makes upright; angles about the left axis, 0 straight down."""
 
+    leg: Leg
     roll: float
     """Position of the roll joint at which the plane is upright, rad; 0 without one."""
     hip: Floats
@@ -68,45 +69,44 @@ class Stance:
         return float(np.mean([plane.shank for plane in self.planes]))
 
 
-def find_stance(described: Description, anatomy: Anatomy, source: str) -> Stance:
+def find_stance(described: Description, anatomy: Anatomy) -> Stance:
     """Find the stance, and give joints without limits a range about it, in place.
 
     Raises:
         QuadrupedError: if a leg has no length.
     """
-    planes = tuple(_plane(anatomy, leg) for leg in anatomy.legs)
-    _check_lengths(anatomy, planes, source)
-    knees, unsure = _knees(described, anatomy, planes)
-    positions = _home(described, anatomy, planes)
+    planes = tuple(map(_plane, anatomy.legs))
+    _check_lengths(planes)
+    knees, unsure = _knees(described, planes)
+    positions = _home(described, planes)
     if positions is not None:
         described.add("found", "stance", "the home keyframe of the file")
     else:
         choices = [knees, "".join({"<": ">", ">": "<"}[knee] if i in unsure else knee for i, knee in enumerate(knees))]
-        knees, positions, text = _under_hips(anatomy, planes, choices)
+        knees, positions, text = _under_hips(planes, choices)
         described.add("assumed", "stance", text)
     if unsure:
         described.add("assumed", "knees", f"{knees[0]}: the ranges allow both directions, and no home pose shows one")
-    _limit(described, anatomy, planes, positions, knees)
-    feet = [leg.moved(np.array([positions[name] for name in leg.names]))[2] for leg in anatomy.legs]
-    drop = np.mean([plane.hip[2] - foot[2] for plane, foot in zip(planes, feet, strict=True)])
+    _limit(described, planes, positions, knees)
+    drops = [plane.hip[2] - plane.leg.moved([positions[name] for name in plane.leg.names])[2][2] for plane in planes]
     rounded = {name: round(value, 5) + 0.0 for name, value in positions.items()}
-    return Stance(rounded, knees, planes, float(drop) + anatomy.foot_radius)
+    return Stance(rounded, knees, planes, float(np.mean(drops)) + anatomy.foot_radius)
 
 
-def _plane(anatomy: Anatomy, leg: Leg) -> LegPlane:
-    left, place = np.array([0.0, 1.0, 0.0]), anatomy.roll
-    roll = 0.0 if place is None else _upright(leg, place, left)
-    positions = np.zeros(len(leg.axes))
-    if place is not None:
-        positions[place] = roll
+def _plane(leg: Leg) -> LegPlane:
+    left, positions = np.array([0.0, 1.0, 0.0]), [0.0] * len(leg.axes)
+    roll = 0.0
+    if "roll" in leg.kinds:
+        place = leg.kinds.index("roll")
+        roll = positions[place] = _upright(leg, place, left)
     axes, anchors, foot = leg.moved(positions)
-    hip, knee = (anchors[i] for i in anatomy.pitches)
+    hip, knee = (anchor for anchor, kind in zip(anchors, leg.kinds, strict=True) if kind == "pitch")
     thigh, shank = (np.array([-v[0], -v[2]]) for v in (knee - hip, foot - knee))
-    along = [[1.0, 0.0, 0.0] if kind == "roll" else left for kind in anatomy.kinds]
+    along = [[1.0, 0.0, 0.0] if kind == "roll" else left for kind in leg.kinds]
     signs = tuple(1 if axis @ way > 0.0 else -1 for axis, way in zip(axes, along, strict=True))
     first = math.atan2(*thigh)
     zero = (first, _wrapped(math.atan2(*shank) - first))
-    return LegPlane(roll, hip, float(np.linalg.norm(thigh)), float(np.linalg.norm(shank)), zero, signs)
+    return LegPlane(leg, roll, hip, float(np.linalg.norm(thigh)), float(np.linalg.norm(shank)), zero, signs)
 
 
 def _upright(leg: Leg, place: int, left: Floats) -> float:
@@ -116,36 +116,33 @@ def _upright(leg: Leg, place: int, left: Floats) -> float:
     side = 1.0 if leg.corner[0] == "L" else -1.0
 
     def cost(position: float) -> tuple[float, float, float]:
-        joint, positions = leg.joints[place], np.zeros(len(leg.axes))
+        joint, positions = leg.joints[place], [0.0] * len(leg.axes)
         positions[place] = position
         _, anchors, _ = leg.moved(positions)
-        low, high = (-math.inf, math.inf) if joint.low is None else (joint.low, joint.high)
-        outside = max(low - position, position - high, 0.0)  # type: ignore[operator]
+        outside = max(joint.low - position, position - joint.high, 0.0)
         return round(outside, 2), round(abs(position), 1), -side * float(anchors[-1][1])
 
     return min((_wrapped(angle + turn) for turn in (0.0, math.pi)), key=cost)
 
 
-def _check_lengths(anatomy: Anatomy, planes: Sequence[LegPlane], source: str) -> None:
+def _check_lengths(planes: Sequence[LegPlane]) -> None:
     lengths = np.array([[plane.thigh, plane.shank] for plane in planes])
     if lengths.min() < 0.1 * lengths.max() or lengths.max() < 1e-4:
-        found = "; ".join(
-            f"{leg.corner} {a:.3g} and {b:.3g} m" for leg, (a, b) in zip(anatomy.legs, lengths, strict=True)
-        )
+        found = "; ".join(f"{plane.leg.corner} {plane.thigh:.3g} and {plane.shank:.3g} m" for plane in planes)
         raise QuadrupedError(
-            f"{source}: thigh and shank of the legs are {found}; expected two links of similar length, with the foot "
+            f"thigh and shank of the legs are {found}; expected two links of similar length, with the foot "
             f"at the end of the second: check the joints' origins and the shapes of the last links (a wheel is none)"
         )
 
 
-def _knees(described: Description, anatomy: Anatomy, planes: Sequence[LegPlane]) -> tuple[str, set[int]]:
+def _knees(described: Description, planes: Sequence[LegPlane]) -> tuple[str, set[int]]:
     """Return the side of each knee, and the indices of those that the file does not tell."""
     knees, unsure = "", set()
-    for i, (leg, plane) in enumerate(zip(anatomy.legs, planes, strict=True)):
-        joint = leg.joints[-1]
+    for i, plane in enumerate(planes):
+        joint = plane.leg.joints[-1]
         back, fore = _shares(plane, joint.low, joint.high)
-        if described.home is not None and leg.names[-1] in described.home:
-            bend = plane.zero[1] + plane.signs[-1] * described.home[leg.names[-1]]
+        if described.home is not None and joint.name in described.home:
+            bend = plane.zero[1] + plane.signs[-1] * described.home[joint.name]
             back, fore = (back if bend < -1e-3 else 0.0), (fore if bend > 1e-3 else 0.0)
         if max(back, fore) <= _SURE * min(back, fore):
             unsure.add(i)
@@ -153,9 +150,9 @@ def _knees(described: Description, anatomy: Anatomy, planes: Sequence[LegPlane])
     return knees, unsure
 
 
-def _shares(plane: LegPlane, low: float | None, high: float | None) -> tuple[float, float]:
+def _shares(plane: LegPlane, low: float, high: float) -> tuple[float, float]:
     """Return the sizes of a knee's ranges in which the leg stands, with the knee behind and in front, rad."""
-    if low is None or high is None:
+    if math.isinf(low):
         return 1.0, 1.0
     ends = sorted(plane.zero[1] + plane.signs[-1] * position for position in (low, high))
 
@@ -165,57 +162,54 @@ def _shares(plane: LegPlane, low: float | None, high: float | None) -> tuple[flo
     return overlap(-_BENT[1], -_BENT[0]), overlap(*_BENT)
 
 
-def _home(described: Description, anatomy: Anatomy, planes: Sequence[LegPlane]) -> dict[str, float] | None:
+def _home(described: Description, planes: Sequence[LegPlane]) -> dict[str, float] | None:
     """Return the home keyframe's joint positions if the robot stands on its feet in it."""
-    home = described.home
-    if home is None or not {name for leg in anatomy.legs for name in leg.names} <= home.keys():
+    names = [name for plane in planes for name in plane.leg.names]
+    if described.home is None or not described.home.keys() >= set(names):
         return None
+    home = {name: described.home[name] for name in names}
     drops = []
-    for leg, plane in zip(anatomy.legs, planes, strict=True):
-        positions = [home[name] for name in leg.names]
-        foot, reach = leg.moved(np.array(positions))[2], plane.thigh + plane.shank
+    for plane in planes:
+        positions = [home[name] for name in plane.leg.names]
+        foot, reach = plane.leg.moved(positions)[2], plane.thigh + plane.shank
         offset = np.hypot(*(foot - plane.hip)[:2])
         inside = all(
-            joint.low is None or joint.high is None or joint.low < position < joint.high
-            for joint, position in zip(leg.joints, positions, strict=True)
+            joint.low < position < joint.high for joint, position in zip(plane.leg.joints, positions, strict=True)
         )
         if not inside or offset > 0.3 * reach or not 0.4 * reach < plane.hip[2] - foot[2] < 0.98 * reach:
             return None
         drops.append(foot[2])
-    level = np.ptp(drops) < 0.05 * reach
-    return {name: home[name] for leg in anatomy.legs for name in leg.names} if level else None
+    return home if np.ptp(drops) < 0.05 * reach else None
 
 
-def _under_hips(
-    anatomy: Anatomy, planes: Sequence[LegPlane], choices: Sequence[str]
-) -> tuple[str, dict[str, float], str]:
+def _under_hips(planes: Sequence[LegPlane], choices: Sequence[str]) -> tuple[str, dict[str, float], str]:
     """Return the knees, the joint positions with each foot under its hip, and what a finding says about them."""
     for knees, room, share in itertools.product(dict.fromkeys(choices), _ROOM, _REACHES):
-        positions = _feet_under(anatomy, planes, knees, share)
-        if positions is not None and _feet_under(anatomy, planes, knees, share - room) is not None:
+        positions = _feet_under(planes, knees, share)
+        if positions is not None and _feet_under(planes, knees, share - room) is not None:
             return knees, positions, f"each foot under its hip, at {share:.2f} of the leg's length"
     middle = {
-        joint.name: 0.0 if joint.low is None or joint.high is None else 0.5 * (joint.low + joint.high)
-        for leg in anatomy.legs
-        for joint in leg.joints
+        joint.name: 0.0 if math.isinf(joint.low) else 0.5 * (joint.low + joint.high)
+        for plane in planes
+        for joint in plane.leg.joints
     }
     return choices[0], middle, "the middle of the ranges, since the limits allow no foot under its hip; correct it"
 
 
-def _feet_under(anatomy: Anatomy, planes: Sequence[LegPlane], knees: str, share: float) -> dict[str, float] | None:
+def _feet_under(planes: Sequence[LegPlane], knees: str, share: float) -> dict[str, float] | None:
     """Return joint positions with the feet under the hips at a share of the legs' length; None beyond limits."""
     heights = np.array([[plane.hip[2], plane.thigh + plane.shank] for plane in planes])
     ground = float((heights[:, 0] - share * heights[:, 1]).mean())
     found: dict[str, float] = {}
-    for leg, plane, knee in zip(anatomy.legs, planes, knees, strict=True):
-        positions = _bent(anatomy, leg, plane, float(plane.hip[2]) - ground, knee)
+    for plane, knee in zip(planes, knees, strict=True):
+        positions = _bent(plane, float(plane.hip[2]) - ground, knee)
         if positions is None:
             return None
-        found.update(zip(leg.names, positions, strict=True))
+        found.update(zip(plane.leg.names, positions, strict=True))
     return found
 
 
-def _bent(anatomy: Anatomy, leg: Leg, plane: LegPlane, drop: float, knee: str) -> list[float] | None:
+def _bent(plane: LegPlane, drop: float, knee: str) -> list[float] | None:
     """Return the leg's joint positions with the foot under the hip by a height in m; None if the limits forbid it."""
     a, b, side = plane.thigh, plane.shank, 1.0 if knee == "<" else -1.0
     if not abs(a - b) < drop < a + b:
@@ -224,28 +218,24 @@ def _bent(anatomy: Anatomy, leg: Leg, plane: LegPlane, drop: float, knee: str) -
     bend = -side * (math.pi - math.acos((a * a + b * b - drop * drop) / (2.0 * a * b)))
     wanted = iter([thigh - plane.zero[0], bend - plane.zero[1]])
     positions = []
-    for joint, kind, sign in zip(leg.joints, anatomy.kinds, plane.signs, strict=True):
+    for joint, kind, sign in zip(plane.leg.joints, plane.leg.kinds, plane.signs, strict=True):
         position = plane.roll if kind == "roll" else sign * _wrapped(next(wanted))
-        if joint.low is not None and joint.high is not None:
-            turns = [position + turn for turn in (0.0, -_TURN, _TURN)]
-            inside = [x for x in turns if joint.low + _MARGIN < x < joint.high - _MARGIN]
-            if not inside:
-                return None
-            position = inside[0]
-        positions.append(position)
+        turns = [position + turn for turn in (0.0, -_TURN, _TURN)]
+        inside = [x for x in turns if joint.low + _MARGIN < x < joint.high - _MARGIN]
+        if not inside:
+            return None
+        positions.append(inside[0])
     return positions
 
 
-def _limit(
-    described: Description, anatomy: Anatomy, planes: Sequence[LegPlane], positions: dict[str, float], knees: str
-) -> None:
+def _limit(described: Description, planes: Sequence[LegPlane], positions: dict[str, float], knees: str) -> None:
     """Give joints without limits a range about the stance; knees bend to their side only."""
     given = []
-    for leg, plane, knee in zip(anatomy.legs, planes, knees, strict=True):
-        for joint, kind, sign in zip(leg.joints, anatomy.kinds, plane.signs, strict=True):
-            if joint.low is not None:
+    for plane, knee in zip(planes, knees, strict=True):
+        for joint, kind, sign in zip(plane.leg.joints, plane.leg.kinds, plane.signs, strict=True):
+            if math.isfinite(joint.low):
                 continue
-            at, is_knee = positions[joint.name], joint is leg.joints[-1]
+            at, is_knee = positions[joint.name], joint is plane.leg.joints[-1]
             below, above = (0.8, 0.8) if kind == "roll" else (1.2, 1.2)
             if is_knee:
                 bend = abs(_wrapped(plane.zero[1] + sign * at))
@@ -255,7 +245,7 @@ def _limit(
             joint.low, joint.high = round(at - below, 4), round(at + above, 4)
             given.append(joint.name)
     if given:
-        rolls = "0.8 rad (roll) and " if "roll" in anatomy.kinds else ""
+        rolls = "0.8 rad (roll) and " if "roll" in planes[0].leg.kinds else ""
         text = f"{named(given)}: the file has none; {rolls}1.2 rad about the stance, and knees bent by 0.1 to 2.6 rad"
         described.add("assumed", "ranges", text)
 

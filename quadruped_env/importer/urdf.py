@@ -29,8 +29,10 @@ _MAX_LINKS: Final = 2000
 class Urdf:
     """Content of one URDF, on its way to a `Description`."""
 
-    def __init__(self, root: Node, source: str, folders: Folders) -> None:
-        self.root, self.source, self.folders = root, source, folders
+    def __init__(self, root: Node, folders: Folders) -> None:
+        self.root, self.folders = root, folders
+        self.within = ""
+        """Link or joint that is read, for errors: the lines of an expanded xacro file are not the user's."""
         self.missing: dict[str, str] = {}
         """Meshes that cannot be read, with the reason."""
 
@@ -46,11 +48,13 @@ class Urdf:
         described = Description(self.root.get("name") or "robot", [], [])
         index = {name: i for i, (name, _) in enumerate(order)}
         for name, joint in order:
+            self.within = f"in {short(name)}: "
             link = self._link(links[name])
             if joint is not None:
+                self.within = f"in {short(joint.get('name'))}: "
                 link.parent = index[self._reference(joint, "parent", links)]
                 link.position, link.rotation = self._origin(joint)
-                link.joint = self._joint(joint, joints)
+                link.joint = self._joint(joint)
             described.links.append(link)
         if not any(link.mass for link in described.links):
             self._assume_density(described)
@@ -58,12 +62,11 @@ class Urdf:
         return described
 
     def _error(self, node: Node, message: str) -> QuadrupedError:
-        return QuadrupedError(f"{self.source}, line {node.line}: <{node.tag}> {message}")
+        return QuadrupedError(f"line {node.line}: <{node.tag}> {self.within}{message}")
 
     def _named(self, tag: str) -> dict[str, Node]:
         found: dict[str, Node] = {}
         for node in self.root.findall(tag):
-            assert isinstance(node, Node)
             name = node.get("name") or ""
             if not name or len(name) > 100:
                 raise self._error(node, f"needs a name of up to 100 characters; found {short(name)}")
@@ -105,20 +108,17 @@ class Urdf:
         return order
 
     def _reference(self, joint: Node, role: str, links: dict[str, Node]) -> str:
-        name = self._one(joint, role, required=True).get("link") or ""  # type: ignore[union-attr]
+        name = self._one(joint, role).get("link") or ""
         if name not in links:
             raise self._error(joint, f"{short(joint.get('name'))}: its {role} {short(name)} is no link of the file")
         return name
 
-    def _one(self, node: Node, tag: str, required: bool = False) -> Node | None:
-        """Return the only child of a tag, or None."""
+    def _one(self, node: Node, tag: str) -> Node:
+        """Return the only child of a tag, or an element without attributes where there is none."""
         found = node.findall(tag)
-        if len(found) > 1 or (required and not found):
-            child = found[1] if found else node
-            assert isinstance(child, Node)
-            place = f"in {short(node.get('name'))}: " if node.get("name") else ""
-            raise self._error(child, f"{place}expected one <{tag}>; found {len(found)}")
-        return found[0] if found else None  # type: ignore[return-value]
+        if len(found) > 1:
+            raise self._error(found[1], f"expected one <{tag}>; found {len(found)}")
+        return found[0] if found else Node(tag, {}, node.line)
 
     def _numbers(
         self, node: Node, name: str, default: Sequence[float] | None = None, largest: float = LARGEST
@@ -136,31 +136,24 @@ class Urdf:
             raise self._error(node, f"{name}: expected {expected}; found {short(text)}")
         return values
 
-    def _number(self, node: Node, name: str) -> float:
-        return self._numbers(node, name)[0]
-
     def _origin(self, node: Node) -> tuple[Floats, Floats]:
         origin = self._one(node, "origin")
-        if origin is None:
-            return np.zeros(3), np.eye(3)
         roll, pitch, yaw = self._numbers(origin, "rpy", (0.0, 0.0, 0.0))
         x, y, z = np.eye(3)
         return np.array(self._numbers(origin, "xyz", (0.0, 0.0, 0.0))), about(z, yaw) @ about(y, pitch) @ about(x, roll)
 
-    def _joint(self, node: Node, joints: dict[str, Node]) -> Joint:
+    def _joint(self, node: Node) -> Joint:
         kind = _KINDS.get(node.get("type") or "")
         if kind is None:
             raise self._error(node, f"type: expected one of {', '.join(_KINDS)}; found {short(node.get('type'))}")
-        axis_node, limit, mimic = (self._one(node, tag) for tag in ("axis", "limit", "mimic"))
-        axis = np.array([1.0, 0.0, 0.0] if axis_node is None else self._numbers(axis_node, "xyz", (1.0, 0.0, 0.0)))
+        axis_node, limit, mimic = self._one(node, "axis"), self._one(node, "limit"), node.findall("mimic")
+        axis = np.array(self._numbers(axis_node, "xyz", (1.0, 0.0, 0.0)))
         length = float(np.linalg.norm(axis))
         if length < 1e-6 and kind in (HINGE, "slide"):
-            raise self._error(axis_node if axis_node is not None else node, "xyz: expected a direction; found zeros")
+            raise self._error(axis_node, "xyz: expected a direction; found zeros")
         joint = Joint(node.get("name") or "", kind, axis / (length or 1.0))
-        if mimic is not None:
-            joint.coupled_to = mimic.get("joint") or "another joint"
-        if limit is None:
-            return joint
+        if mimic:
+            joint.coupled_to = mimic[0].get("joint") or "another joint"
         low, high, effort, speed = (
             None if limit.get(name) is None else self._numbers(limit, name, largest=math.inf)[0]
             for name in ("lower", "upper", "effort", "velocity")
@@ -168,7 +161,7 @@ class Urdf:
         if kind != FIXED and node.get("type") != "continuous" and (low, high) != (None, None):
             low, high = low or 0.0, high or 0.0
             if low > high:
-                raise self._error(limit, f"in {short(joint.name)}: lower {low:g} is above upper {high:g}; swap them")
+                raise self._error(limit, f"lower {low:g} is above upper {high:g}; swap them")
             if 1e-6 < high - low < _NO_LIMIT:  # exporters write 0 and 0 where nobody entered limits
                 joint.low, joint.high = low, high
         joint.effort, joint.speed = effort, speed
@@ -177,12 +170,10 @@ class Urdf:
     def _link(self, node: Node) -> Link:
         no_joint = Joint("", FIXED, np.array([1.0, 0.0, 0.0]))
         link = Link(node.get("name") or "", -1, np.zeros(3), np.eye(3), no_joint)
-        inertial = self._one(node, "inertial")
-        if inertial is not None:
-            self._inertial(inertial, link)
+        self._inertial(self._one(node, "inertial"), link)
         for tag in ("collision", "visual"):
             for part in node.findall(tag) if not link.shapes else ():
-                shape = self._shape(part)  # type: ignore[arg-type]
+                shape = self._shape(part)
                 if shape is not None:
                     shape.collides = tag == "collision"
                     link.shapes.append(shape)
@@ -190,23 +181,16 @@ class Urdf:
 
     def _inertial(self, node: Node, link: Link) -> None:
         mass, inertia = self._one(node, "mass"), self._one(node, "inertia")
-        link.mass = 0.0 if mass is None else self._number(mass, "value")
-        if link.mass < 0.0:
-            raise self._error(
-                node if mass is None else mass, f"in {short(link.name)}: value: expected 0 or more; found {link.mass:g}"
-            )
+        link.mass = self._size(mass, "value") if node.findall("mass") else 0.0
         link.centre, rotation = self._origin(node)
-        if inertia is not None:
-            xx, xy, xz, yy, yz, zz = (
-                self._numbers(inertia, name, (0.0,))[0] for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-            )
-            link.inertia = rotation @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ rotation.T
+        xx, xy, xz, yy, yz, zz = (
+            self._numbers(inertia, name, (0.0,))[0] for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+        )
+        link.inertia = rotation @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ rotation.T
 
     def _shape(self, node: Node) -> Shape | None:
-        geometry = self._one(node, "geometry")
         position, rotation = self._origin(node)
-        for kind in () if geometry is None else geometry:
-            assert isinstance(kind, Node)
+        for kind in self._one(node, "geometry").children:
             if kind.tag == "sphere":
                 return ball(position, self._size(kind, "radius"))
             if kind.tag == "box":
@@ -220,7 +204,8 @@ class Urdf:
         return None
 
     def _size(self, node: Node, name: str) -> float:
-        value = self._number(node, name)
+        """Return a number that is 0 or more."""
+        (value,) = self._numbers(node, name)
         if value < 0.0:
             raise self._error(node, f"{name}: expected 0 or more; found {value:g}")
         return value
@@ -229,10 +214,7 @@ class Urdf:
         name = node.get("filename") or ""
         scale = np.array(self._numbers(node, "scale", (1.0, 1.0, 1.0)))
         try:
-            path = self.folders.find(name)
-            if path is None:
-                raise QuadrupedError(f"{name.rpartition('/')[2]!r} is not found; name its folder with --folder")
-            return mesh(position, rotation, mesh_vertices(path) * scale)
+            return mesh(position, rotation, mesh_vertices(self.folders.find(name)) * scale)
         except QuadrupedError as error:
             if collides:
                 self.missing[name] = str(error)
@@ -254,9 +236,9 @@ class Urdf:
         bare = [
             n.name
             for n in described.links
-            if links[n.name].find("inertial") is None and links[n.name].find("collision") is not None
+            if not links[n.name].findall("inertial") and links[n.name].findall("collision")
         ]
-        if bare and any(links[name].find("inertial") is not None for name in links):
+        if bare and any(links[name].findall("inertial") for name in links):
             described.add(
                 "found", "mass", f"{named(bare)}: shapes without <inertial> get no mass (MuJoCo would give 1000 kg/m^3)"
             )

@@ -1,10 +1,9 @@
-"""Process in which a xacro file is expanded: reads a request from stdin, and writes the URDF to stdout, as JSON.
+"""Process in which a xacro file is expanded.
 
 The library's own evaluator runs Python expressions whose nested code it does not check, and `$(eval)`, `$(env)` and
 `$(find)` read the environment. Here expressions are arithmetic, and only files in the given folders are read.
 """
 
-import json
 import sys
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ from xml.dom import minidom
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.importer.arithmetic import check_arithmetic
 from quadruped_env.importer.files import Folders
+from quadruped_env.importer.xacro_file import REFUSED
 from quadruped_env.importer.xml_tree import parse, read_bytes
 
 _MEMORY = 2_000_000_000
@@ -21,22 +21,21 @@ _SECONDS = 50
 """Maximum processor time of the process, s."""
 
 
-def main() -> None:
-    """Answer one request."""
+def main() -> int:
+    """Write the URDF of a xacro file to stdout, or why there is none; the arguments are the file and its folders."""
     _limit()
-    request = json.load(sys.stdin)
-    path = Path(request["file"])
-    folders = Folders(tuple(Path(folder) for folder in request["given"]), path)
-    answer: dict[str, Any]
+    path, *given = map(Path, sys.argv[1:])
     try:
-        answer = {"urdf": expand(path, folders)}
-    except ModuleNotFoundError as error:
-        answer = {"missing": True} if error.name in ("xacro", "yaml") else {"error": f"xacro: {error}"}
+        text = expand(path, Folders(tuple(given), path))
     except RecursionError:
-        answer = {"error": "xacro: macros or properties refer to each other without an end"}
+        text = "macros or properties refer to each other without an end"
     except Exception as error:
-        answer = {"error": f"xacro: {line(error)}"}
-    json.dump(answer, sys.stdout)
+        text = line(error)
+    else:
+        sys.stdout.buffer.write(text.encode())
+        return 0
+    sys.stdout.buffer.write(text.encode(errors="replace"))
+    return REFUSED
 
 
 def _limit() -> None:
@@ -65,7 +64,7 @@ def expand(path: Path, folders: Folders) -> str:
 
     _restrict(xacro, substitution_args, folders)
     xacro.verbosity = 0
-    document = xacro.process_file(str(path), mappings={})
+    document = xacro.process_file(str(path.resolve()), mappings={})
     text: str = document.toxml()
     return text
 
@@ -93,15 +92,6 @@ def _restrict(xacro: Any, substitution_args: Any, folders: Folders) -> None:
         data = read_bytes(inside(xacro.abs_filename_spec(name)), "name a YAML file", 1_000_000)
         return xacro.YamlListWrapper.wrap(yaml.safe_load(data))
 
-    def find(name: str) -> str:
-        found = folders.package(name)
-        if found is None:
-            raise QuadrupedError(
-                f"the package {short(name)} is not found: no folder has that name, or a package.xml with it; "
-                f"name its folder with --folder"
-            )
-        return str(found)
-
     def refused(name: str) -> Any:
         def refuse(*_: Any, **__: Any) -> None:
             raise QuadrupedError(
@@ -118,11 +108,11 @@ def _restrict(xacro: Any, substitution_args: Any, folders: Folders) -> None:
 
     xacro.parse, xacro.safe_eval = parsed, checked
     xacro._global_symbols["load_yaml"] = xacro._global_symbols["xacro"]["load_yaml"] = load_yaml
-    substitution_args._eval_find = find
+    substitution_args._eval_find = lambda name: str(folders.package(name))
     substitution_args._eval = refused("eval")
     substitution_args._eval_env = refused("env")
     substitution_args._eval_optenv = lambda name, default="": default
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,8 +1,9 @@
 """Reader of XML that names lines in errors, and expands no entities."""
 
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
-from xml.etree.ElementTree import Element
 from xml.parsers import expat
 
 from quadruped_env.errors import QuadrupedError, short
@@ -14,41 +15,28 @@ _MAX_DEPTH: Final = 200
 FIX: Final = "name a URDF, a xacro file or an MJCF"
 
 
-class Node(Element):
-    """An element that knows its line."""
+@dataclass
+class Node:
+    """An element, without its texts."""
 
-    line = 0
+    tag: str
+    attributes: dict[str, str]
+    line: int
+    children: list["Node"] = field(default_factory=list)
 
+    def get(self, name: str) -> str | None:
+        """Return the value of an attribute, or None."""
+        return self.attributes.get(name)
 
-class _Builder:
-    def __init__(self, source: str) -> None:
-        self.parser = expat.ParserCreate()
-        self.parser.StartElementHandler = self._start
-        self.parser.EndElementHandler = self._end
-        self.parser.EntityDeclHandler = self._entity
-        self.parser.buffer_text = True
-        self.open: list[Node] = []
-        self.root: Node | None = None
-        self._source = source
+    def findall(self, tag: str) -> list["Node"]:
+        """Return the children of a tag."""
+        return [child for child in self.children if child.tag == tag]
 
-    def _start(self, tag: str, attributes: dict[str, str]) -> None:
-        node = Node(tag, attributes)
-        node.line = self.parser.CurrentLineNumber
-        if len(self.open) >= _MAX_DEPTH:
-            raise QuadrupedError(f"{self._source}, line {node.line}: elements are nested over {_MAX_DEPTH} deep; {FIX}")
-        if self.open:
-            self.open[-1].append(node)
-        self.root = self.root if self.root is not None else node
-        self.open.append(node)
-
-    def _end(self, tag: str) -> None:
-        self.open.pop()
-
-    def _entity(self, name: str, *_: object) -> None:
-        raise QuadrupedError(
-            f"{self._source}, line {self.parser.CurrentLineNumber}: declares the entity {short(name)}, and entities "
-            f"are not expanded, because a few of them can fill the memory; write its text where it is used"
-        )
+    def iter(self) -> Iterator["Node"]:
+        """Yield the element and all below it."""
+        yield self
+        for child in self.children:
+            yield from child.iter()
 
 
 def read_bytes(path: Path, fix: str = FIX, limit: int = MAX_BYTES) -> bytes:
@@ -67,18 +55,35 @@ def read_bytes(path: Path, fix: str = FIX, limit: int = MAX_BYTES) -> bytes:
         raise QuadrupedError(f"{path}: cannot be read ({error.strerror}); {fix}") from error
 
 
-def parse(content: bytes, source: str) -> Node:
-    """Return the root element of XML, without its texts; `source` names it in errors.
+def parse(content: bytes, where: str = "") -> Node:
+    """Return the root element of XML; `where` begins its errors, with the name of a file that another one includes.
 
     Raises:
         QuadrupedError: if it is not XML, declares entities, or is nested too deeply.
     """
-    builder = _Builder(source)
+    parser = expat.ParserCreate()
+    document = Node("", {}, 0)
+    stack = [document]
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        node = Node(tag, attributes, parser.CurrentLineNumber)
+        if len(stack) > _MAX_DEPTH:
+            raise QuadrupedError(f"{where}line {node.line}: elements are nested over {_MAX_DEPTH} deep; {FIX}")
+        stack[-1].children.append(node)
+        stack.append(node)
+
+    def entity(name: str, *_: object) -> None:
+        raise QuadrupedError(
+            f"{where}line {parser.CurrentLineNumber}: declares the entity {short(name)}, and entities are not "
+            f"expanded, because a few of them can fill the memory; write its text where it is used"
+        )
+
+    parser.StartElementHandler, parser.EntityDeclHandler = start, entity
+    parser.EndElementHandler = lambda _: stack.pop()
     try:
-        builder.parser.Parse(content, True)
+        parser.Parse(content, True)
+    except QuadrupedError:
+        raise
     except (expat.ExpatError, LookupError, ValueError) as error:
-        if isinstance(error, QuadrupedError):
-            raise
-        raise QuadrupedError(f"{source}: is not XML ({error}); {FIX}") from error
-    assert builder.root is not None
-    return builder.root
+        raise QuadrupedError(f"{where}is not XML ({error}); {FIX}") from error
+    return document.children[0]

@@ -120,7 +120,7 @@ class Robot:
     hind, 3 right hind. None: see `corners`."""
     gaits: Mapping[str, Mapping[str, Any]] | None = None
     """Scripted gaits tuned on this robot, by name of the preset whose place they take, as `tools/tune_gait.py` writes
-    them. None: the presets, mapped to the robot."""
+    them. None: the presets."""
     assets: Mapping[str, bytes] | None = None
     """Files that the MJCF names, such as meshes, by name; with the path of a file as `mjcf` they are read from it."""
 

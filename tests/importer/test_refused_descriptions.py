@@ -121,13 +121,13 @@ BOMB = '<!DOCTYPE r [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a
         (BOMB, "line 1: declares the entity 'a'"),
         ('<!DOCTYPE r [<!ENTITY x SYSTEM "file:///etc/passwd">]><robot name="&x;"/>', "declares the entity 'x'"),
         ("<a>" * 300 + "</a>" * 300, "elements are nested over 200 deep"),
-        (robot(2).replace('xyz="0 1 0"', 'xyz="0 1 0 0"', 1), "<axis> xyz: expected 3 numbers; found '0 1 0 0'"),
+        (robot(2).replace('xyz="0 1 0"', 'xyz="0 1 0 0"', 1), "<axis> in 'RH_hip': xyz: expected 3 numbers"),
         (robot(2).replace(AXIS, AXIS * 2, 1), "in 'RH_hip': expected one <axis>; found 2"),
-        (robot(2).replace(' -0.2"', ' -0.2" rpy="0 0 0 1"', 1), "<origin> rpy: expected 3 numbers; found '0 0 0 1'"),
-        (robot(2).replace('value="4.0"', 'value="nan"'), "<mass> value: expected a number; found 'nan'"),
+        (robot(2).replace(' -0.2"', ' -0.2" rpy="0 0 0 1"', 1), "<origin> in 'RH_knee': rpy: expected 3 numbers"),
+        (robot(2).replace('value="4.0"', 'value="nan"'), "<mass> in 'base': value: expected a number; found 'nan'"),
         (robot(2).replace('value="4.0"', 'value="-4"'), "<mass> in 'base': value: expected 0 or more; found -4"),
         (robot(2).replace('lower="-2.6" upper="-0.2"', 'lower="1" upper="-1"'), "lower 1 is above upper -1; swap them"),
-        (robot(2).replace('xyz="0 1 0"', 'xyz="0 0 0"', 1), "<axis> xyz: expected a direction; found zeros"),
+        (robot(2).replace('xyz="0 1 0"', 'xyz="0 0 0"', 1), "<axis> in 'RH_hip': xyz: expected a direction"),
         (robot(2).replace('type="revolute"', 'type="screw"', 1), "type: expected one of revolute"),
         (robot(2).replace('<child link="RH_shank"', '<child link="gone"'), "its child 'gone' is no link of the file"),
         (robot(2).replace('child link="RH_shank"', 'child link="LF_shank"'), "the link 'LF_shank' a second parent"),
@@ -227,6 +227,20 @@ def test_include_outside_the_folders_is_refused(tmp_path):
     message = refused(text, inner, "x.xml")
     assert "line 1: <include> '../part.xml' is outside the folders" in message
     assert "'gone.xml' is not found" in refused(text.replace("../part.xml", "gone.xml"), inner, "x.xml")
+
+
+def test_included_files_are_checked_as_deep_as_they_go(tmp_path):
+    (tmp_path / "a.xml").write_text('<mujocoinclude>\n<include file="b.xml"/></mujocoinclude>')
+    (tmp_path / "b.xml").write_text('<mujocoinclude>\n\n<replicate count="12345"/></mujocoinclude>')
+    text = '<mujoco><include file="a.xml"/></mujoco>'
+    assert "b.xml: line 3: <replicate> count: expected numbers" in refused(text, tmp_path, "x.xml")
+
+
+def test_folder_with_the_name_of_a_mesh_is_passed_over(tmp_path):
+    (tmp_path / "a" / "m.obj").mkdir(parents=True)
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n")
+    assert not findings(imported(mesh_robot("package://gone/m.obj"), tmp_path), "left out")
 
 
 def test_names_of_a_file_are_data_in_the_task_file(tmp_path):

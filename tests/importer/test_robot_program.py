@@ -116,3 +116,11 @@ def test_picture_shows_the_standing_robot(tmp_path):
     blue = (image[..., 2] > 100) & (image[..., 0] < 60)  # the thighs
     assert 0.002 < blue.mean() < 0.2
     assert abs(np.argwhere(blue).mean(axis=0) - [240, 320]).max() < 80
+
+
+@pytest.mark.parametrize("knee", [20, 30])
+def test_robot_in_python_is_the_task_files(tmp_path, knee):
+    read = imported(robot(knee=f'lower="-2.6" upper="-0.2" effort="{knee}" velocity="15"'), tmp_path)
+    (tmp_path / "made.xml").write_text(read.mjcf, encoding="utf-8")
+    (tmp_path / "made.py").write_text(read.task_file("made.xml"), encoding="utf-8")
+    assert load_robot(tmp_path / "made.py") == read.robot()

@@ -22,8 +22,10 @@ def xacro(text, extra=""):
 
 
 def test_properties_macros_includes_and_packages_are_expanded(tmp_path):
-    package = tmp_path / "dog_description"
+    package = tmp_path / "dog"
     (package / "urdf").mkdir(parents=True)
+    (package / "a").mkdir()
+    (package / "a" / "package.xml").write_text("<package><name>other</name></package>")
     (package / "package.xml").write_text("<package><name> dog_description </name></package>")
     (package / "numbers.yaml").write_text("leg: {thigh: 0.2}\n")
     (package / "urdf" / "part.xacro").write_text(
@@ -148,8 +150,7 @@ def test_macros_that_grow_without_an_end_are_stopped(tmp_path, monkeypatch):
 
 
 def test_missing_library_is_named_with_its_extra(tmp_path, monkeypatch):
-    answer = subprocess.CompletedProcess([], 0, stdout=b'{"missing": true}')
-    monkeypatch.setattr(xacro_file.subprocess, "run", lambda *_, **__: answer)
+    monkeypatch.setattr(xacro_file.importlib.util, "find_spec", lambda _: None)
     with pytest.raises(MissingExtraError, match=r"reading xacro files needs the 'xacro' extra"):
         imported(xacro(robot(2), '<xacro:property name="x" value="1"/>'), tmp_path, "dog.xacro")
 

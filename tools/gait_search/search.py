@@ -163,7 +163,7 @@ def tune_commanded_gait(
 ) -> CommandedGait:
     """Return the tables of a `CommandedGait` in one of `STYLES`, at a frequency in rad/s.
 
-    Each search starts from the preset of that name, mapped to the robot, at the nearest speed of its tables. Speeds
+    Each search starts from the robot's preset of that name, at the nearest speed of its tables. Speeds
     that are not searched in turns turn as their nearest ones do.
     """
     style, scale, known = STYLES[name], Scale(robot), candidates_of(CommandedGait.preset(name, robot))
@@ -243,7 +243,7 @@ def _line(what: str, found: Found, yaw_rates: tuple[float, ...]) -> str:
 
 
 def measure_commands(gait: CommandedGait, commands: Floats) -> Achieved:
-    """Return results of the gait for commands (N, 2) in m/s and rad/s."""
+    """Return results of the gait for commands (N, 2 or 3) in m/s, rad/s and m/s to the left."""
     targets = lambda clock: gait.positions(np.full(len(commands), clock), commands)  # noqa: E731
     return measure(gait.robot, targets, len(commands), gait.angular_frequency, _TROT, draw_starts(gait.robot, 0))
 
@@ -252,18 +252,21 @@ def achieved_table(gait: CommandedGait) -> str:
     """Return a Markdown table of commanded and achieved velocities."""
     straight = [(speed, 0.0) for speed in (-0.4, -0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]
     turning = [(speed, rate) for speed in (0.0, 0.3) for rate in (-0.6, -0.3, 0.3, 0.6)]
+    sideways = [(0.0, 0.0, speed) for speed in (-0.15, 0.15)] if gait.lateral else []
     scale = Scale(gait.robot)
-    commands = np.round(np.array(straight + turning) * [scale.velocity, scale.rate], 2)
+    wanted = np.array([(*command, 0.0) for command in straight + turning] + sideways)
+    commands = np.round(wanted * [scale.velocity, scale.rate, scale.velocity], 2)
+    commands = commands if gait.lateral else commands[:, :2]
     got = measure_commands(gait, commands)
     lines = [
-        "| command m/s, rad/s | forward m/s | yaw rate rad/s | sideways m/s | mechanical power W | least lift mm | "
-        "touchdown error | fell |",
+        f"| command m/s, rad/s{', m/s to the left' if gait.lateral else ''} | forward m/s | yaw rate rad/s | "
+        "sideways m/s | mechanical power W | least lift mm | touchdown error | fell |",
         "|---|---|---|---|---|---|---|---|",
     ]
-    for i, (speed, rate) in enumerate(commands.tolist()):
+    for i, command in enumerate(commands.tolist()):
         lines.append(
-            f"| {speed:+}, {rate:+} | {got.forward_velocity[i]:+.3f} | {got.yaw_rate[i]:+.3f} | "
-            f"{got.lateral_velocity[i]:+.3f} | {got.power[i]:.1f} | {1e3 * got.clearance[i]:.0f} | "
-            f"{got.touchdown_error[i]:.2f} | {'yes' if got.fallen[i] else 'no'} |"
+            f"| {', '.join(f'{value:+}' for value in command)} | {got.forward_velocity[i]:+.3f} | "
+            f"{got.yaw_rate[i]:+.3f} | {got.lateral_velocity[i]:+.3f} | {got.power[i]:.1f} | "
+            f"{1e3 * got.clearance[i]:.0f} | {got.touchdown_error[i]:.2f} | {'yes' if got.fallen[i] else 'no'} |"
         )
     return "\n".join(lines)
