@@ -64,7 +64,7 @@ class TestModel:
             mjcf=ROBOT.mjcf.replace(knee, f'{knee}type="{kind}" '),
             **dict.fromkeys(("foot_radius", "stance_height")),
         )
-        positions, step = robot.stance + np.array([[0.1], [-0.2]]), 1e-6
+        positions, step = np.add(robot.stance, [[0.1], [-0.2]]), 1e-6
         jacobian = robot.skeleton.foot_jacobians(positions)
         for joint in range(8):
             change = np.zeros(8)
