@@ -57,7 +57,7 @@ _READ: Final = {
         "stop_asked = numbers != 2 || !isfinite(requested[0] + requested[1]);",
     ),
     3: (
-        "requested[1] = 0.0f; /* a third number is the velocity to the left, m/s */",
+        "requested[2] = 0.0f; /* a third number is the velocity to the left, m/s */",
         'int numbers = sscanf(line, "%f %f %f", &requested[0], &requested[1], &requested[2]);',
         "stop_asked = numbers < 2 || !isfinite(requested[0] + requested[1] + requested[2]);",
     ),

@@ -212,7 +212,7 @@ def test_joints_move_and_pull_as_in_python(opened, case):
     elif "twelve" in case:
         policy = random_policy("residual", twelve_joints.ROBOT)
     zero = np.zeros((1, policy.robot.num_joints))
-    command, steps = [0.04, 0.03, -0.05][: policy.control.num_velocities], 20
+    command, steps = [0.03, 0.02, -0.03][: policy.control.num_velocities], 20
     content = json.loads(json.dumps(page_document(policy, case)))
     name = "gait" if case.endswith("gait") else "policy"
     found = np.array(opened.evaluate(STEPS, [content, name, command, steps]))
