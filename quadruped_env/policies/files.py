@@ -41,6 +41,8 @@ from quadruped_env.utils.documents import check_regular, read_json
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
+_ROUNDING: Final = 1e-5
+"""Largest difference of a gait's numbers that is due to rounding, since processors sum in other orders; rad."""
 CHECKPOINTS: Final = "checkpoints"
 """Directory of a run's checkpoints, each with the files of a policy."""
 SHIPPED: Final = ("flat", "rough")
@@ -191,11 +193,11 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> PolicyData:
     except QuadrupedError as error:
         raise unusable(path, error) from error
     robot, layout = terms.robot, ObservationLayout(terms.robot, terms.observations)
-    for field, found, what in (
-        ("observation_layout", layout.document(), "so the policy would get other columns than it was trained on"),
-        ("scripted_gait", gait_document(control, robot), "to which the policy's actions would be added"),
+    for field, found, what, tolerance in (
+        ("observation_layout", layout.document(), "so the policy would get other columns than it was trained on", 0.0),
+        ("scripted_gait", gait_document(control, robot), "to which the policy's actions would be added", _ROUNDING),
     ):
-        if document.get(field) != found:
+        if not _alike(document.get(field), found, tolerance):
             raise QuadrupedError(
                 f"{path}: {field} differs from this version's, {what}; train again, or install the version that made it"
             )
@@ -288,6 +290,19 @@ def _check_hash(document: dict[str, Any], field: str, found: str, card_path: Pat
             f"{path}: its SHA-256 differs from {field} in {card_path.name}; the file is damaged or of another policy: "
             f"train again, or use another checkpoint"
         )
+
+
+def _alike(kept: Any, found: Any, tolerance: float) -> bool:
+    """Return True for JSON values that are equal, their numbers to a tolerance."""
+    if isinstance(found, dict):
+        same = isinstance(kept, dict) and kept.keys() == found.keys()
+        return same and all(_alike(kept[key], found[key], tolerance) for key in found)
+    if isinstance(found, list):
+        same = isinstance(kept, list) and len(kept) == len(found)
+        return same and all(_alike(*pair, tolerance) for pair in zip(kept, found, strict=True))
+    if isinstance(found, float) and isinstance(kept, float | int):
+        return abs(kept - found) <= tolerance
+    return bool(kept == found)
 
 
 def _layers(

@@ -2,6 +2,7 @@
 
 import csv
 import inspect
+import json
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from quadruped_env.control import ObservationLayout
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.policies import PolicyController, load_policy
+from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.run_directory import PROGRESS_FILE
 
@@ -54,6 +56,19 @@ def test_the_policy_of_a_saved_copy_is_the_same(run, task_file, tmp_path):
     assert copy.control == policy.control
     seen = np.random.default_rng(0).normal(size=(5, policy.weights[0].shape[0])).astype(np.float32)
     np.testing.assert_array_equal(copy.predict(seen), policy.predict(seen))
+
+
+def test_a_gait_that_another_processor_rounds_is_the_same(run, task_file, tmp_path):
+    load_policy(run, task_file).save(tmp_path / "copy")
+    file = tmp_path / "copy" / CARD_FILE
+    card = json.loads(file.read_text())
+    card["scripted_gait"]["lateral"][1][2][0] += 1e-6
+    file.write_text(json.dumps(card))
+    load_policy(tmp_path / "copy", task_file)
+    card["scripted_gait"]["lateral"][1][2][0] += 1e-3
+    file.write_text(json.dumps(card))
+    with pytest.raises(QuadrupedError, match="scripted_gait differs"):
+        load_policy(tmp_path / "copy", task_file)
 
 
 def test_the_policy_is_symmetric(run, task_file):
