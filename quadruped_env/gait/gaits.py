@@ -269,6 +269,8 @@ class CommandedGait:
 
     def __post_init__(self) -> None:
         tables = np.concatenate([*self.straight, *self.turn, *self.side, *(self.lateral or ())], axis=1)
+        if len(tables) != len(self.speeds):
+            raise QuadrupedError(f"gait: the tables have {len(tables)} rows for {len(self.speeds)} speeds")
         object.__setattr__(self, "_tables", frozen(tables))
         object.__setattr__(self, "_phases", joint_phases(self.robot))
 
