@@ -96,7 +96,7 @@ class Comparison:
 
     @property
     def motions(self) -> list[str]:
-        """Those of `MOTIONS` that a command asks for."""
+        """The `MOTIONS` that a command asks for."""
         return [motion for motion in MOTIONS if self.conditions(motion)]
 
     def estimate(self, controller: str, metric: str, motion: Motion = None) -> Estimate:

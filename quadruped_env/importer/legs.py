@@ -10,10 +10,9 @@ import numpy as np
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.importer.description import FIXED, HINGE, Description, Joint, about, named, poses
 from quadruped_env.importer.shapes import end_ball, moved
+from quadruped_env.robot.robot import CORNERS
 from quadruped_env.utils.arrays import Floats
 
-CORNERS: Final = ("LF", "RF", "LH", "RH")
-"""Names of the corners, left or right and fore or hind, in their order."""
 SUPPORTED: Final = (
     "supported are four legs of two joints (pitch, pitch) or three (roll, pitch, pitch or pitch, roll, pitch)"
 )

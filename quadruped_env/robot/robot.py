@@ -278,7 +278,7 @@ class Robot:
         """
         if self.leg_corners is not None:
             return self.leg_corners
-        x, y, _ = self.skeleton.foot_centres(self.stance).T
+        x, y, _ = self.stance_feet.T
         return tuple((2 * (x <= 0.5 * (x.min() + x.max())) + (y <= 0.0)).tolist())
 
     @property

@@ -60,8 +60,8 @@ def steadiness(robot: Robot) -> float:
 def motor_heat(robot: Robot) -> float:
     """Return the heat in a robot's motors while they carry its weight, relative to the built-in robot; 1 or more.
 
-    For the same torque a motor heats in proportion to its no-load speed, so fast motors are not those of a similar
-    robot.
+    For the same torque a motor heats in proportion to its no-load speed, so a robot with faster motors, in its own
+    units, pays more for the same gait.
     """
     own, built_in = (r.motors.joule_coefficients(r.joint_kinds).mean() for r in (robot, MINI_QUADRUPED))
     return max(1.0, _rounded(float(own / built_in) / scale_of("W/(N m)^2", robot), 3))

@@ -66,8 +66,9 @@ class CommandSampler:
         ranges = np.array([config[name] for name in names])
         self._low, self._high = ranges[:, 0], ranges[:, 1]
         self._until = np.cumsum(list(config.shares.values()))
-        each = np.eye(len(self._until) - 1, dtype=np.bool_)
-        self._none = ~np.vstack([each[:1] & False, each, each[:1] | True])
+        each = np.eye(len(self._until) - 1)
+        # A command to stand, one for each velocity alone, and those with all of them.
+        self._none = np.vstack([np.zeros_like(each[:1]), each, np.ones_like(each[:1])]) == 0.0
         """True for each velocity that is zero in commands of a kind (kinds, V)."""
 
     def sample(self, draws: Floats) -> tuple[Floats, Floats]:

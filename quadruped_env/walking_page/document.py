@@ -71,7 +71,7 @@ def page_document(policy: Policy, name: str) -> dict[str, Any]:
     config, robot = policy.config, policy.robot
     reference, terrains = _reference(policy, config), _terrains(config)
     # In the order of the command; the last one only for a robot that walks sideways.
-    ranges = [list(entry.range) for entry in config.commands[: len(policy.control.command_rate)]]
+    ranges = [list(entry.range) for entry in config.commands[: policy.control.num_velocities]]
     return {
         "name": name,
         "versions": {"mini_quadruped": __version__, "mujoco": mujoco.__version__},
@@ -204,7 +204,7 @@ def _reference(policy: Policy, config: TaskConfig) -> dict[str, Any]:
     config, robot = config.without_randomization().on_terrain(flat), policy.robot
     simulation = SingleSimulation(config.compiled_model(), robot)
     task = Task(simulation, config)
-    velocity = [round(_SPEED * config.commands[0].range[1], 2), *[0.0] * (len(policy.control.command_rate) - 1)]
+    velocity = [round(_SPEED * config.commands[0].range[1], 2), *[0.0] * (policy.control.num_velocities - 1)]
     start = [0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance.tolist()]
     task.reset(_ENV, seeds=[0], command=velocity)
     task.place(_ENV, np.array([start]), np.zeros((1, robot.num_velocities)))
