@@ -34,7 +34,7 @@ ENTRY_POINTS = {
 """Modules that name the built-in robot, and why."""
 
 # Constants of the package `robot` that hold neither numbers nor names of a robot.
-NEUTRAL = {"JOINT_KINDS", "MAX_DELAY", "MOTOR_PRESETS", "ODOMETRY_FRAME", "SERVO_ERRORS"}
+NEUTRAL = {"CORNERS", "JOINT_KINDS", "MAX_DELAY", "MOTOR_PRESETS", "ODOMETRY_FRAME", "SERVO_ERRORS"}
 
 # Position of the robot among the arguments.
 NEEDS_ROBOT = {
