@@ -10,9 +10,11 @@ from pathlib import Path
 import browser
 import numpy as np
 import pytest
+import second_robot
 import torch
 import twelve_joints
 import waiting
+from half_robot import ROBOT as HALF
 
 from quadruped_env.policies import load_policy
 from quadruped_env.robot import MINI_QUADRUPED
@@ -141,7 +143,7 @@ def test_sums_over_workers_are_identical_and_in_order():
 # --- task
 
 
-@pytest.mark.parametrize("robot", [MINI_QUADRUPED, twelve_joints.ROBOT], ids=lambda robot: robot.name)
+@pytest.mark.parametrize("robot", [MINI_QUADRUPED, HALF], ids=lambda robot: robot.name)
 def test_terms_and_observation_equal_the_packages(robot):
     config, rng = TaskConfig(), np.random.default_rng(3)
     if robot is not MINI_QUADRUPED:
@@ -186,6 +188,11 @@ def test_terms_and_observation_equal_the_packages(robot):
     swing = np.sin(phase + np.repeat([0.0, math.pi, math.pi, 0.0], 2))
     marching = STANCE + np.array([0.1 / math.pi, -0.2 / math.pi] * 4) + np.array([0.05, -0.1] * 4) * swing
     np.testing.assert_allclose(found[-1]["target"], np.clip(marching + 0.4 * action, -2.0, 1.5), atol=1e-6)
+
+
+def test_robots_of_another_shape_have_nothing_to_learn():
+    for robot in (twelve_joints.ROBOT, second_robot.ROBOT):
+        assert learning_document(TaskConfig().for_robot(robot)) is None
 
 
 @pytest.fixture

@@ -26,7 +26,7 @@ from quadruped_env.policies.files import SHOWN
 from quadruped_env.robot.motors import MOTOR_PRESETS
 from quadruped_env.simulation import SingleSimulation, flat
 from quadruped_env.task import BUILT_IN, Task
-from quadruped_env.walking_page import document, write_page
+from quadruped_env.walking_page import write_page
 from quadruped_env.walking_page.document import graph_document, page_document
 
 SOURCES, ASSETS = ROOT / "tools" / "page", ROOT / "quadruped_env" / "walking_page" / "assets"
@@ -262,9 +262,7 @@ def sideways(chromium, tmp_path_factory):
     """The page of a robot whose legs can roll, paused, with a policy of no actions; it has nothing to learn from."""
     path, policy = tmp_path_factory.mktemp("sideways") / "walk.html", random_policy("residual", twelve_joints.ROBOT)
     policy = dataclasses.replace(policy, weights=tuple(0.0 * weight for weight in policy.weights))
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(document, "learning_document", lambda config: None)
-        write_page(policy, path)
+    write_page(policy, path)
     with browser.opened(chromium) as page:
         page.set_viewport_size({"width": 1280, "height": 720})
         page.goto(path.as_uri())
@@ -297,9 +295,12 @@ def test_keys_walk_sideways_and_turn_a_robot_whose_legs_can_roll(sideways):
     assert walked["ArrowLeft"][3] == pytest.approx(3.0 * page_turn(page), rel=0.3)
     page.evaluate("quadruped.page.controls.show()")
     assert page.locator("#wanted_left").is_visible()
-    page.evaluate("quadruped.page.controls.limitTo([0.4, 0.2]), quadruped.page.controls.steer(1, 1, 1)")
-    assert state(page, "walk.request") == pytest.approx([0.4, 0.2, 0]), "what a robot learns on the page"
-    page.evaluate("quadruped.page.controls.limitTo(null)")
+
+
+def test_robot_of_another_shape_has_its_whole_speed_limit_and_nothing_to_learn(sideways):
+    page = sideways
+    assert not page.locator("#learn").is_visible()
+    assert float(page.locator("#limit").input_value()) == pytest.approx(state(page, "walk.content.control.forward[1]"))
 
 
 def page_turn(page):

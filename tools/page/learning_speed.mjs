@@ -20,7 +20,7 @@ const seconds = () => process.cpuUsage().user / 1e6 + process.cpuUsage().system 
 /** Mean forward velocity and yaw rate of a walker in the last 4 of 6 s; null after a fall. */
 function walk(walker, command) {
   const { simulation, control } = walker, velocity = [0, 0];
-  walker.reset(undefined, control.command_rate.map((_, i) => command[i] ?? 0));
+  walker.reset(undefined, command);
   while (walker.time < 6) {
     walker.step();
     if (simulation.fallen()) return null;

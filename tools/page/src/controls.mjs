@@ -25,7 +25,7 @@ export class Controls {
     };
     for (const [id, [min, max, value, text, act]] of Object.entries(this.sliders)) {
       const input = $(id), shown = input.closest('label').querySelector('output');
-      Object.assign(input, { min, max, step: id === 'slope' ? 1 : 0.01, value });
+      Object.assign(input, { min, max, step: { slope: 1, limit: 'any' }[id] ?? 0.01, value });
       input.addEventListener('input', () => { shown.textContent = text(input.valueAsNumber); act(input.valueAsNumber); });
       shown.textContent = text(value);
     }
@@ -126,11 +126,11 @@ export class Controls {
     $('turn').value = -page.turn;
   }
 
-  /** Limit the steering to what a learned policy has learned, `[forward velocity, yaw rate]`, none of it sideways; null: to the page's own commands. */
+  /** Limit the steering to what a learned policy has learned, `[forward velocity, yaw rate]`; null: to the page's own commands. */
   limitTo(learned) {
     const { forward: [lowest, highest], turn: [, turn], lateral } = this.page.walk.content.control;
     this.limits = learned
-      ? { lowest: learned[1] ? 0 : learned[0], highest: learned[0], turn: learned[1], lateral: lateral && [0, 0] }
+      ? { lowest: learned[1] ? 0 : learned[0], highest: learned[0], turn: learned[1] }
       : { lowest, highest, turn, lateral };
     this.steer(learned ? 1 : undefined, 0, 0);
   }

@@ -38,10 +38,10 @@ export class Episode {
     this.smooth = [0, 0];
   }
 
-  /** The command to learn; or one that goes slower and turns, which every second one does. None goes sideways. */
+  /** The command to learn; or one that goes slower and turns, which every second one does. */
   drawCommand() {
-    const { random, control, settings: { command: [forward, turn], turns } } = this, others = control.command_rate.slice(2).fill(0);
-    return turns === null || random.uniform() < 0.5 ? [forward, turn, ...others] : [forward * random.uniform(), random.either(turns), ...others];
+    const { random, settings: { command: [forward, turn], turns } } = this;
+    return turns === null || random.uniform() < 0.5 ? [forward, turn] : [forward * random.uniform(), random.either(turns)];
   }
 
   /** One control step; returns the reward, and sets `fell` and `ended`. */
