@@ -22,7 +22,7 @@ from quadruped_env.evaluation.conditions import (
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.measures import METRICS, START_UP, WINDOW, measure, metrics_of
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
-from quadruped_env.gait import CommandedGait, SinusoidalGait
+from quadruped_env.gait import CommandedGait, SinusoidalGait, has_tuned_shape
 from quadruped_env.policies import (
     Agent,
     Controller,
@@ -50,11 +50,13 @@ _EQUAL: Final = 0.005
 
 CONTROLLERS: Final = {
     "policy": "Trained policy",
-    "tuned": "Searched gait",
+    "tuned": "Scripted gait",
     "article": "Article's gait",
     "zero": "Zero action",
 }
-"""Name -> label, in the order of tables. The zero action belongs to the first policy: its gait alone, or the stance."""
+"""Name -> label, in the order of tables. The zero action belongs to the first policy: its gait alone, or the stance.
+
+Only robots of the built-in one's shape have the article's gait: others fall with it."""
 
 
 def error_of(motion: str) -> str:
@@ -133,7 +135,8 @@ class Comparison:
 
     def seen_as(self, controller: str) -> Self:
         """Return the same comparison with this controller as `policy`, next to the scripted controllers only."""
-        names = {"policy": controller, **{name: name for name in CONTROLLERS if name != "policy"}}
+        scripted = [name for name in CONTROLLERS if name != "policy" and name in self.rollouts]
+        names = {"policy": controller, **{name: name for name in scripted}}
         return dataclasses.replace(
             self,
             rollouts={name: self.rollouts[source] for name, source in names.items()},
@@ -195,11 +198,11 @@ def compare(
     terrain: str | Terrain | None = None,
     randomization: str = "none",
 ) -> Comparison:
-    """Run policies, the searched gait, the tutorial's gait (`article`) and the zero action on the same episodes.
+    """Run policies and the scripted `CONTROLLERS` on the same episodes.
 
     Each policy runs the task that it was trained for, with a preset instead of its randomization, a user's own
     included: by default, only the start of an episode is random. The scripted controllers run the first policy's task,
-    the searched gait with a clock of its own frequency. Commands may lie outside the training ranges.
+    the gait `tuned` with a clock of its own frequency. Commands may lie outside the training ranges.
 
     Args:
         policies: one policy, which is called `policy`, or several by name: trained ones, or objects with the two
@@ -244,14 +247,13 @@ def compare(
                 f"policies for one robot with each other, and evaluate those for other robots by themselves"
             )
     tuned = CommandedGait.tuned(config.robot)
-    # With a clock of its own frequency the searched gait is in phase, so that the reward's terms of the clock judge it.
+    # With a clock of its own frequency the gait is in phase, so that the reward's terms of the clock judge it.
     configs["tuned"] = dataclasses.replace(config, clock_frequency=tuned.angular_frequency / math.tau)
-    controllers: tuple[Controller, ...] = (
-        *(PolicyController(policy, name) for name, policy in known.items()),
-        GaitController(tuned),
-        GaitController(SinusoidalGait.preset("article", config.robot), "article"),
-        ZeroController(config.action.mode),
-    )
+    controllers: list[Controller] = [PolicyController(policy, name) for name, policy in known.items()]
+    controllers.append(GaitController(tuned))
+    if has_tuned_shape(config.robot):
+        controllers.append(GaitController(SinusoidalGait.preset("article", config.robot), "article"))
+    controllers.append(ZeroController(config.action.mode))
     by_name = {controller.name: controller for controller in controllers}
     law = "undisturbed" if randomization == "none" else f"with the randomization {randomization}"
     ground = "the task's own ground" if terrain is None else f"the terrain {config.terrain['name']}"

@@ -77,12 +77,12 @@ def verdict(comparison: Comparison, gain: LearningGain | None = None) -> Verdict
     flaws += _flaws(comparison)
     behind = [motion for motion, found in ranks.items() if found == "less accurate"]
     if behind:
-        flaws.append(f"is less accurate than the searched gait {listed(behind)}")
+        flaws.append(f"is less accurate than the scripted gait {listed(behind)}")
     if flaws:
         walks = "Not reliably: it walks" if unstable else "Yes, it walks"
         return Verdict("fair", f"{walks}, but it {listed(flaws)}.")
     standing = f"it {falls}" if fall_rate else "it does not fall"
-    against = "" if "not comparable" in ranks.values() else " at least as well as the searched gait"
+    against = "" if "not comparable" in ranks.values() else " at least as well as the scripted gait"
     return Verdict("good", f"Yes, it walks: {standing}, and follows its commands{against}.")
 
 

@@ -149,10 +149,10 @@ class TestVerdict:
     @pytest.mark.parametrize(
         ("numbers", "level", "headline"),
         [
-            ({"share": 0.9}, "good", "at least as well as the searched gait"),
-            ({"share": 0.9, "tuned_error": 0.0}, "fair", "less accurate than the searched gait sideways"),
+            ({"share": 0.9}, "good", "at least as well as the scripted gait"),
+            ({"share": 0.9, "tuned_error": 0.0}, "fair", "less accurate than the scripted gait sideways"),
             ({"share": 0.4}, "fair", "but it does not walk sideways."),
-            ({"share": -1.0}, "fair", "does not walk sideways and is less accurate than the searched gait sideways."),
+            ({"share": -1.0}, "fair", "does not walk sideways and is less accurate than the scripted gait sideways."),
             ({"share": 1.0, "commands": (AHEAD, (0.6, 0.0, 0.2)), "forward": 0.7}, "fair",
              "does not follow 0.5 m/s and 0.6 m/s and 0.2 m/s to the left"),
             ({"share": 1.8}, "fair", "does not follow 0.2 m/s to the left, 0.2 m/s to the right"),

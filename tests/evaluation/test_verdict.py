@@ -58,11 +58,11 @@ def invented(velocity, fallen=(), yaw_rate=None, commands=COMMANDS, tuned_error=
 @pytest.mark.parametrize(
     ("numbers", "level", "headline"),
     [
-        ({"velocity": 1.0}, "good", "at least as well as the searched gait"),
+        ({"velocity": 1.0}, "good", "at least as well as the scripted gait"),
         (
             {"velocity": 0.95, "tuned_error": 0.0},
             "fair",
-            "less accurate than the searched gait forwards, backwards",
+            "less accurate than the scripted gait forwards, backwards",
         ),
         ({"velocity": 1.0, "yaw_rate": 0.2}, "fair", "does not follow 0.5 rad/s, -0.5 rad/s"),
         ({"velocity": 1.0, "fallen": [1, 3]}, "fair", "Not reliably: it walks, but it falls in 18 % of the episodes."),
@@ -118,7 +118,7 @@ def test_policy_without_a_significant_gain_is_not_good():
 )
 def test_controllers_without_values_have_no_rank(falls):
     judged = verdict(invented(1.0, **falls))
-    assert "searched gait" not in judged.headline
+    assert "scripted gait" not in judged.headline
     assert "nan" not in judged.text().lower().split()
 
 
@@ -135,7 +135,7 @@ def test_one_seed_gives_no_intervals_and_no_ranks():
     assert math.isnan(error.high)
     assert rank(one, "forward_velocity_error", "policy", "tuned", "forwards") == "not comparable"
     judged = verdict(one)
-    assert "searched gait" not in judged.headline
+    assert "scripted gait" not in judged.headline
     assert "nan" not in judged.text().lower()
 
 

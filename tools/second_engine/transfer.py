@@ -48,7 +48,7 @@ SECONDS: Final = 10.0
 MAX_SECONDS: Final = 120.0
 """Maximum length of an episode, s: Drake simulates one robot after the other."""
 
-_LABELS: Final = {"policy": "Trained policy", "tuned": "Searched gait", "zero": "Standing still"}
+_LABELS: Final = {"policy": "Trained policy", "tuned": "Scripted gait", "zero": "Standing still"}
 TARGETS: Final = {"forward_velocity": 0.05, "yaw_rate": 0.2, "lateral_velocity": 0.05}
 """Velocity -> maximum loss of a policy that carries over, as a share of the velocity here; in the order of commands."""
 
