@@ -14,8 +14,8 @@ from typing import Final
 
 import mujoco
 
-from quadruped_env.control.control_config import VELOCITIES, velocity_commands
 from quadruped_env.control.control_config import Command as Component
+from quadruped_env.control.control_config import velocity_commands
 from quadruped_env.control.steering import key_steps, next_step
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.conditions import Command, full_command
@@ -373,8 +373,11 @@ class ViewController:
         self.reset()
 
     def _widest_ranges(self) -> tuple[Component, ...]:
-        """Return the velocity command with its widest ranges, of the default task and of the robots' tasks."""
-        entries = VELOCITIES[: len(velocity_commands(self.robot))]
+        """Return the velocity command with its widest ranges, of the robot's default task and of the robots' tasks.
+
+        They are whole hundredths, so that sliders with steps of 0.01 show such numbers, and reach 0.
+        """
+        entries = velocity_commands(self.robot)
         ranges = [[entry.range for entry in entries]]
         ranges += [
             [entry.range for entry in robot.task.config.commands]
@@ -382,7 +385,7 @@ class ViewController:
             if isinstance(robot, TaskRobot)
         ]
         return tuple(
-            replace(entry, range=(min(low for low, _ in own), max(high for _, high in own)))
+            replace(entry, range=(_hundredths(min(low for low, _ in own)), _hundredths(max(high for _, high in own))))
             for entry, own in zip(entries, zip(*ranges, strict=False), strict=False)
         )
 
@@ -418,6 +421,11 @@ class ViewController:
 def _vector(direction: float, length: float) -> tuple[float, float]:
     """Return the vector (forwards, left) of a length in a direction, rad, positive to the left."""
     return length * math.cos(direction), length * math.sin(direction)
+
+
+def _hundredths(value: float) -> float:
+    """Return a value rounded towards zero to a multiple of 0.01."""
+    return math.trunc(round(100.0 * value, 6)) / 100.0
 
 
 def _cut(value: float, bounds: tuple[float, float]) -> float:

@@ -37,14 +37,15 @@ def controller(tmp_path):
 def test_a_command_has_three_velocities_within_their_ranges(controller):
     assert controller.command == (0.0, 0.0, 0.0)
     assert controller.set_command(0.1, -0.2, 0.1) == (0.1, -0.2, 0.1)
-    assert controller.set_command(0.0, 0.0, -9.0) == (0.0, 0.0, RANGES[2][0])
+    assert controller.set_command(0.0, 0.0, -9.0) == (0.0, 0.0, pytest.approx(RANGES[2][0], abs=0.01))
     assert controller.set_command(0.3, 0.2) == (0.3, 0.2, 0.0)
     controller.step()
     np.testing.assert_array_equal(now(controller).command, [0.3, 0.2, 0.0])
     assert now(controller).smooth_velocity.shape == now(controller).velocity.shape == (3,)
-    # The task's own ranges, and the default ones of the built-in robot.
+    # The robot's own, not the built-in one's, to the hundredth below.
     assert [entry.name for entry in controller.command_ranges] == ["forward_velocity", "yaw_rate", "lateral_velocity"]
-    assert controller.command_ranges[2].range == (min(-0.2, RANGES[2][0]), max(0.2, RANGES[2][1]))
+    for entry, own in zip(controller.command_ranges, RANGES, strict=True):
+        assert np.array(entry.range) * 100 == pytest.approx(np.trunc(np.array(own) * 100))
 
 
 def test_keys_change_the_lateral_velocity_in_steps(controller):
