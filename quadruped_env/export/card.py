@@ -20,6 +20,7 @@ TAGS: Final = ("reinforcement-learning", "robotics", "quadruped", "locomotion", 
 _SHOWN: Final = {
     "forward_velocity_error": "velocity error (m/s)",
     "yaw_rate_error": "yaw rate error (rad/s)",
+    "lateral_velocity_error": "lateral velocity error (m/s)",
     "fall_rate": "falls",
     "electrical_cost_of_transport": "electrical cost of transport",
     "mechanical_cost_of_transport": "mechanical cost of transport",
@@ -58,7 +59,7 @@ def _front_matter(manifest: Mapping[str, Any]) -> str:
 
 def _introduction(manifest: Mapping[str, Any]) -> str:
     control, command = manifest["control"], manifest["command"]["components"]
-    ranges = ", ".join(f"{c['name'].replace('_', ' ')} {c['low']:g} to {c['high']:g} {c['unit']}" for c in command)
+    ranges = ", ".join(f"{c['name'].replace('_', ' ')} {c['low']:.3g} to {c['high']:.3g} {c['unit']}" for c in command)
     mode = {
         "position": "Its actions are relative to the stance.",
         "residual": "Its actions are added to a scripted gait, which is part of the graph.",
@@ -146,8 +147,8 @@ def _entry(manifest: Mapping[str, Any]) -> str:
         [
             _item(f"Position servos with the gains {servo}, within each joint's limits (`{MANIFEST_FILE}`)."),
             _item(
-                f"Move slowly to the stance, in {entry['min_time_s']:g} s or more, and hold it for "
-                f"{entry['settle_s']:g} s. Then call the policy, beginning with the idle {graph_io.COMMAND} {idle}."
+                f"Move slowly to the stance, in {entry['min_time_s']:.3g} s or more, and hold it for "
+                f"{entry['settle_s']:.3g} s. Then call the policy, beginning with the idle {graph_io.COMMAND} {idle}."
             ),
             _item(
                 f"Keep commands within their ranges. Send the idle one after {stop['no_command_s']:g} s without a "

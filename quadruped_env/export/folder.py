@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.evaluation.comparison import compare
-from quadruped_env.evaluation.conditions import Command, commands_for
+from quadruped_env.evaluation.conditions import SIDEWAYS, Command, commands_for
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.results import CardResults, StoredEvaluation, card_results
 from quadruped_env.export.c_source import c_files
@@ -106,7 +106,8 @@ def export_policy(
             contents[PAGE_FILE] = (part / PAGE_FILE).read_bytes()
         if with_film:
             prepare_video(part / FILM_FILE)
-            commands = commands_for(policy.robot, FILM_COMMANDS)
+            sideways = SIDEWAYS[:1] if policy.robot.moves_sideways else ()
+            commands = commands_for(policy.robot, (*FILM_COMMANDS, *sideways))
             comparison = compare(policy, num_seeds=1, seconds=FILM_SECONDS, commands=commands)
             save_film(part / FILM_FILE, filmed(comparison), progress)
             contents[FILM_FILE] = (part / FILM_FILE).read_bytes()

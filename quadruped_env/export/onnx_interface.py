@@ -29,7 +29,7 @@ REQUESTED: Final = "requested_command"
 FEEDBACK: Final = {LAST_ACTION: ACTION, GAIT_PHASE: NEXT_GAIT_PHASE, HISTORY: NEXT_HISTORY}
 """Inputs that are outputs of the step before."""
 
-_ABSOLUTE: Final = "Joint positions, zero with straight legs; the stance is subtracted in the graph."
+_ABSOLUTE: Final = "Joint positions as in the URDF; the stance is subtracted in the graph."
 _PHASE: Final = "Phase of the gait clock in [0, 2 pi): 0 at first, then next_gait_phase of the step before."
 _HISTORY: Final = (
     "Scaled observations of the steps before, the latest first: NaN at first, then next_observation_history of the "

@@ -91,6 +91,7 @@ def test_manifest_and_card_describe_three_velocities(tmp_path):
     assert entry["description"].startswith("Commanded forward velocity, yaw rate and lateral velocity, on their way")
     card = (export.folder / "README.md").read_text()
     assert "idle command [0.0, 0.0, 0.0]" in " ".join(card.split())
+    assert "lateral velocity -0.249 to 0.249 m/s" in " ".join(card.split())
     assert "# of the command in a control step: m/s, rad/s, m/s" in card
 
 
