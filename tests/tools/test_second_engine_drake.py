@@ -171,17 +171,21 @@ def test_robot_with_three_joints_per_leg_stands_as_in_mujoco():
 
 
 def test_trot_with_three_joints_per_leg_moves_as_in_mujoco():
-    """Forwards, sideways, in a turn and backwards, without a fall: as commanded within a third, and alike in both."""
-    config = TaskConfig().for_robot(twelve_joints.ROBOT)
+    """Forwards, in a turn, sideways and backwards: alike in both where MuJoCo has small steps and stiff contacts.
+
+    The robot's rotors are light for its gains, and at 5 ms it turns faster by a fifth.
+    """
+    here = FINE.for_robot(twelve_joints.ROBOT), MuJoCo(cone="elliptic", time_constant=0.001)
+    there = TaskConfig().for_robot(twelve_joints.ROBOT), Drake()
     commands = [(0.3, 0.0, 0.0), (0.0, 0.5, 0.0), (0.0, 0.0, 0.15), (-0.2, 0.0, 0.0)]
     found = []
-    for engine in (MuJoCo(), Drake()):
+    for config, engine in (here, there):
         rollout = roll_out(GaitController(), commands, [1000], 6.0, config, engine=engine)
         assert not rollout.fallen.any()
         found.append(mean_velocities(rollout))
     asked = [abs(velocities[[0, 1, 2, 3], [0, 1, 2, 0]]) for velocities in found]
-    np.testing.assert_allclose(asked, [[0.3, 0.5, 0.15, 0.2]] * 2, rtol=0.33)
-    np.testing.assert_allclose(asked[1], asked[0], rtol=0.25)
+    np.testing.assert_allclose(asked, [[0.3, 0.5, 0.15, 0.2]] * 2, rtol=0.25)
+    np.testing.assert_allclose(asked[1], asked[0], rtol=0.08)
 
 
 def on_its_belly():
@@ -300,7 +304,7 @@ def test_urdf_that_is_not_the_robots_is_an_error_that_names_the_part(old, new, m
 def test_program_runs_both_engines_and_the_shipped_policy_walks_in_drake(capsys):
     assert sim2sim.main(["flat", "--seeds", "1", "--seconds", "3", "--command", "0.3", "0", "--command", "0", "0"]) == 0
     printed = capsys.readouterr().out
-    rows = [line.split() for line in printed.split("Searched gait")[0].splitlines()]
+    rows = [line.split() for line in printed.split("Scripted gait")[0].splitlines()]
     walking, standing = ([float(cell) for cell in row[2:4]] for row in rows if row[:1] in (["0.3,"], ["0,"]))
     assert walking == pytest.approx([0.30, 0.30], abs=0.05), "it walks in Drake"
     assert standing == pytest.approx([0.0, 0.0], abs=0.01), "it stands"
