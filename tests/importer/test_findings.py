@@ -327,3 +327,14 @@ def test_stance_leaves_room_to_lift_the_feet(tmp_path):
     read = imported(robot(2, knee='lower="-1.0472" upper="0" effort="20" velocity="15"'), tmp_path)
     height = (read.stance.height - RADIUS) / (THIGH + SHANK)
     assert 0.92 < height < 0.97
+
+
+def test_stance_leaves_the_thighs_room_to_swing(tmp_path):
+    """Its foot lifted by a tenth of the leg, a thigh can still turn by 0.1 rad, if a straighter leg allows it."""
+    read = imported(robot(hip='lower="-1.5" upper="0.65" effort="20" velocity="15"'), tmp_path)
+    lifted = read.stance.height - RADIUS - 0.1 * (THIGH + SHANK)
+    thigh = math.acos((THIGH**2 + lifted**2 - SHANK**2) / (2.0 * THIGH * lifted))
+    assert 0.5 < thigh < 0.65 - 0.1
+    # Where no leg can be that straight the stance has less room.
+    near = imported(robot(hip='lower="-1.5" upper="0.5" effort="20" velocity="15"'), tmp_path)
+    assert near.stance.positions["LF_hip"] < 0.4
