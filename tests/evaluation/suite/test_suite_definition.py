@@ -96,7 +96,7 @@ def test_suite_of_another_robot_has_the_same_numbers_in_its_units():
 
 
 def test_suite_pushes_a_narrow_robot_less():
-    """As in training: what tips a rigid robot over is in proportion to the distance of its feet over its height."""
+    """As in training: what tips a rigid robot over follows the distance of its feet over its height."""
     full = full_suite()
     narrow = QuadrupedDesign(name="narrow", base_size=(0.3, 0.07, 0.08), hip_offset=(0.15, 0.06)).robot()  # not 0.1
     pushes = replace(full.pushes, unit=(0.6, 0.6, 0.3, 1.2, 1.2, 1.2))
