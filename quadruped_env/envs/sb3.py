@@ -115,7 +115,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
                     "TimeLimit.truncated": bool(transition.truncated[env_id] and not transition.terminated[env_id]),
                     "episode": {
                         "r": float(np.add.accumulate(terms)[-1]),
-                        "l": int(self.task.steps[env_id]),
+                        "l": int(self.task.control.steps[env_id]),
                         "t": elapsed,
                         "terms": terms.copy(),
                     },

@@ -1,7 +1,7 @@
 """Heights of the ground of a compiled model, exactly as MuJoCo collides with it."""
 
 import math
-from typing import Any, Final, Self
+from typing import Final, Self
 
 import mujoco
 import numpy as np
@@ -25,7 +25,6 @@ class HeightField:
     """
 
     def __init__(self, model: mujoco.MjModel) -> None:
-        self._model = model
         ground = model.geom(GROUND)
         field = model.hfield(int(model.geom_dataid[ground.id]))
         self._rows, self._columns = int(field.nrow[0]), int(field.ncol[0])
@@ -43,10 +42,6 @@ class HeightField:
         """Height field of a model; None if its ground is a plane at height 0."""
         is_field = model.geom(GROUND).type == mujoco.mjtGeom.mjGEOM_HFIELD
         return cls(model) if is_field else None
-
-    def __reduce__(self) -> Any:
-        # The model is usually pickled with it, and only once.
-        return type(self), (self._model,)
 
     def points(self, around: NDArray[np.floating] | None = None, margin: float = 0.0) -> Floats:
         """Grid points (along y, along x, 3) in the world, m.

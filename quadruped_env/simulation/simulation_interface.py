@@ -1,5 +1,6 @@
 """Interface between a task and a simulation, common to both drivers."""
 
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 import mujoco
@@ -113,6 +114,16 @@ class Simulation(Protocol):
     def set_state(self, env_id: int, state: SimulationState) -> None:
         """Restore a state from `get_state`, of this or of another simulation of the same model."""
         ...
+
+
+def restored(
+    kind: Callable[..., Simulation], arguments: tuple[object, ...], states: Sequence[SimulationState]
+) -> Simulation:
+    """Return a new simulation whose envs have states of `Simulation.get_state`: pickling and copying call it."""
+    simulation = kind(*arguments)
+    for env_id, state in enumerate(states):
+        simulation.set_state(env_id, state)
+    return simulation
 
 
 def highest_ground(simulation: Simulation, positions: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -84,10 +84,6 @@ class TaskContext:
         """Size of a velocity and of a rate for the robot relative to the built-in one, (V,)."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
-        self.bind(readings, control)
-
-    def bind(self, readings: Readings, control: ControlInterface) -> None:
-        """Replace the readings and the control interface."""
         self.readings = readings
         """Readings of the simulation; see `Readings`."""
         self.control = control

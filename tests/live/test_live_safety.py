@@ -315,7 +315,7 @@ def test_readings_of_a_real_robot_give_the_same_joint_targets_as_the_environment
     task = Task(simulation, config)
     task.reset(ROW, seeds=[4], command=(0.4, 0.2))
     control = ControlInterface(MINI_QUADRUPED, config.control)
-    control.reset(ROW, task.phase, task.command)
+    control.reset(ROW, task.control.phase, task.command)
     measured, observation = Readings.of_a_real_robot(MINI_QUADRUPED), task.observe()
     for _ in range(100):
         readings = simulation.readings

@@ -112,7 +112,7 @@ def test_a_term_that_is_added_changes_no_other_draw(my_task):
             for info, env in zip((own, built_in), envs, strict=True)
         ]
         np.testing.assert_allclose(*shares, rtol=1e-5, err_msg="the ranges follow the file's robot")
-        assert envs[0].task.phase == envs[1].task.phase
+        assert envs[0].task.control.phase == envs[1].task.control.phase
 
 
 def test_single_and_vector_environment_with_own_terms_are_bit_identical(my_task):

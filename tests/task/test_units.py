@@ -231,7 +231,7 @@ def test_episodes_of_the_half_size_robot_are_the_same_in_its_units(preset, terra
     np.testing.assert_allclose(half.observe(), full.observe(), atol=2e-5)
     similar, counts = np.ones(8, dtype=bool), np.zeros(len(full.term_names), dtype=bool)
     for step in range(30):
-        action = 0.4 * np.sin(full.phase[:, None] + np.arange(8)) + 0.2 * rng.uniform(-1.0, 1.0, (8, 8))
+        action = 0.4 * np.sin(full.control.phase[:, None] + np.arange(8)) + 0.2 * rng.uniform(-1.0, 1.0, (8, 8))
         ours, theirs = half.step(action), full.step(action)
         # A contact that one robot just misses sets an episode apart for good.
         similar &= abs(ours.observation - theirs.observation).max(axis=1) < 2e-3
