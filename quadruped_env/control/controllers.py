@@ -75,7 +75,7 @@ class GaitController:
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""
         if self.gait is None:
-            self.gait = CommandedGait.tuned(control.robot)
+            self.gait = CommandedGait.preset("tuned", control.robot)
         gait, clock = self.gait, control.config.clock_frequency
         self._command = tuple(control.command[0].tolist())
         phase = gait.angular_frequency * control.time

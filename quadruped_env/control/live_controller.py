@@ -148,7 +148,7 @@ class LiveController:
         if policy is not None:
             policy.check_is_data("live controller")
         if config is None:
-            config = ControlConfig.of_robot(robot) if policy is None else policy.control
+            config = ControlConfig.of_task({}, robot) if policy is None else policy.control
         if policy is not None:
             # Here, not when it acts: by then the robot would be on its feet.
             policy.check_fits(robot, config)

@@ -28,7 +28,6 @@ from quadruped_env.gait.gait_presets import (
     ARTICLE,
     COMMANDED,
     PRESETS,
-    SINUSOID,
     TROTS,
     TUNED_FOR_ONE_SPEED,
     TUNED_ON,
@@ -287,43 +286,43 @@ class CommandedGait:
         return cls(**others, straight=straight, turn=turn, side=side, robot=robot, legs=legs)
 
     @classmethod
-    def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
+    @functools.cache
+    def preset(cls, name: str, robot: Robot = MINI_QUADRUPED, frequency: float | None = None) -> "CommandedGait":
         """Return a gait by name: the robot's own of `Robot.gaits`, or else the preset.
 
         On the built-in robot, and on those of its shape in any size, `sinusoid` is the trot in closed form, and
         `tuned`, `crouched`, `low` and `fast` were found by searches. Another robot has the gaits of `TROTS`.
 
+        Args:
+            name: a key of `COMMANDED`.
+            robot: robot that walks.
+            frequency: frequency of the gait clock whose strides the preset `sinusoid` has, Hz; None: the default.
+
         Raises:
             QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
                 the robot.
         """
+        gaits, root = robot.gaits or {}, scale_of("m/s", robot)
         if name not in COMMANDED:
             raise QuadrupedError(
                 f"CommandedGait.preset: {name!r} follows no command; those that do are {', '.join(COMMANDED)}"
             )
-        return _commanded(name, robot)
-
-    @classmethod
-    def sinusoid(cls, robot: Robot, frequency: float) -> "CommandedGait":
-        """Return the preset `sinusoid` with the strides of a gait clock.
-
-        Args:
-            robot: robot that walks.
-            frequency: frequency of its clock, Hz.
-
-        Raises:
-            QuadrupedError: if the scripted gaits do not fit the robot.
-        """
-        return _commanded(SINUSOID, robot, frequency)
-
-    @classmethod
-    def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """Return the preset `tuned`.
-
-        Raises:
-            QuadrupedError: if the scripted gaits do not fit the robot.
-        """
-        return cls.preset("tuned", robot)
+        if unknown := set(gaits) - set(COMMANDED):
+            raise QuadrupedError(
+                f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
+                f"{', '.join(COMMANDED)}"
+            )
+        if name in gaits:
+            try:
+                return cls.of_legs(gaits[name], robot)
+            except (TypeError, KeyError, ValueError) as error:
+                raise QuadrupedError(
+                    f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} "
+                    f"({error})"
+                ) from error
+        if has_tuned_shape(robot):
+            return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
+        return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
 
     def parameters(self) -> dict[str, Any]:
         """Return the numbers of the gait as plain values for JSON."""
@@ -399,28 +398,6 @@ def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
         waves[:, :, knee] = sign * np.array((table.knee_sine, table.knee_cosine, table.knee_offset)).reshape(3, -1)
     sine, cosine, offset = waves
     return sine, cosine, offset
-
-
-@functools.cache
-def _commanded(name: str, robot: Robot, frequency: float | None = None) -> CommandedGait:
-    """Return a preset, or `sinusoid` with the strides of a clock with a frequency in Hz."""
-    gaits = robot.gaits or {}
-    if unknown := set(gaits) - set(COMMANDED):
-        raise QuadrupedError(
-            f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
-            f"{', '.join(COMMANDED)}"
-        )
-    if name not in gaits:
-        root = scale_of("m/s", robot)
-        if has_tuned_shape(robot):
-            return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
-        return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
-    try:
-        return CommandedGait.of_legs(gaits[name], robot)
-    except (TypeError, KeyError, ValueError) as error:
-        raise QuadrupedError(
-            f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
-        ) from error
 
 
 def has_tuned_shape(robot: Robot) -> bool:

@@ -58,7 +58,7 @@ def test_roll_joints_turn_the_other_way_under_the_mirror():
 
 
 def test_lateral_velocity_approaches_at_its_own_rate():
-    config = ControlConfig.of_robot(ROBOT)
+    config = ControlConfig.of_task({}, ROBOT)
     assert config.num_velocities == 3
     # One m/s^2 has no size: lengths grow as squared times.
     np.testing.assert_allclose(config.command_rate, [1.0, 4.0 * scale_of("rad/s^2", ROBOT), 1.0], rtol=1e-5)
@@ -72,7 +72,7 @@ def test_lateral_velocity_approaches_at_its_own_rate():
 
 
 def test_a_lateral_velocity_alone_starts_the_gait_clock():
-    control = ControlInterface(ROBOT, ControlConfig.of_robot(ROBOT), 2)
+    control = ControlInterface(ROBOT, ControlConfig.of_task({}, ROBOT), 2)
     least = moving_threshold(ROBOT)[2]
     control.reset(np.arange(2), command=np.array([[0.0, 0.0, 0.99 * least], [0.0, 0.0, -1.01 * least]]))
     np.testing.assert_array_equal(control.moving, [0.0, 1.0])

@@ -11,7 +11,7 @@ from quadruped_env.gait import LEG_PHASES, PRESETS, turn_size
 from quadruped_env.robot import JOINT_NAMES
 from quadruped_env.task import TaskConfig
 
-TUNED = CommandedGait.tuned()
+TUNED = CommandedGait.preset("tuned")
 
 
 def gait(**changes):

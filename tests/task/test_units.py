@@ -256,12 +256,12 @@ def test_the_scripted_gait_walks_on_the_half_size_robot(speed):
 
 
 def test_standing_ends_at_the_same_speed_in_units_of_the_robot():
-    control = ControlInterface(ROBOT, ControlConfig.of_robot(ROBOT), 4)
+    control = ControlInterface(ROBOT, ControlConfig.of_task({}, ROBOT), 4)
     commands = np.array([[0.0141, 0.0], [0.0142, 0.0], [0.0, 0.0282], [0.0, -0.0283]])
     control.reset(np.arange(4), command=commands)
     assert control.moving.tolist() == [0.0, 1.0, 0.0, 1.0]
-    assert ControlConfig.of_robot(ROBOT) == TaskConfig().for_robot(ROBOT).control
-    assert ControlConfig.of_robot(MINI_QUADRUPED) == ControlConfig()
+    assert ControlConfig.of_task({}, ROBOT) == TaskConfig().for_robot(ROBOT).control
+    assert ControlConfig.of_task({}, MINI_QUADRUPED) == ControlConfig()
     safety = Safety.of(ROBOT)
     assert (safety.ramp_speed, safety.min_ramp_time, safety.limp_after) == (2.12132, 0.707107, 1.0)
     assert Safety.of(MINI_QUADRUPED) == Safety()
