@@ -151,11 +151,7 @@ class ControlConfig:
     def of(cls, loop: LoopConfig, section: Mapping[str, Plain], robot: Robot, commands: Sequence[Command]) -> Self:
         """Return the part of a task's config that control needs.
 
-        Args:
-            loop: fields outside of sections.
-            section: the section `command`, with ranges and rates of the commands; missing ones are the robot's.
-            robot: robot of the task.
-            commands: commands of the task.
+        `section` is the section `command`, with ranges and rates of the commands; missing ones are the robot's.
         """
         own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands_for(robot, commands)]
         rates = [

@@ -23,12 +23,6 @@ class ControlInterface:
     In each control step, call `advance()`, then `joint_target(action)` if a policy acts. Then the robot moves. Then
     `approach_requested()` changes the command, and `observe(readings)` returns the next observation. The values of an
     env do not depend on N: see the rules in CONTRIBUTING.md.
-
-    Args:
-        robot: robot that is controlled.
-        config: time step, clock, action scaling and ranges of the command.
-        num_envs: number of envs, N.
-        fields: fields of the observation.
     """
 
     def __init__(

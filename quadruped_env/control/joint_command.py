@@ -68,13 +68,8 @@ def limited(robot: Robot, target: Floats, last: Floats, seconds: float) -> Float
     """Joint targets within the joints' ranges that change no faster than the robot's velocity limit.
 
     They are finite whatever the arguments are: a joint whose target is NaN keeps its last one, and one whose last one
-    is not finite either goes to the stance.
-
-    Args:
-        robot: robot whose limits apply.
-        target: joint targets (J,), rad.
-        last: previous joint targets, or the measured positions (J,), rad.
-        seconds: time since `last`, s.
+    is not finite either goes to the stance. `last` are the previous targets or the measured positions, `seconds` ago;
+    all are (J,) in rad.
     """
     reach = robot.velocity_limit * seconds
     low, high = robot.joint_position_low, robot.joint_position_high

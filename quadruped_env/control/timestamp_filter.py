@@ -23,11 +23,7 @@ class TimestampFilter:
     timestamp, exceeds the minimum lag seen so far by more than `MAX_AGE`. While the robot is moved, the minimum can
     only decrease. While it is not moved, the minimum is learned again when it proves wrong: immediately if states
     arrive with less lag; after `RELEARN_AFTER` if all of them are late, as after a step of either clock, or if the time
-    of the first one was taken too early.
-
-    Args:
-        name: name of the stream, for the reasons.
-        on_lag_changed: called with the change in s when the minimum lag is learned again.
+    of the first one was taken too early. Then `on_lag_changed` is called with the change in s.
     """
 
     def __init__(self, name: str, on_lag_changed: Callable[[float], None] = lambda change: None) -> None:

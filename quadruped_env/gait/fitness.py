@@ -32,11 +32,8 @@ _FASTEST: Final = 0.6
 def fitness(robot: Robot, frequency: float | None = None) -> list[str]:
     """Return what keeps a robot from a trot, one line each with the number that would do; empty if nothing does.
 
-    A robot of the built-in one's shape has its gaits, so its joints' speeds are not checked.
-
-    Args:
-        robot: robot that is to walk.
-        frequency: frequency of its gait clock, Hz; None: the default.
+    A robot of the built-in one's shape has its gaits, so its joints' speeds are not checked. `frequency` is the gait
+    clock's in Hz; None: the default.
     """
     if frequency is None:
         frequency = TROTS[SINUSOID].frequency / scale_of("m/s", robot)

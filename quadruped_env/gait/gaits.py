@@ -41,6 +41,7 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import Floats, frozen
+from quadruped_env.utils.fields import check, check_names, one_of
 from quadruped_env.utils.plain import plain
 
 LEG_TABLES: Final = ("fore", "hind", "fore_turn", "hind_turn", "fore_side", "hind_side")
@@ -83,25 +84,20 @@ class SinusoidalGait:
     _knees: NDArray[np.bool_] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        num_joints, knees = self.robot.num_joints, _knees(self.robot)
-        if len(self.phases) != num_joints:
-            raise QuadrupedError(
-                f"SinusoidalGait: phases must have {num_joints} values, one per joint; found {len(self.phases)}"
-            )
-        amplitude, offset = np.empty(num_joints), np.empty(num_joints)
+        phases, knees = np.array(self.phases, dtype=np.float64), _knees(self.robot)
+        rule = f"{len(knees)} numbers, one per joint"
+        check(phases.shape == knees.shape, "SinusoidalGait: phases", self.phases, rule)
+        amplitude, offset = np.empty((2, len(knees)))
         for kind, joints in (("hip", ~knees), ("knee", knees)):
             for part, values in (("amplitude", amplitude), ("offset", offset)):
                 given, count = getattr(self, f"{kind}_{part}"), int(joints.sum())
-                if np.shape(given) not in ((), (count,)):
-                    raise QuadrupedError(f"SinusoidalGait: {kind}_{part} must be one number or {count}, one per {kind}")
+                rule = f"one number or {count}, one per {kind}"
+                check(np.shape(given) in ((), (count,)), f"SinusoidalGait: {kind}_{part}", given, rule)
                 values[joints] = given
-        values = np.concatenate([amplitude, offset, self.phases, [self.angular_frequency]])
-        if not np.isfinite(values).all():
+        if not np.isfinite([*amplitude, *offset, *phases, self.angular_frequency]).all():
             raise QuadrupedError("SinusoidalGait: every parameter must be finite; found NaN or infinity")
-        object.__setattr__(self, "_amplitude", amplitude)
-        object.__setattr__(self, "_offset", offset)
-        object.__setattr__(self, "_phases", np.array(self.phases, dtype=np.float64))
-        object.__setattr__(self, "_knees", knees)
+        for name, found in {"_amplitude": amplitude, "_offset": offset, "_phases": phases, "_knees": knees}.items():
+            object.__setattr__(self, name, found)
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
@@ -114,11 +110,7 @@ class SinusoidalGait:
         """
         if name in COMMANDED:
             return CommandedGait.preset(name, robot).straight_ahead
-        if name not in ("article", *TUNED_FOR_ONE_SPEED):
-            raise QuadrupedError(
-                f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
-            )
-        if name == "article":
+        if one_of(name, PRESETS, "SinusoidalGait.preset") == "article":
             return SinusoidalGait(**ARTICLE, robot=robot) if robot == TUNED_ON else _published(robot)
         if has_tuned_shape(robot):
             return _tuned_for_one_speed(name, robot)
@@ -158,14 +150,9 @@ class SinusoidalGait:
 
 
 def limit_violations(robot: Robot, low: Floats, high: Floats, speed: Floats, tolerance: float = 1e-9) -> list[str]:
-    """Return messages about the limits that a motion of the joints exceeds.
+    """Return messages about the limits that a motion of the joints exceeds by more than a tolerance.
 
-    Args:
-        robot: the robot.
-        low: lowest position of each joint, rad (J,).
-        high: highest position of each joint, rad (J,).
-        speed: highest speed of each joint, rad/s (J,).
-        tolerance: excess that counts as none, rad and rad/s.
+    `low` and `high` are the ends of the joints' positions (J,) in rad, `speed` their highest speeds (J,) in rad/s.
     """
     found = []
     for i, joint in enumerate(robot.joint_names):
@@ -303,16 +290,8 @@ class CommandedGait:
                 the robot.
         """
         gaits, root = robot.gaits or {}, scale_of("m/s", robot)
-        if name not in COMMANDED:
-            raise QuadrupedError(
-                f"CommandedGait.preset: {name!r} follows no command; those that do are {', '.join(COMMANDED)}"
-            )
-        if unknown := set(gaits) - set(COMMANDED):
-            raise QuadrupedError(
-                f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
-                f"{', '.join(COMMANDED)}"
-            )
-        if name in gaits:
+        check_names(gaits, COMMANDED, f"robot {robot.name!r}: gaits")
+        if one_of(name, COMMANDED, "CommandedGait.preset") in gaits:
             try:
                 return cls.of_legs(gaits[name], robot)
             except (TypeError, KeyError, ValueError) as error:

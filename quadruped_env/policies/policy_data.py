@@ -100,10 +100,8 @@ class PolicyData:
         """Check that the actions are finite for every observation within its bounds, in float32.
 
         A bound on the absolute values after each layer is computed from that before it, by interval arithmetic. It is
-        sound: what passes cannot overflow, in whatever order a library or a microcontroller sums.
-
-        Args:
-            where: beginning of the error message, such as the file.
+        sound: what passes cannot overflow, in whatever order a library or a microcontroller sums. `where`, such as the
+        file, begins the error message.
 
         Raises:
             QuadrupedError: if a weight is not finite, or the bound exceeds what float32 can hold.
@@ -126,10 +124,7 @@ class PolicyData:
     def check_fits(self, robot: Robot, control: ControlConfig, layout: ObservationLayout | None = None) -> None:
         """Check that actions and observations have the same meaning in a task as in training.
 
-        Args:
-            robot: robot of the task.
-            control: its action mode, control rate, clock and history.
-            layout: its observations; None: the policy's own.
+        Without a layout the task's observations are the policy's own.
 
         Raises:
             QuadrupedError: if the robot, action mode, action scale, scripted gait, control rate, gait clock, length of

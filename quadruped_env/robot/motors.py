@@ -220,13 +220,8 @@ def servo_target(
     from either side of the backlash, and else at rest. Within the dead band the servo pulls to where the joint is, and
     beyond it by the error less the dead band, so that the joint comes to rest up to the dead band away.
 
-    Args:
-        target: joint target.
-        position: position that the servo measures.
-        play: position of the joint's end of the gears; begins at the joint's position, updated in place.
-        target_step: see `JointMotor`.
-        backlash: see `JointMotor`.
-        dead_band: see `JointMotor`.
+    `position` is what the servo measures, and `play` the position of the joint's end of the gears, which begins at the
+    joint's position and is updated in place.
     """
     step = np.where(target_step > 0.0, target_step, 1.0)
     rounded = np.where(target_step > 0.0, step * np.rint(target / step), target)
@@ -236,13 +231,7 @@ def servo_target(
 
 
 def fill_command_history(model: mujoco.MjModel, history: Floats, joint_target: Floats) -> None:
-    """Initialize the buffers of delayed motors as if the targets (N, J) in rad had been constant before.
-
-    Args:
-        model: the robot.
-        history: MuJoCo's history buffers (N, model.nhistory), written in place.
-        joint_target: joint targets (N, J), rad.
-    """
+    """Fill MuJoCo's history buffers (N, model.nhistory) as if joint targets (N, J) in rad had been constant before."""
     for actuator in range(model.nu):
         start, samples = model.actuator_historyadr[actuator], model.actuator_history[actuator, 0]
         if start >= 0:

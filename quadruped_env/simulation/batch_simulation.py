@@ -25,11 +25,8 @@ class BatchSimulation:
     """`Simulation` with many envs.
 
     Args:
-        model: model of the robot on its ground.
-        num_envs: number of envs, N.
         num_threads: number of threads that step the envs, the calling thread included; 0 uses every core. The results
             do not depend on it.
-        robot: robot that the model describes.
     """
 
     def __init__(

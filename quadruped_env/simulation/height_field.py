@@ -16,12 +16,9 @@ SURROUNDINGS: Final = "surroundings"
 
 
 class HeightField:
-    """Height field of a model.
+    """Height field of a model that has one as its ground (`build_model`).
 
     Elementwise operations only: the height below a point does not depend on the other points.
-
-    Args:
-        model: model with a height field as its ground (`build_model`).
     """
 
     def __init__(self, model: mujoco.MjModel) -> None:
@@ -78,12 +75,7 @@ class HeightField:
         return np.where(self._inside(place, 0.0), height, self._outside)
 
     def highest(self, positions: Floats, radius: float) -> Floats:
-        """Maximum height (...,) of the grid points around positions (..., 2 or 3), m.
-
-        Args:
-            positions: world coordinates, m.
-            radius: half the side of the square that is covered, m.
-        """
+        """Maximum height (...,) of the grid points in squares of half side `radius` at positions (..., 2 or 3), m."""
         place = positions[..., :2]
         first, _ = self._cell_of(place - radius)
         columns, rows = (

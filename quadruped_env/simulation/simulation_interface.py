@@ -70,14 +70,9 @@ class Simulation(Protocol):
         ...
 
     def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
-        """Add a velocity to the base of some envs (R,).
+        """Add a velocity to the base of some envs (R,); readings change with the next step.
 
-        Readings change with the next step.
-
-        Args:
-            env_ids: indices of the envs.
-            velocity: linear velocity in the world frame in m/s (R, 3), or with it the angular velocity in the body
-                frame in rad/s (R, 6).
+        It is linear in the world frame in m/s (R, 3), or with the angular velocity in the body frame in rad/s (R, 6).
         """
         ...
 

@@ -25,7 +25,6 @@ class SingleSimulation:
 
     Args:
         model: model of the robot on its ground, for this simulation alone: steps and randomizations write to it.
-        robot: robot that the model describes.
     """
 
     num_envs = 1

@@ -23,13 +23,8 @@ class TaskContext:
     A term must read from the context that it is called with and keep no reference to its arrays: they are overwritten
     or replaced at every step.
 
-    Args:
-        readings: readings of the simulation.
-        control: gait clock, commands and actions.
-        velocity_time_constant: time constant of `smooth_velocity`, s.
-        contact_threshold: normal force above which a foot is in contact, N.
-        height_field: heights of the ground; None for a plane at height 0.
-        motors: motors of the simulation. None: the robot's.
+    The time constant of `smooth_velocity` is in s. Without a height field the ground is a plane at height 0; without
+    motors the robot has its own.
     """
 
     joint_offset: Floats

@@ -14,7 +14,6 @@ from quadruped_env.control.observations import (
     ObservationLayout,
     PerRobot,
     Reader,
-    first_line,
     per_unit,
     per_velocity,
 )
@@ -24,6 +23,7 @@ from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.sensor_errors import Sensors
 from quadruped_env.task.reward_function import checked
 from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.parameters import described
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ def privileged(
         scale: factor from the reading to the value function's input.
         bound: the scaled value is clipped to +-bound.
     """
-    return lambda read: PrivilegedReading(read.__name__, read, unit, mirror, scale, bound, 0.0, first_line(read))
+    return lambda read: PrivilegedReading(read.__name__, read, unit, mirror, scale, bound, 0.0, described(read))
 
 
 @privileged(unit="m/s", mirror=(1.0, -1.0, 1.0), scale=per_unit(2.0, "m/s"), bound=4.0)
@@ -137,10 +137,6 @@ PRIVILEGED: Final = (
 
 class PrivilegedReadings:
     """The privileged readings of N robots, scaled and clipped like an observation.
-
-    Args:
-        fields: the readings.
-        state: what they are computed from.
 
     Raises:
         QuadrupedError: if a reading is not an array with its columns.

@@ -222,11 +222,7 @@ class Task:
         return self._move(self.control.joint_target(values), restart)
 
     def act(self, controller: Controller, observation: NDArray[np.float32]) -> Transition:
-        """Advance every env by one control step with a controller's joint targets.
-
-        Args:
-            controller: see `quadruped_env.control.control_interface.Controller`.
-            observation: observations of all envs (N, width).
+        """Advance every env by one control step with a controller's joint targets for the observations (N, width).
 
         Raises:
             QuadrupedError: as `step`.

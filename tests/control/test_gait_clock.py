@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from quadruped_env.control import ControlConfig, ControlInterface
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.controllers import GaitController
 from quadruped_env.gait import CommandedGait
 from quadruped_env.robot import MINI_QUADRUPED

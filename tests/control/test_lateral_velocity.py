@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from twelve_joints import ROBOT
 
-from quadruped_env.control import ControlInterface, ObservationLayout
 from quadruped_env.control.control_config import COMMANDS, ControlConfig, velocity_commands
+from quadruped_env.control.control_interface import ControlInterface
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.steering import key_steps
 from quadruped_env.control.velocity_command import check_command, moving_threshold
 from quadruped_env.envs import ENV_ID

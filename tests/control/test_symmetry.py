@@ -10,8 +10,8 @@ from mirroring import mirrored
 from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
-from quadruped_env.control import ObservationLayout
 from quadruped_env.control.control_config import ACTION_MODES
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.robot import MINI_QUADRUPED
 

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from quadruped_env import CommandedGait
-from quadruped_env.control import ControlConfig, ControlInterface
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import ActionConfig
 

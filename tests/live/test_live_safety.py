@@ -8,7 +8,7 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_L
 from live_bench import EPOCH, LEVEL, LYING, PERIOD, Bench, Recording
 
 from quadruped_env import JOINT_NAMES, QuadrupedError, SinusoidalGait
-from quadruped_env.control import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter

@@ -21,7 +21,7 @@ from trainings import train
 from waiting import wait_until
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
-from quadruped_env.control import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.task_file import load_terms

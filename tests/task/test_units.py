@@ -8,8 +8,10 @@ from half_robot import ROBOT, SIZE, TIME
 from second_robot import ROBOT as OTHER
 from twelve_joints import ROBOT as TWELVE
 
-from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.live_controller import Safety
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.suite.candidate import Candidate

@@ -25,11 +25,7 @@ _ONE_STEP: Final = 2.0**-53
 
 
 class Purposes:
-    """Groups of columns that are drawn together, one group per purpose.
-
-    Args:
-        widths: number of columns per purpose.
-    """
+    """Groups of columns that are drawn together: `widths` gives the number of columns per purpose."""
 
     def __init__(self, widths: Mapping[str, int]) -> None:
         self.widths = widths
@@ -45,11 +41,7 @@ def _constant(purpose: str, column: int) -> int:
 
 
 class Draws:
-    """Uniform random numbers for N envs.
-
-    Args:
-        num_envs: number of envs, N.
-    """
+    """Uniform random numbers for N envs."""
 
     def __init__(self, num_envs: int) -> None:
         # Not cleared at a reset, because it holds the number of the episode.

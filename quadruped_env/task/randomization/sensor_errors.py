@@ -48,7 +48,6 @@ class Sensors:
     between the readings of two control steps, which are all that is stored, they are interpolated linearly.
 
     Args:
-        simulation: simulation of N robots.
         timestep: time between control steps, s.
         largest: largest value of each quantity that is randomized; the others have no error.
     """
