@@ -49,11 +49,11 @@ def scale_of(unit: str, robot: Robot) -> float:
 def steadiness(robot: Robot) -> float:
     """Return how far apart a robot's feet are for its height, relative to the built-in robot; at most 1.
 
-    A rigid robot tips over its feet at a speed of w sqrt(g / L), with half the smaller distance w between its fore and
-    hind or its left and right feet, and under a horizontal force of m g w / L.
+    A rigid robot tips over its feet at a speed of w sqrt(g / L), with half the distance w between its fore and hind or
+    its left and right feet, and under a horizontal force of m g w / L. The direction in which it is less steady counts.
     """
-    own, built_in = (np.ptp(r.stance_feet[:, :2], axis=0).min() / r.stance_height for r in (robot, MINI_QUADRUPED))
-    return min(1.0, _rounded(float(own / built_in), 3))
+    own, built_in = (np.ptp(r.stance_feet[:, :2], axis=0) / r.stance_height for r in (robot, MINI_QUADRUPED))
+    return min(1.0, _rounded(float((own / built_in).min()), 3))
 
 
 @functools.lru_cache(maxsize=64)

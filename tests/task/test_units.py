@@ -166,9 +166,9 @@ def test_pushes_follow_the_distance_of_the_feet_from_each_other():
     assert steadiness(NARROW) == pytest.approx(0.6, abs=1e-3)
     assert steadiness(WIDE) == 1.0, "no larger pushes than the built-in robot's"
     assert steadiness(STILTS) == pytest.approx(MINI_QUADRUPED.stance_height / STILTS.stance_height, abs=2e-3)
-    # The feet of the robot with twelve joints are 0.13 m to the side of its middle.
-    built_in = 0.1 / MINI_QUADRUPED.stance_height
-    assert steadiness(TWELVE) == pytest.approx(0.13 / TWELVE.stance_height / built_in, abs=1e-3)
+    # Feet of the robot with twelve joints: 0.18 m before and behind its middle, of the built-in one 0.15 m.
+    built_in = 0.15 / MINI_QUADRUPED.stance_height
+    assert steadiness(TWELVE) == pytest.approx(0.18 / TWELVE.stance_height / built_in, abs=1e-3)
     for preset in ("moderate", "hard"):
         full, narrow = preset_values(preset), preset_values(preset, NARROW)
         pushes = {"push_velocity", "push_rotation", "push_speed", "push_force"} & full.keys()
