@@ -30,11 +30,8 @@ class TargetGate:
     """Decides which joint targets may reach the motors: those that are finite and at most `MAX_TARGET`.
 
     In place of invalid targets, the last valid ones are sent again, and after `INVALID_TIMEOUT` the motors are
-    disabled. Valid targets in between do not prolong this time unless they last as long.
-
-    Args:
-        joints: names of the joints, for messages (J,).
-        say: called with a line of text at the first invalid target.
+    disabled. Valid targets in between do not prolong this time unless they last as long. At the first invalid target
+    `say` is called with a line of text.
     """
 
     def __init__(self, joints: Sequence[str], say: Callable[[str], None]) -> None:

@@ -171,10 +171,7 @@ def load_robot(path: str | os.PathLike[str] | None) -> Robot:
     Raises:
         QuadrupedError: as `execute`, or if the file defines several robots.
     """
-    if path is None:
-        return MINI_QUADRUPED
-    _, module = execute(path)
-    return robot_in(module) or MINI_QUADRUPED
+    return MINI_QUADRUPED if path is None else load_terms(path).robot
 
 
 def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> tuple[TaskFile, ModuleType]:

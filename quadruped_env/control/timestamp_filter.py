@@ -37,12 +37,9 @@ class TimestampFilter:
         """Minimum lag since then, s."""
 
     def refusal(self, stamp: int, now: float, moving: bool = True) -> str:
-        """Reason to reject a measurement; empty if it is accepted.
+        """Reason to reject a measurement, while the robot is being moved or not; empty if it is accepted.
 
-        Args:
-            stamp: timestamp by the robot's clock, ns.
-            now: time of receipt by this machine's monotonic clock, s.
-            moving: True while the robot is being moved.
+        The timestamp in ns is by the robot's clock, the time of receipt in s by this machine's monotonic clock.
         """
         lag = now - stamp / NS_PER_SECOND
         least = self._lag + _CLOCK_DRIFT * (now - self._seen)

@@ -120,9 +120,7 @@ class Info:
     ) -> dict[str, NDArray[Any]]:
         """Entries that describe the state of one env, or with entries (N, ...) of all, as views of copies.
 
-        Args:
-            env: index of the env, or the slice of all.
-            only: mask (N,) of the envs to describe; the entries of the others are zero. None: all.
+        With a mask `only` (N,) the entries of the other envs are zero.
         """
         task, tiles = self._task, self._task.tiles
         # One copy, with a view per reading, is cheaper than a copy per reading.

@@ -18,7 +18,7 @@ def with_tables(cls: Class) -> Class:
         (
             f"{columns.start}-{columns.stop - 1}",
             f"`{field.name}`",
-            _sentence(field.description),
+            field.description.removesuffix("."),
             field.unit,
             f"{layout.scale[columns][0]:g}",
             f"+-{layout.high[columns][0]:g}",
@@ -26,18 +26,18 @@ def with_tables(cls: Class) -> Class:
         for field, columns in zip(layout.fields, layout.slices.values(), strict=True)
     )
     rewards = (
-        (f"`{name}`", _sentence(term.described(name)), term.unit, f"{weight:g}")
+        (f"`{name}`", term.described(name).removesuffix("."), term.unit, f"{weight:g}")
         for term in BUILT_IN.paid
         for name, weight in term.weights.items()
     )
     terrains = (
-        (f"`{terrain.name}`", _sentence(terrain.description), ", ".join(_terrain_fields(terrain)))
+        (f"`{terrain.name}`", terrain.description.removesuffix("."), ", ".join(_terrain_fields(terrain)))
         for terrain in BUILT_IN.terrains
     )
     tables = {
         "observations": markdown_table(("columns", "name", "reading", "unit", "scale", "bounds"), observations),
         "rewards": markdown_table(("term", "value", "unit", "weight, 1/s"), rewards),
-        "terminations": [f"* {_sentence(term.description)}" for term in BUILT_IN.terminations],
+        "terminations": [f"* {term.description.removesuffix('.')}" for term in BUILT_IN.terminations],
         "terrains": markdown_table(("terrain", "ground", 'fields of `config["terrain"]`'), terrains),
     }
     if cls.__doc__ is not None:  # None with python -OO
@@ -59,7 +59,3 @@ def markdown_table(header: tuple[str, ...], rows: Iterable[tuple[Any, ...]]) -> 
     """Lines of a Markdown table."""
     first, *others = [f"| {' | '.join(row)} |" for row in (header, *rows)]
     return [first, f"|{'---|' * len(header)}", *others]
-
-
-def _sentence(text: str) -> str:
-    return text.removesuffix(".")

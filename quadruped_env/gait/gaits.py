@@ -112,9 +112,11 @@ class SinusoidalGait:
             return CommandedGait.preset(name, robot).straight_ahead
         if one_of(name, PRESETS, "SinusoidalGait.preset") == "article":
             return SinusoidalGait(**ARTICLE, robot=robot) if robot == TUNED_ON else _published(robot)
-        if has_tuned_shape(robot):
-            return _tuned_for_one_speed(name, robot)
         root, trot = scale_of("m/s", robot), TROTS[name]
+        if has_tuned_shape(robot):
+            angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
+            waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", robot))
+            return _sinusoids(robot, angular_frequency / root, joint_phases(robot, name), *waves)
         return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0), trot.phases)
 
     def parameters(self) -> dict[str, Any]:
@@ -203,13 +205,6 @@ def _sinusoids(
     )
 
 
-def _tuned_for_one_speed(name: str, robot: Robot) -> SinusoidalGait:
-    """Return a preset on the robot for which it was tuned, or on one of its shape."""
-    angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
-    waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", robot))
-    return _sinusoids(robot, angular_frequency / scale_of("m/s", robot), joint_phases(robot, name), *waves)
-
-
 def turn_size(yaw_rate: Floats, largest: float) -> Floats:
     """Return the size of a turn for yaw rates of any shape: sign(w) sqrt(|w| largest), at most the largest, rad/s.
 
@@ -277,13 +272,9 @@ class CommandedGait:
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED, frequency: float | None = None) -> "CommandedGait":
         """Return a gait by name: the robot's own of `Robot.gaits`, or else the preset.
 
-        On the built-in robot, and on those of its shape in any size, `sinusoid` is the trot in closed form, and
-        `tuned`, `crouched`, `low` and `fast` were found by searches. Another robot has the gaits of `TROTS`.
-
-        Args:
-            name: a key of `COMMANDED`.
-            robot: robot that walks.
-            frequency: frequency of the gait clock whose strides the preset `sinusoid` has, Hz; None: the default.
+        On the built-in robot, and on others of its shape in any size, `sinusoid` is the trot in closed form, and
+        `tuned`, `crouched`, `low` and `fast` were found by searches. Another robot has the gaits of `TROTS`. With a
+        frequency in Hz the preset `sinusoid` has the strides of a gait clock with it.
 
         Raises:
             QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit

@@ -220,7 +220,7 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> PolicyData:
         document.get("output", "clip"),
         str(path),
     )
-    policy.check_finite(str(directory / TENSORS_FILE))
+    policy.check_is_data(str(directory / TENSORS_FILE))
     return policy
 
 

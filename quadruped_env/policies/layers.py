@@ -69,7 +69,7 @@ def affine_before(layer: Layer, scale: NDArray[Any], shift: NDArray[Any]) -> Lay
 
 
 def check_fits(source: Path, observation: object, action: object, config: TaskConfig) -> None:
-    """Raise a QuadrupedError for a file whose shapes (columns,) and (joints,) are not those of the task."""
+    """Raise a QuadrupedError for a file whose shapes (columns,) and (joints,) do not fit the task."""
     history, fields = config.control.observation_history, config.definition.observations
     width = history * ObservationLayout(config.robot, fields).width
     columns = f"{history} x ({', '.join(entry.name for entry in fields)})"

@@ -149,8 +149,7 @@ class Policy(PolicyData):
     def make_env(self, **kwargs: Any) -> gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]:
         """Return the environment that the policy was trained for: its task, action mode and control rate.
 
-        Args:
-            **kwargs: arguments of `gymnasium.make`, such as `render_mode`, or `terrain` for another ground.
+        `kwargs` are arguments of `gymnasium.make`, such as `render_mode`, or `terrain` for another ground.
 
         Raises:
             QuadrupedError: if `kwargs` name another task than the policy's.
@@ -158,15 +157,7 @@ class Policy(PolicyData):
         return gymnasium.make(ENV_ID, **self._task_arguments(kwargs), **kwargs)
 
     def make_vec_env(self, num_envs: int, **kwargs: Any) -> gymnasium.vector.VectorEnv[Any, Any, Any]:
-        """Return a native vector environment of the task that the policy was trained for.
-
-        Args:
-            num_envs: number of robots.
-            **kwargs: arguments of `gymnasium.make_vec`, such as `max_episode_steps`.
-
-        Raises:
-            QuadrupedError: if `kwargs` name another task than the policy's.
-        """
+        """Return a native vector environment of the task, by arguments of `gymnasium.make_vec`; see `make_env`."""
         return gymnasium.make_vec(ENV_ID, num_envs=num_envs, **self._task_arguments(kwargs), **kwargs)
 
     def _task_arguments(self, kwargs: dict[str, Any]) -> dict[str, Any]:
@@ -207,14 +198,14 @@ class Policy(PolicyData):
             raise QuadrupedError(f"{self.source}: predict: an action is not finite; return numbers in [-1, 1]")
         return np.clip(actions, -1.0, 1.0).astype(np.float32)
 
-    def check_is_data(self, use: str) -> None:
+    def check_is_data(self, where: str) -> None:
         """See `PolicyData.check_is_data`."""
         if self.agent is not None:
             raise QuadrupedError(
-                f"{use}: {self.source} is a policy of Python code, and this takes policies of files: the directory of "
-                f"a run, or of Policy.from_sb3(model).save(DIR), which holds any MLP of Stable-Baselines3"
+                f"{where}: {self.source} is a policy of Python code, and this takes policies of files: the directory "
+                f"of a run, or of Policy.from_sb3(model).save(DIR), which holds any MLP of Stable-Baselines3"
             )
-        super().check_is_data(use)
+        super().check_is_data(where)
 
     def check_env(self, env: Any) -> None:
         """Check that actions and observations have the same meaning in an environment as in training.

@@ -88,23 +88,16 @@ class PolicyData:
             x = activate(x @ weight + bias)
         return OUTPUTS[self.output](x @ self.weights[-1] + self.biases[-1])
 
-    def check_is_data(self, use: str) -> None:
+    def check_is_data(self, where: str) -> None:
         """Check that the policy can be used where its file is needed.
 
-        Raises:
-            QuadrupedError: as `check_finite`, or if it is code.
-        """
-        self.check_finite(use)
-
-    def check_finite(self, where: str) -> None:
-        """Check that the actions are finite for every observation within its bounds, in float32.
-
+        It has weights, and its actions are finite for every observation within its bounds, in float32.
         A bound on the absolute values after each layer is computed from that before it, by interval arithmetic. It is
         sound: what passes cannot overflow, in whatever order a library or a microcontroller sums. `where`, such as the
         file, begins the error message.
 
         Raises:
-            QuadrupedError: if a weight is not finite, or the bound exceeds what float32 can hold.
+            QuadrupedError: if the policy is code, a weight is not finite, or the bound exceeds what float32 can hold.
         """
         activate = ACTIVATIONS[self.activation]
         bound = np.tile(self.layout.high, self.layout.history)

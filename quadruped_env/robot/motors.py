@@ -175,14 +175,8 @@ class MotorConfig(_MotorFields):
             values[kind] = {k: v for k, v in values[kind].items() if v or k not in SERVO_ERRORS}
         return values
 
-    def write(self, spec: mujoco.MjSpec, kinds: Sequence[str], max_delay: float | None = None) -> None:
-        """Set these motors in a robot's specification.
-
-        Args:
-            spec: specification of a robot; its time step must already be set.
-            kinds: kinds of the robot's joints, which are in the order of the actuators.
-            max_delay: maximum delay to allocate a buffer for, s. None: the delay of this config.
-        """
+    def write(self, spec: mujoco.MjSpec, kinds: Sequence[str]) -> None:
+        """Set these motors in a robot's specification, but for their delay; `kinds` as in `of_joints`."""
         for actuator, motor in zip(spec.actuators, self.of_joints(kinds), strict=True):
             joint = spec.joint(actuator.target)
             joint.damping[:] = [motor.damping, 0.0, 0.0]
@@ -196,10 +190,9 @@ class MotorConfig(_MotorFields):
                 controller=[motor.kp, 0.0, motor.kd, 0.0, 0.0, VOLTAGE],
                 ctrlspec=_POSITION,
             )
-        self.write_delay(spec, self.delay if max_delay is None else max_delay)
 
     def write_delay(self, spec: mujoco.MjSpec, max_delay: float) -> None:
-        """Set the delay in a robot's specification, with a buffer for delays up to `max_delay` in s."""
+        """Set the delay in a specification with a time step, with a buffer for delays up to `max_delay` in s."""
         if max_delay > 0.0:
             for actuator in spec.actuators:
                 actuator.delay, actuator.interp = self.delay, _LINEAR

@@ -363,7 +363,7 @@ class Robot:
         """
         spec = self._parsed(scene)
         make_servos(spec, self.joint_names)
-        self.motors.write(spec, self.joint_kinds, max_delay=0.0)  # the delay depends on the time step
+        self.motors.write(spec, self.joint_kinds)
         if self.sensors is None:
             bodies = self.skeleton.model.jnt_bodyid[[1 + joints[0] for joints in self.leg_joints]]
             hips = [self.skeleton.model.body(body).name for body in bodies]

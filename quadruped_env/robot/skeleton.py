@@ -62,7 +62,8 @@ class Skeleton:
         foot_sites: Sequence[str],
     ) -> None:
         self.joint_names, self.link_names = joint_names, link_names
-        self.feet = [(_name(whole, whole.site(site).bodyid[0]), whole.site(site).pos.copy()) for site in foot_sites]
+        sites = [whole.site(name) for name in foot_sites]
+        self.feet = [(whole.body(int(site.bodyid[0])).name, site.pos.copy()) for site in sites]
         """Link of each foot, and the foot's centre in the frame of that link, m."""
         self._collision = _collision_points(whole)
         for body in spec.bodies[1:]:
@@ -222,13 +223,8 @@ class Skeleton:
     def joint_transforms(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
         """Return the transforms that `robot_state_publisher` sends on `/tf`: one per joint, from parent to child link.
 
-        Args:
-            positions: joint positions in rad, shape (..., J).
-            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7). With it the first
-                transform places the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
-
-        Returns:
-            Transforms with leading axes (...), in the order of `joint_names`.
+        They have leading axes (...), for positions (..., J) and base poses (..., 7) as in `forward_kinematics`. With
+        poses the first one places the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
 
         Raises:
             QuadrupedError: if a shape is wrong or a value is not finite.
@@ -294,22 +290,16 @@ def _support_normal(feet: Floats, centre: Floats) -> Floats:
     return np.array([0.0, 0.0, 1.0])
 
 
-def _name(model: mujoco.MjModel, body: int) -> str:
-    return model.body(int(body)).name
-
-
 def _collision_points(model: mujoco.MjModel) -> tuple[list[tuple[str, Floats]], Floats]:
     """Return the points by link and radii (P,) of the balls whose convex hulls are the collision shapes."""
     points: list[tuple[str, Floats]] = []
     radii: list[float] = []
     for geom in np.flatnonzero(model.geom_contype | model.geom_conaffinity):
         local, radius = _balls(model, int(geom))
-        quaternion = model.geom_quat[geom]
+        quaternion, link = model.geom_quat[geom], model.body(int(model.geom_bodyid[geom])).name
         for point in local:
             # Rounded, because MuJoCo states centre and half length where a model states the two ends.
-            points.append(
-                (_name(model, model.geom_bodyid[geom]), np.round(rotate(quaternion, point) + model.geom_pos[geom], 12))
-            )
+            points.append((link, np.round(rotate(quaternion, point) + model.geom_pos[geom], 12)))
             radii.append(radius)
     return points, np.array(radii)
 

@@ -21,7 +21,7 @@ def written_urdf(name: str, model: mujoco.MjModel, motors: Sequence[JointMotor])
     """Return the links, joints, inertia, collision shapes and drives of a model as URDF.
 
     A capsule becomes a cylinder and two spheres, and a mesh the box around it. The model is the robot alone, whose
-    first joint is free; `motors` are those of the other joints.
+    first joint is free; `motors` has one for each other joint.
 
     Raises:
         QuadrupedError: if a joint is no hinge at the origin of its link.

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import fields
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,8 @@ from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import quantities
 from quadruped_env.utils.arrays import Floats
+
+_SMALLEST_COMMAND: Final = np.array([0.1, 0.2, 0.1])
 
 
 class TaskContext:
@@ -75,8 +78,9 @@ class TaskContext:
         self._airborne: Floats = self.memory.zeros("airborne", self.robot.num_legs)
         self.contact_threshold = contact_threshold
         """Normal force above which a foot is in contact, N."""
-        self.velocity_unit = np.array([scale_of(entry.unit, self.robot) for entry in velocity_commands(self.robot)])
-        """Size of a velocity and of a rate for the robot relative to the built-in one, (V,)."""
+        units = np.array([scale_of(entry.unit, self.robot) for entry in velocity_commands(self.robot)])
+        self.smallest_command = _SMALLEST_COMMAND[: len(units)] * units
+        """Command below which progress is reduced in proportion (V,), m/s, rad/s and m/s."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
         self.readings = readings

@@ -1,6 +1,5 @@
 """Privileged readings: what a simulation knows and a robot does not measure, for the value function of a training."""
 
-import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
@@ -21,7 +20,7 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.sensor_errors import Sensors
-from quadruped_env.task.reward_function import checked
+from quadruped_env.task.reward_function import check_fields
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.parameters import described
 
@@ -145,9 +144,7 @@ class PrivilegedReadings:
     def __init__(self, fields: Sequence[PrivilegedReading], state: TrueState) -> None:
         self.layout = ObservationLayout(state.context.robot, tuple(fields))
         self._state = state
-        for field in fields:
-            shape = state.simulation.num_envs, field.width(state.context.robot)
-            checked(f"privileged reading {field.name}", shape, functools.partial(field.read, state))
+        check_fields("privileged reading", self.layout, state.simulation.num_envs, state)
 
     def values(self) -> NDArray[np.float32]:
         """Return the scaled readings (N, layout.width) in a new array.

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardSection, RewardTerm, Termination, TerminationSection
@@ -63,6 +64,13 @@ def checked(what: str, shape: tuple[int, ...], call: Callable[[], object], dtype
     found, kind = getattr(value, "shape", type(value).__name__), getattr(value, "dtype", None)
     check(found == shape, what, found, f"an array of shape {shape}, one value per env")
     check(dtype in (None, kind), what, str(kind), f"an array of {dtype}, one value per env")
+
+
+def check_fields(what: str, layout: ObservationLayout, num_envs: int, *arguments: object) -> None:
+    """Check what each field of a layout reads from the arguments; see `checked`."""
+    for field in layout.fields:
+        shape = num_envs, field.width(layout.robot)
+        checked(f"{what} {field.name}", shape, functools.partial(field.read, *arguments))
 
 
 class Terminations:

@@ -4,7 +4,6 @@ The single and the vector environment share this code. The values of an env do n
 rules in CONTRIBUTING.md before changing an expression here.
 """
 
-import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -23,7 +22,7 @@ from quadruped_env.task.privileged import PrivilegedReadings, TrueState
 from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.randomizer import Randomizer
 from quadruped_env.task.randomization.tile_assignment import TileAssignment
-from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
+from quadruped_env.task.reward_function import RewardFunction, Terminations, check_fields
 from quadruped_env.task.task_config import TaskConfig
 from quadruped_env.task.terrain_section import TilesSection
 from quadruped_env.utils.arrays import Bools, EnvIds, Floats
@@ -73,6 +72,8 @@ class Task:
         self.max_episode_steps = max_episode_steps
         n = self.num_envs = simulation.num_envs
         self.control = ControlInterface(config.robot, config.control, n, definition.observations)
+        self.command = self.control.command
+        """Commanded velocities (N, V); see `ControlInterface.command`; live."""
         self.context = TaskContext(
             simulation.readings,
             self.control,
@@ -121,15 +122,10 @@ class Task:
             self._check_terms()
 
     def __reduce__(self) -> tuple[object, ...]:
-        # Made again, because its arrays are views of each other, of which pickling would make copies. The generators
-        # are also those of a single env.
+        # Made again, because its arrays are views of each other, of which pickling would make copies. A single env has
+        # the same generators.
         states = [self.get_state(env_id) for env_id in range(self.num_envs)]
         return _restored, (self.config, self.simulation, self.max_episode_steps, self.generators, states)
-
-    @property
-    def command(self) -> Floats:
-        """Commanded velocities (N, V); see `ControlInterface.command`; live."""
-        return self.control.command
 
     def reset(
         self,
@@ -338,11 +334,7 @@ class Task:
         self.control.phase[:] = 0.0
         self._rewards.check(self.context)
         self._terminations.check(self.context)
-        layout = self.control.layout
-        for field in layout.fields:
-            shape = self.num_envs, field.width(self.control.robot)
-            read = functools.partial(field.read, self.simulation.readings, self.control)
-            checked(f"observation {field.name}", shape, read)
+        check_fields("observation", self.control.layout, self.num_envs, self.simulation.readings, self.control)
         self.context.memory.clear(np.arange(self.num_envs))
 
     def _refuse_reward(self, terms: Floats) -> None:

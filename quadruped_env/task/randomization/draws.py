@@ -29,15 +29,11 @@ class Purposes:
 
     def __init__(self, widths: Mapping[str, int]) -> None:
         self.widths = widths
-        constants = [_constant(name, i) for name, width in widths.items() for i in range(width)]
-        self.constants: Keys = np.array(constants, dtype=np.uint64)
+        columns = [f"{name}/{i}".encode() for name, width in widths.items() for i in range(width)]
+        digests = [hashlib.blake2b(column, digest_size=8).digest() for column in columns]
+        self.constants: Keys = np.frombuffer(b"".join(digests), dtype="<u8").astype(np.uint64)
         ends = np.cumsum(list(widths.values()), dtype=int).tolist()
         self.slices = {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
-
-
-def _constant(purpose: str, column: int) -> int:
-    digest = hashlib.blake2b(f"{purpose}/{column}".encode(), digest_size=8).digest()
-    return int.from_bytes(digest, "little")
 
 
 class Draws:
@@ -62,15 +58,9 @@ class Draws:
         self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
 
     def uniform(self, purposes: Purposes, env_ids: NDArray[np.intp] | slice, step: NDArray[np.int64]) -> Floats:
-        """Return the numbers in [0, 1) for some envs at a step of their episodes.
+        """Return numbers (R, columns) in [0, 1) for some envs (R,) at a control step of each of their episodes (R,).
 
-        Args:
-            purposes: purposes to draw for.
-            env_ids: indices (R,), or a slice.
-            step: control step of each of these envs (R,); the same step always gives the same numbers.
-
-        Returns:
-            Numbers (R, number of columns).
+        The same step always gives the same numbers.
         """
         key = self._episode_key[env_ids] + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN
         mixed = _mix(_mix(key)[:, None] ^ purposes.constants)

@@ -120,12 +120,9 @@ class Randomizer:
         self._noise_values = np.zeros((control.num_envs, layout.width))
 
     def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> None:
-        """Set some envs (R,) to random initial states.
+        """Set some envs (R,) to random initial states, at places (R, 2) in m, or else at the origin.
 
-        Args:
-            env_ids: indices of the envs.
-            place: position (R, 2) of each start, m; None: the origin.
-            command: commands (R, C); None: random.
+        Without commands (R, C) these are random.
         """
         simulation, sensors = self._simulation, self.sensors
         simulation.restore_model_fields(env_ids)
