@@ -1,7 +1,6 @@
 """The single environment."""
 
 import os
-from types import MappingProxyType
 from typing import Any
 
 import gymnasium
@@ -217,4 +216,4 @@ class MiniQuadrupedRoughEnv(MiniQuadrupedEnv):
     them again, or name another terrain. All else is as in `MiniQuadrupedEnv`.
     """
 
-    default_config = MappingProxyType(arguments.ROUGH_CONFIG)
+    default_config = arguments.ROUGH_CONFIG

@@ -2,7 +2,6 @@
 
 import functools
 import os
-from types import MappingProxyType
 from typing import Any
 
 import gymnasium
@@ -182,7 +181,7 @@ class MiniQuadrupedVectorEnv(
 class MiniQuadrupedRoughVectorEnv(MiniQuadrupedVectorEnv):
     """N copies of `MiniQuadrupedRoughEnv`; see `MiniQuadrupedVectorEnv`."""
 
-    default_config = MappingProxyType(arguments.ROUGH_CONFIG)
+    default_config = arguments.ROUGH_CONFIG
 
 
 def _only(values: NDArray[Any], env_ids: NDArray[np.intp]) -> NDArray[Any]:

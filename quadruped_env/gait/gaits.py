@@ -226,11 +226,11 @@ class CommandedGait:
         angular_frequency: angular frequency, rad/s.
         speeds: forward velocities of the tables (K,), increasing, m/s.
         largest_yaw_rate: yaw rate up to which the tables for turning hold, rad/s; for a larger one it is used.
-        straight: waves of the joints without a yaw rate, (K, J) each, rad.
-        turn: what a turn of either sign adds, per rad/s of its size, (K, J) each.
-        side: what a turn to the left adds and one to the right subtracts, per rad/s of its size, (K, J) each.
+        straight: waves of the joints without a yaw rate: sine part, cosine part and offset (3, K, J), rad.
+        turn: what a turn of either sign adds, per rad/s of its size (3, K, J).
+        side: what a turn to the left adds and one to the right subtracts, per rad/s of its size (3, K, J).
         robot: robot that walks.
-        lateral: what motion to the left adds and to the right subtracts, per m/s, (K, J) each; only of a robot whose
+        lateral: what motion to the left adds and to the right subtracts, per m/s (3, K, J); only of a robot whose
             legs can move their feet sideways.
         legs: the tables of a fore and a hind leg from which the waves were made, if they were.
     """
@@ -238,18 +238,20 @@ class CommandedGait:
     angular_frequency: float
     speeds: Sequence[float]
     largest_yaw_rate: float
-    straight: Waves
-    turn: Waves
-    side: Waves
+    straight: Floats
+    turn: Floats
+    side: Floats
     robot: Robot = MINI_QUADRUPED
-    lateral: Waves | None = None
+    lateral: Floats | None = None
     legs: Mapping[str, LegTable] | None = None
     _phases: Floats = field(init=False, repr=False)
     _tables: Floats = field(init=False, repr=False)
     """The waves side by side, (K, 9 J) or (K, 12 J)."""
 
     def __post_init__(self) -> None:
-        tables = np.concatenate([*self.straight, *self.turn, *self.side, *(self.lateral or ())], axis=1)
+        tables = np.concatenate(
+            [*self.straight, *self.turn, *self.side, *([] if self.lateral is None else self.lateral)], axis=1
+        )
         if len(tables) != len(self.speeds):
             raise QuadrupedError(f"gait: the tables have {len(tables)} rows for {len(self.speeds)} speeds")
         object.__setattr__(self, "_tables", frozen(tables))
@@ -357,8 +359,8 @@ class CommandedGait:
         return _sinusoids(self.robot, self.angular_frequency, joint_phases(self.robot, phases), *waves)
 
 
-def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
-    """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
+def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Floats:
+    """Return the waves of all joints (3, K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
     waves = np.zeros((3, np.size(legs["fore" + part].hip_sine), robot.num_joints))
     for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
         hip, knee = joints
@@ -366,8 +368,7 @@ def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
         sign = -1.0 if part == "_side" and corner % 2 == 0 else 1.0
         waves[:, :, hip] = sign * np.array((table.hip_sine, table.hip_cosine, table.hip_offset)).reshape(3, -1)
         waves[:, :, knee] = sign * np.array((table.knee_sine, table.knee_cosine, table.knee_offset)).reshape(3, -1)
-    sine, cosine, offset = waves
-    return sine, cosine, offset
+    return waves
 
 
 def has_tuned_shape(robot: Robot) -> bool:
@@ -412,19 +413,14 @@ def _trot(robot: Robot, trot: Trot, frequency: float) -> CommandedGait:
     found = np.stack(trot_waves(robot, frequency, velocities, trot)).reshape(3, len(aside), len(speeds), -1)
     straight, left, right, to_left, to_right = np.moveaxis(found, 1, 0)
     turn, side = 0.5 * (left + right) - straight, 0.5 * (left - right)
+    # To 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums.
     return CommandedGait(
         math.tau * frequency,
         speeds,
         largest,
-        straight=_rounded(straight),
-        turn=_rounded(turn / largest),
-        side=_rounded(side / largest),
+        straight=straight.round(6),
+        turn=(turn / largest).round(6),
+        side=(side / largest).round(6),
         robot=robot,
-        lateral=_rounded(0.5 * (to_left - to_right) / lateral) if lateral else None,
+        lateral=(0.5 * (to_left - to_right) / lateral).round(6) if lateral else None,
     )
-
-
-def _rounded(waves: Floats) -> Waves:
-    """Return waves to 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums."""
-    sine, cosine, offset = waves.round(6)
-    return sine, cosine, offset
