@@ -65,6 +65,7 @@ def measured(commands, motors, noise=NOISE, every=2, seed=0, robot=MINI_QUADRUPE
     """Recording of a robot on a stand under the commands, by MuJoCo alone: 5 ms steps, every second one measured."""
     spec = joint_spec(robot, 0.005)
     motors.write(spec, robot.joint_kinds)
+    motors.write_delay(spec, motors.delay)
     model = spec.compile()
     data = mujoco.MjData(model)
     data.qpos = commands.positions[0]
