@@ -82,6 +82,14 @@ def test_actions_have_the_leading_shape_of_the_observations(shape):
         np.testing.assert_allclose(actions[index], policy.predict(observations(shape)[index]), atol=1e-6)
 
 
+@pytest.mark.parametrize("count", [16, 17, 41, 152])
+def test_actions_of_many_envs_are_those_of_few(count):
+    """Wide layers are computed by blocks of rows."""
+    policy, seen = make_policy(hidden=(128, 128)), observations((count,))
+    few = [policy.predict(seen[i : i + 5]) for i in range(0, count, 5)]
+    np.testing.assert_allclose(policy.predict(seen), np.concatenate(few), rtol=0, atol=1e-5)
+
+
 def test_actions_stay_within_one():
     policy = make_policy()
     actions = policy.predict(50.0 * observations((100,)))
@@ -115,7 +123,7 @@ def test_bound_of_the_actions_counts_the_larger_side_of_an_activation_function()
     weights = np.zeros_like(policy.weights[0]), np.full((10, 8), 1e37 / 0.13, np.float32)
     biases = np.full(10, 0.1, np.float32), np.zeros(8, np.float32)
     with pytest.raises(QuadrupedError, match=r"here: layer1 can exceed float32"):
-        dataclasses.replace(policy, weights=weights, biases=biases).check_finite("here")
+        dataclasses.replace(policy, weights=weights, biases=biases).check_is_data("here")
 
 
 def test_files_of_a_policy_have_the_same_permissions(tmp_path):

@@ -2,14 +2,17 @@
 
 import dataclasses
 
+import mujoco
 import numpy as np
 import pytest
 from half_robot import ROBOT, SIZE, TIME
 from second_robot import ROBOT as OTHER
 from twelve_joints import ROBOT as TWELVE
 
-from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.live_controller import Safety
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.suite.candidate import Candidate
@@ -159,14 +162,23 @@ def test_a_similar_robot_is_as_steady_and_its_motors_heat_as_much(law):
     assert (law(MINI_QUADRUPED), law(ROBOT)) == (1.0, 1.0)
 
 
+def slopes(robot):
+    """Distances of the centre of mass from the outermost feet, fore, left, hind and right, over its height."""
+    model = mujoco.MjSpec.from_string(robot.mjcf).compile()
+    data = mujoco.MjData(model)
+    data.qpos[:] = [0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance]
+    mujoco.mj_forward(model, data)
+    x, y, z = data.subtree_com[1]
+    feet = np.array([data.site(name).xpos for name in robot.foot_sites])
+    return np.array([feet[:, 0].max() - x, feet[:, 1].max() - y, x - feet[:, 0].min(), y - feet[:, 1].min()]) / z
+
+
 def test_pushes_follow_the_distance_of_the_feet_from_each_other():
-    """What tips a rigid robot over its feet is in proportion to their distance over the height."""
+    """What tips a rigid robot is in proportion to the feet's distance from its centre of mass, over its height."""
     assert steadiness(NARROW) == pytest.approx(0.6, abs=1e-3)
     assert steadiness(WIDE) == 1.0, "no larger pushes than the built-in robot's"
-    assert steadiness(STILTS) == pytest.approx(MINI_QUADRUPED.stance_height / STILTS.stance_height, abs=2e-3)
-    # Feet of the robot with twelve joints: 0.18 m before and behind its middle, of the built-in one 0.15 m.
-    built_in = 0.15 / MINI_QUADRUPED.stance_height
-    assert steadiness(TWELVE) == pytest.approx(0.18 / TWELVE.stance_height / built_in, abs=1e-3)
+    for robot in (NARROW, STILTS, TWELVE):
+        assert steadiness(robot) == pytest.approx((slopes(robot) / slopes(MINI_QUADRUPED)).min(), abs=1e-3)
     for preset in ("moderate", "hard"):
         full, narrow = preset_values(preset), preset_values(preset, NARROW)
         pushes = {"push_velocity", "push_rotation", "push_speed", "push_force"} & full.keys()
@@ -231,7 +243,7 @@ def test_episodes_of_the_half_size_robot_are_the_same_in_its_units(preset, terra
     np.testing.assert_allclose(half.observe(), full.observe(), atol=2e-5)
     similar, counts = np.ones(8, dtype=bool), np.zeros(len(full.term_names), dtype=bool)
     for step in range(30):
-        action = 0.4 * np.sin(full.phase[:, None] + np.arange(8)) + 0.2 * rng.uniform(-1.0, 1.0, (8, 8))
+        action = 0.4 * np.sin(full.control.phase[:, None] + np.arange(8)) + 0.2 * rng.uniform(-1.0, 1.0, (8, 8))
         ours, theirs = half.step(action), full.step(action)
         # A contact that one robot just misses sets an episode apart for good.
         similar &= abs(ours.observation - theirs.observation).max(axis=1) < 2e-3
@@ -256,12 +268,12 @@ def test_the_scripted_gait_walks_on_the_half_size_robot(speed):
 
 
 def test_standing_ends_at_the_same_speed_in_units_of_the_robot():
-    control = ControlInterface(ROBOT, ControlConfig.of_robot(ROBOT), 4)
+    control = ControlInterface(ROBOT, ControlConfig.of_task({}, ROBOT), 4)
     commands = np.array([[0.0141, 0.0], [0.0142, 0.0], [0.0, 0.0282], [0.0, -0.0283]])
     control.reset(np.arange(4), command=commands)
     assert control.moving.tolist() == [0.0, 1.0, 0.0, 1.0]
-    assert ControlConfig.of_robot(ROBOT) == TaskConfig().for_robot(ROBOT).control
-    assert ControlConfig.of_robot(MINI_QUADRUPED) == ControlConfig()
+    assert ControlConfig.of_task({}, ROBOT) == TaskConfig().for_robot(ROBOT).control
+    assert ControlConfig.of_task({}, MINI_QUADRUPED) == ControlConfig()
     safety = Safety.of(ROBOT)
     assert (safety.ramp_speed, safety.min_ramp_time, safety.limp_after) == (2.12132, 0.707107, 1.0)
     assert Safety.of(MINI_QUADRUPED) == Safety()
