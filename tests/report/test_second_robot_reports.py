@@ -161,6 +161,12 @@ class TestReport:
         assert "<small>N m limit 14</small>" in html
         assert document["config"]["robot"] == ROBOT.identity
 
+    def test_scripted_gait_is_no_searched_one_and_the_articles_is_left_to_robots_of_its_shape(self, report):
+        html, document = report
+        assert list(document["controllers"]) == ["policy", "tuned", "zero"]
+        assert "Scripted gait" in html
+        assert not re.search("[Ss]earched gait|Article's gait", html)
+
     def test_figures_follow_the_legs_and_joints_of_the_robot(self, report):
         figures = Figures(report[0]).found
         gait = texts(figures["Gait: which feet are on the ground"])
