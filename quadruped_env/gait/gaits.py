@@ -388,6 +388,20 @@ class CommandedGait:
         return _sinusoids(self.robot, self.angular_frequency, joint_phases(self.robot, phases), *waves)
 
 
+def check_two_joints(robot: Robot, what: str) -> None:
+    """Refuse a robot for whose legs there is no `LegTable`; `what` begins the sentence that says what is for others.
+
+    Raises:
+        QuadrupedError: if a leg has not two joints.
+    """
+    counts = {len(joints) for joints in robot.leg_joints}
+    if counts != {2}:
+        raise QuadrupedError(
+            f"robot {robot.name!r}: {what} for legs of two joints, and its legs have {max(counts)}; leave it out: the "
+            f"robot has the trot that follows from its kinematics (docs/gaits.md)"
+        )
+
+
 def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
     """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
     waves = np.zeros((3, np.size(legs["fore" + part].hip_sine), robot.num_joints))
@@ -415,6 +429,7 @@ def _commanded(name: str, robot: Robot, frequency: float | None = None) -> Comma
         if has_tuned_shape(robot):
             return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
         return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
+    check_two_joints(robot, f"gaits[{name!r}] is")
     try:
         return CommandedGait.of_legs(gaits[name], robot)
     except (TypeError, KeyError, ValueError) as error:
