@@ -124,7 +124,7 @@ def reached(source: str, case: Case, seeds: int, seconds: float) -> tuple[list[s
 def step_costs(cases: Sequence[Case]) -> list[float]:
     """Time of a control step's physics relative to the first case, with walking robots: the best of several rounds."""
     config = TaskConfig()
-    robot, gait = config.robot, CommandedGait.tuned(config.robot)
+    robot, gait = config.robot, CommandedGait.preset("tuned", config.robot)
     command = np.tile([0.3, 0.3], (_ROBOTS, 1))
     steps = np.arange(round(1.0 / config.control_timestep)) * config.control_timestep
     # The robots are at different phases, as in training.

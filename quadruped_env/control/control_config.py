@@ -40,9 +40,7 @@ class ActionConfig(Fields, path="config.action"):
         """Gait to which the actions of a robot with a clock of a frequency in Hz are added; None in `position` mode."""
         if self.mode != "residual":
             return None
-        if self.gait == SINUSOID:
-            return CommandedGait.sinusoid(robot, clock)
-        return CommandedGait.preset(self.gait, robot)
+        return CommandedGait.preset(self.gait, robot, clock if self.gait == SINUSOID else None)
 
 
 @dataclass(frozen=True)
@@ -155,11 +153,7 @@ class ControlConfig:
     def of(cls, loop: LoopConfig, section: Mapping[str, Plain], robot: Robot, commands: Sequence[Command]) -> Self:
         """Return the part of a task's config that control needs.
 
-        Args:
-            loop: fields outside of sections.
-            section: the section `command`, with ranges and rates of the commands; missing ones are the robot's.
-            robot: robot of the task.
-            commands: commands of the task.
+        `section` is the section `command`, with ranges and rates of the commands; missing ones are the robot's.
         """
         own = [replace(entry, range=section.get(entry.name, entry.range)) for entry in commands_for(robot, commands)]
         rates = [
@@ -170,18 +164,11 @@ class ControlConfig:
         return cls(timestep, loop.clock_frequency, history, loop.action, tuple(rates), tuple(own))
 
     @classmethod
-    def of_robot(cls, robot: Robot) -> Self:
-        """The defaults for a robot."""
-        return cls(
-            clock_frequency=clock_frequency(robot), command_rate=command_rate(robot), commands=velocity_commands(robot)
-        )
-
-    @classmethod
     def of_task(cls, values: Plain, robot: Robot, commands: Sequence[Command] = VELOCITIES) -> Self:
         """Create a config from the plain values of a task's config, as stored in a policy's file.
 
         Args:
-            values: result of `TaskConfig.to_dict`.
+            values: result of `TaskConfig.to_dict`; missing fields have the robot's defaults.
             robot: robot of the task.
             commands: components of the command; their ranges are replaced by those in `values`.
 
@@ -191,5 +178,6 @@ class ControlConfig:
         section = values.get("command", {}) if isinstance(values, dict) else values
         if not isinstance(section, dict):
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(section)}")
+        default = LoopConfig(clock_frequency=clock_frequency(robot))
         of_loop = {name: value for name, value in values.items() if name in hints_of(LoopConfig)}
-        return cls.of(with_values(LoopConfig(), of_loop, "config"), section, robot, commands)
+        return cls.of(with_values(default, of_loop, "config"), section, robot, commands)

@@ -23,12 +23,6 @@ class ControlInterface:
     In each control step, call `advance()`, then `joint_target(action)` if a policy acts. Then the robot moves. Then
     `approach_requested()` changes the command, and `observe(readings)` returns the next observation. The values of an
     env do not depend on N: see the rules in CONTRIBUTING.md.
-
-    Args:
-        robot: robot that is controlled.
-        config: time step, clock, action scaling and ranges of the command.
-        num_envs: number of envs, N.
-        fields: fields of the observation.
     """
 
     def __init__(
@@ -49,6 +43,8 @@ class ControlInterface:
         """Action of the step before, (N, J)."""
         self.commands: Floats = memory.zeros("commands", max(len(config.commands), config.num_velocities))
         """All components of the command, in the order of `config.commands`, (N, C)."""
+        self.command = self.commands[:, : config.num_velocities]
+        """Commanded forward velocity (m/s), yaw rate (rad/s) and any lateral velocity (m/s), (N, V); a view."""
         self.requested: Floats = memory.zeros("requested", config.num_velocities)
         """Requested velocities, which `command` approaches at a limited rate, (N, V)."""
         self.moving: Floats = memory.zeros("moving")
@@ -81,11 +77,6 @@ class ControlInterface:
         )
         self._clock: Floats = np.zeros((num_envs, 2))
         self.reset(np.arange(num_envs))
-
-    @property
-    def command(self) -> Floats:
-        """Commanded forward velocity (m/s), yaw rate (rad/s) and any lateral velocity (m/s), (N, V); a view."""
-        return self.commands[:, : self.config.num_velocities]
 
     def reset(self, env_ids: NDArray[np.intp], phase: Floats | float = 0.0, command: Floats | None = None) -> None:
         """Reset some envs (R,): zero actions, the gait clock at a phase (R,) in rad, commands (R, C); None: zero.
@@ -178,11 +169,7 @@ class ControlInterface:
         """Observations (N, layout.history * layout.width) in a new array: of this step, then of the steps before.
 
         Before an episode's first step there is none, so its first observation stands for them. A second call in the
-        same step replaces the observation of the first.
-
-        Args:
-            readings: readings of the N robots.
-            noise: added to the unscaled readings, (N, layout.width).
+        same step replaces the observation of the first. Noise (N, layout.width) is added to the unscaled readings.
         """
         layout = self.layout
         raw = np.concatenate([field.read(readings, self) for field in layout.fields], axis=1)
@@ -220,10 +207,5 @@ class Controller(Protocol):
     """False if the velocity command has no effect."""
 
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
-        """Joint targets (N, J) in rad for one control step.
-
-        Args:
-            observation: observations of all envs (N, width).
-            control: clocks, commands and actions of the envs, already advanced to this step.
-        """
+        """Joint targets (N, J) in rad for the observations (N, width); `control` is already advanced to this step."""
         ...

@@ -20,11 +20,7 @@ if TYPE_CHECKING:
 
 
 class ZeroController:
-    """Zero action: the robot stands, or in mode `residual` walks with the scripted gait.
-
-    Args:
-        action_mode: action mode of the task.
-    """
+    """Zero action: the robot stands, or in a task of the mode `residual` walks with the scripted gait."""
 
     name = "zero"
 
@@ -45,7 +41,6 @@ class GaitController:
 
     Args:
         gait: the gait; None: the tuned one of the robot that is controlled, which follows the command.
-        name: name in reports.
     """
 
     action_mode = "position"
@@ -75,7 +70,7 @@ class GaitController:
     def act(self, observation: NDArray[np.float32], control: ControlInterface) -> Floats:
         """See `Controller.act`."""
         if self.gait is None:
-            self.gait = CommandedGait.tuned(control.robot)
+            self.gait = CommandedGait.preset("tuned", control.robot)
         gait, clock = self.gait, control.config.clock_frequency
         self._command = tuple(control.command[0].tolist())
         phase = gait.angular_frequency * control.time
@@ -114,7 +109,6 @@ class TrajectoryController:
 
     Args:
         trajectory: the recording; time 0 is its first timestamp.
-        name: name in reports.
         loop: begin again at the end, one control step after the last row; otherwise the last positions are held.
     """
 

@@ -12,11 +12,7 @@ State = dict[str, Any]
 
 
 class EpisodeMemory:
-    """The episode arrays of N envs, each registered under a name when it is created.
-
-    Args:
-        num_envs: number of envs, N.
-    """
+    """The episode arrays of N envs, each registered under a name when it is created."""
 
     def __init__(self, num_envs: int) -> None:
         self.num_envs = num_envs

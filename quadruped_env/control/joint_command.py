@@ -30,11 +30,8 @@ class TargetGate:
     """Decides which joint targets may reach the motors: those that are finite and at most `MAX_TARGET`.
 
     In place of invalid targets, the last valid ones are sent again, and after `INVALID_TIMEOUT` the motors are
-    disabled. Valid targets in between do not prolong this time unless they last as long.
-
-    Args:
-        joints: names of the joints, for messages (J,).
-        say: called with a line of text at the first invalid target.
+    disabled. Valid targets in between do not prolong this time unless they last as long. At the first invalid target
+    `say` is called with a line of text.
     """
 
     def __init__(self, joints: Sequence[str], say: Callable[[str], None]) -> None:
@@ -68,13 +65,8 @@ def limited(robot: Robot, target: Floats, last: Floats, seconds: float) -> Float
     """Joint targets within the joints' ranges that change no faster than the robot's velocity limit.
 
     They are finite whatever the arguments are: a joint whose target is NaN keeps its last one, and one whose last one
-    is not finite either goes to the stance.
-
-    Args:
-        robot: robot whose limits apply.
-        target: joint targets (J,), rad.
-        last: previous joint targets, or the measured positions (J,), rad.
-        seconds: time since `last`, s.
+    is not finite either goes to the stance. `last` are the previous targets or the measured positions, `seconds` ago;
+    all are (J,) in rad.
     """
     reach = robot.velocity_limit * seconds
     low, high = robot.joint_position_low, robot.joint_position_high

@@ -124,32 +124,29 @@ class LiveController:
 
     Args:
         controller: computes the joint targets while walking.
-        config: time step, clock and commands. None: the policy's, or the defaults for other controllers.
         safety: conditions for moving and stopping. None: the defaults.
         say: called with a line of text at every change of mode, and when a command is clipped.
         robot: the robot that is driven. None: the policy's, or the built-in one for other controllers.
 
     Raises:
-        QuadrupedError: if the controller's policy is for another robot, its actions have another meaning with this
-            config, or it observes something that the robot does not measure.
+        QuadrupedError: if the controller's policy is for another robot, or it observes something that the robot does
+            not measure.
     """
 
     def __init__(
         self,
         controller: Controller,
-        config: ControlConfig | None = None,
         safety: Safety | None = None,
         say: Callable[[str], None] = lambda text: None,
         robot: Robot | None = None,
     ) -> None:
         policy = controller.policy if isinstance(controller, PolicyController) else None
-        if robot is None:
-            robot = MINI_QUADRUPED if policy is None else policy.robot
-        if policy is not None:
+        if policy is None:
+            robot = robot or MINI_QUADRUPED
+            config = ControlConfig.of_task({}, robot)
+        else:
+            robot, config = robot or policy.robot, policy.control
             policy.check_is_data("live controller")
-        if config is None:
-            config = ControlConfig.of_robot(robot) if policy is None else policy.control
-        if policy is not None:
             # Here, not when it acts: by then the robot would be on its feet.
             policy.check_fits(robot, config)
         self.safety = safety or Safety.of(robot)
@@ -268,14 +265,7 @@ class LiveController:
         return now - self._command_at <= self.safety.command_timeout
 
     def measured(self, measurement: Measurement, now: float) -> JointCommand | None:
-        """Process a measurement.
-
-        Args:
-            measurement: sensor readings of the robot.
-            now: time of receipt, s.
-
-        Returns:
-            Command to send, or None if none is due.
+        """Process a measurement that was received at a time in s; return the command to send, or None if none is due.
 
         Raises:
             QuadrupedError: if the measurement is rejected, with the reason; it is then ignored.

@@ -13,6 +13,7 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import Floats, frozen
+from quadruped_env.utils.parameters import described
 from quadruped_env.utils.plain import Plain
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ def observation(
         bound: the scaled value is clipped to +-bound.
         noise: amplitude of uniform noise on the reading, in its unit.
     """
-    return lambda read: ObservationField(read.__name__, read, unit, mirror, scale, bound, noise, first_line(read))
+    return lambda read: ObservationField(read.__name__, read, unit, mirror, scale, bound, noise, described(read))
 
 
 def per_unit(number: float, *units: str) -> Callable[[Robot], Floats]:
@@ -110,11 +111,6 @@ def per_velocity(number: float) -> Callable[[Robot], Floats]:
 
 def _named(module: str, name: str) -> Field:
     return getattr(importlib.import_module(module), name)
-
-
-def first_line(function: Callable[..., object]) -> str:
-    """First line of a function's docstring."""
-    return (function.__doc__ or "").strip().partition("\n")[0]
 
 
 def _largest_joint_offset(robot: Robot) -> float:

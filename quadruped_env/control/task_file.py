@@ -20,7 +20,7 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.model_completion import read_files
 from quadruped_env.robot.quadruped_design import QuadrupedDesign
 from quadruped_env.robot.robot import Robot
-from quadruped_env.utils.documents import check_regular
+from quadruped_env.utils.documents import read_bytes
 from quadruped_env.utils.plain import Plain
 from quadruped_env.utils.provenance import TaskFile
 
@@ -75,11 +75,7 @@ def load_terms(path: str | os.PathLike[str], expected: TaskFile | None = None) -
 
 
 def recorded_file(recorded: Plain, field: str = TASK_FILE) -> TaskFile | None:
-    """Return the user's file that a config's plain values name; None if they name none.
-
-    Args:
-        recorded: None, or a dict with `name` and `sha256`.
-        field: field of the config that names the file.
+    """Return the user's file that a field of a config's plain values names, by `name` and `sha256`; None for None.
 
     Raises:
         QuadrupedError: if it is something else.
@@ -175,30 +171,18 @@ def load_robot(path: str | os.PathLike[str] | None) -> Robot:
     Raises:
         QuadrupedError: as `execute`, or if the file defines several robots.
     """
-    if path is None:
-        return MINI_QUADRUPED
-    _, module = execute(path)
-    return robot_in(module) or MINI_QUADRUPED
+    return MINI_QUADRUPED if path is None else load_terms(path).robot
 
 
 def execute(path: str | os.PathLike[str], expected: TaskFile | None = None) -> tuple[TaskFile, ModuleType]:
     """Execute a file of terms, once per process, path and content.
 
-    Args:
-        path: path of the file.
-        expected: expected name and hash; verified before anything is executed.
-
     Raises:
-        QuadrupedError: if the file cannot be read, differs from the expected one, or raises an error.
+        QuadrupedError: if the file cannot be read, differs from the expected one, which is verified before anything is
+            executed, or raises an error.
     """
     file = Path(path)
-    check_regular(file, "name the Python file of your terms")
-    try:
-        content = file.read_bytes()
-    except OSError as error:
-        raise QuadrupedError(
-            f"{file}: cannot be read ({error.strerror}); name the Python file of your terms"
-        ) from error
+    content = read_bytes(file, "name the Python file of your terms")
     if file.suffix == ".json":  # whose content would be executed as an expression
         raise QuadrupedError(
             f"{file}: is a JSON file, and a Python file of terms is expected; changes of the config are for "

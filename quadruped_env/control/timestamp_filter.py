@@ -23,11 +23,7 @@ class TimestampFilter:
     timestamp, exceeds the minimum lag seen so far by more than `MAX_AGE`. While the robot is moved, the minimum can
     only decrease. While it is not moved, the minimum is learned again when it proves wrong: immediately if states
     arrive with less lag; after `RELEARN_AFTER` if all of them are late, as after a step of either clock, or if the time
-    of the first one was taken too early.
-
-    Args:
-        name: name of the stream, for the reasons.
-        on_lag_changed: called with the change in s when the minimum lag is learned again.
+    of the first one was taken too early. Then `on_lag_changed` is called with the change in s.
     """
 
     def __init__(self, name: str, on_lag_changed: Callable[[float], None] = lambda change: None) -> None:
@@ -41,12 +37,9 @@ class TimestampFilter:
         """Minimum lag since then, s."""
 
     def refusal(self, stamp: int, now: float, moving: bool = True) -> str:
-        """Reason to reject a measurement; empty if it is accepted.
+        """Reason to reject a measurement, while the robot is being moved or not; empty if it is accepted.
 
-        Args:
-            stamp: timestamp by the robot's clock, ns.
-            now: time of receipt by this machine's monotonic clock, s.
-            moving: True while the robot is being moved.
+        The timestamp in ns is by the robot's clock, the time of receipt in s by this machine's monotonic clock.
         """
         lag = now - stamp / NS_PER_SECOND
         least = self._lag + _CLOCK_DRIFT * (now - self._seen)

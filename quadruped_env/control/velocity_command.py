@@ -21,11 +21,7 @@ def moving_threshold(robot: Robot) -> Floats:
 
 
 def check_command(command: Sequence[float] | Floats, commands: Sequence[Command]) -> Floats:
-    """Convert a fixed command to an array (C,).
-
-    Args:
-        command: forward velocity, yaw rate and any further components. Those that are left out have their defaults.
-        commands: components of the command (C,), the velocities first.
+    """Convert a fixed command to an array (C,); components from the third on have their defaults if they are left out.
 
     Raises:
         QuadrupedError: if it is not two to C finite numbers within the ranges.

@@ -15,9 +15,10 @@ from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import TaskConfig
-from quadruped_env.task.task_definition import BUILT_IN, load_task_file
+from quadruped_env.task.task_definition import BUILT_IN, TaskDefinition, load_task_file
 from quadruped_env.utils.arrays import Floats
-from quadruped_env.utils.plain import whole_number
+from quadruped_env.utils.fields import check, check_names, one_of
+from quadruped_env.utils.plain import plain, whole_number
 
 RENDER_MODES: Final = ("human", "rgb_array")
 
@@ -28,8 +29,8 @@ ROUGH_CONFIG: Final[dict[str, Any]] = {"terrain": {"name": "tiles", "curriculum"
 
 
 def task_config(
-    action_mode: str | None,
-    config: dict[str, Any] | TaskConfig | None,
+    action_mode: str | None = None,
+    config: dict[str, Any] | TaskConfig | None = None,
     task_file: str | os.PathLike[str] | None = None,
     robot: Robot | QuadrupedDesign | dict[str, Any] | None = None,
     terrain: str | None = None,
@@ -64,6 +65,12 @@ def task_config(
     return task if terrain is None else task.on_terrain(terrain)
 
 
+def arguments_of(definition: TaskDefinition) -> dict[str, Any]:
+    """Return the arguments for the parts of a definition that its config names and does not hold."""
+    robot = {} if definition.robot == BUILT_IN.robot else {"robot": definition.robot}
+    return robot if definition.path is None else {**robot, "task_file": definition.path}
+
+
 def changed(defaults: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
     """Nested values with changes applied. A section that names another terrain replaces the one before."""
     result = dict(defaults)
@@ -93,26 +100,15 @@ def as_robot(value: Any) -> Robot:
     return value
 
 
-def check_render_mode(render_mode: str | None) -> None:
-    """Raise a QuadrupedError if there is no such render mode."""
-    if render_mode is not None and render_mode not in RENDER_MODES:
-        raise QuadrupedError(f"render_mode: {render_mode!r} is unknown; valid modes: None, {', '.join(RENDER_MODES)}")
-
-
-def frame_size(width: int, height: int) -> tuple[int, int]:
-    """Width and height of an image, pixels. Raises a QuadrupedError if one of them is not a whole number, 1 or more."""
-    return whole_number("width", width, 1), whole_number("height", height, 1)
+def rendering(render_mode: str | None, width: int, height: int) -> tuple[str | None, tuple[int, int]]:
+    """Return the render mode, and width and height of an image in pixels; raise a QuadrupedError if one is invalid."""
+    mode = None if render_mode is None else one_of(render_mode, RENDER_MODES, "render_mode")
+    return mode, (whole_number("width", width, 1), whole_number("height", height, 1))
 
 
 def autoreset_mode(mode: AutoresetMode | str) -> AutoresetMode:
     """Gymnasium's autoreset mode from an `AutoresetMode` or its value. Raises a QuadrupedError if there is none."""
-    try:
-        return AutoresetMode(mode)
-    except ValueError:
-        names = ", ".join(repr(valid.value) for valid in AutoresetMode)
-        raise QuadrupedError(
-            f"autoreset_mode: {mode!r} is unknown; valid modes are {names}, or gymnasium's AutoresetMode"
-        ) from None
+    return AutoresetMode(one_of(plain(mode), [valid.value for valid in AutoresetMode], "autoreset_mode"))
 
 
 def seed(value: int | None, name: str = "seed") -> int | None:
@@ -159,20 +155,10 @@ def reset_options(
     named = ", ".join(repr(name) for name in valid)
     if not isinstance(options, dict):
         raise QuadrupedError(f"options: expected a dict with {named}, or None; found {options!r}")
-    unknown = sorted(repr(name) for name in options if name not in valid)
-    if unknown:
-        raise QuadrupedError(f"options: unknown option {unknown[0]}; valid options are {named}")
-    command = options.get("command")
-    mask = None
-    if num_envs is not None and options.get(RESET_MASK) is not None:
-        mask = _checked_mask(options[RESET_MASK], num_envs)
+    check_names(options, valid, "options")
+    command, mask = options.get("command"), options.get(RESET_MASK)
+    if mask is not None:
+        bools = isinstance(mask, np.ndarray) and mask.shape == (num_envs,) and mask.dtype == np.bool_
+        rule = f"a bool array of shape ({num_envs},) with one True or more"
+        check(bools and bool(mask.any()), f"options['{RESET_MASK}']", mask, rule)
     return None if command is None else check_command(command, config.commands), mask
-
-
-def _checked_mask(mask: Any, num_envs: int) -> NDArray[np.bool_]:
-    if not isinstance(mask, np.ndarray) or mask.shape != (num_envs,) or mask.dtype != np.bool_ or not mask.any():
-        raise QuadrupedError(
-            f"options['{RESET_MASK}']: expected a bool array of shape ({num_envs},) with one True or more; "
-            f"found {mask!r}"
-        )
-    return mask

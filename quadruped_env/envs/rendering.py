@@ -33,13 +33,9 @@ _PROBING: Final = threading.Lock()
 
 
 class SceneRenderer:
-    """Renders one model in one mode.
+    """Renders one model in the mode `rgb_array`, in images of a size in pixels, or shows its data in a window: `human`.
 
-    Args:
-        model: model of the scene; its offscreen buffer is enlarged to the size of the image if necessary.
-        data: MuJoCo data that a window in `human` mode shows.
-        render_mode: `rgb_array` or `human`.
-        width, height: size of the image, pixels.
+    The model's offscreen buffer is enlarged to the size of the images if necessary.
 
     Raises:
         QuadrupedError: if OpenGL is missing or cannot render an image of this size, or there is no display for a
@@ -90,11 +86,6 @@ def choose_opengl() -> bool:
     return False
 
 
-def _use_chosen_opengl() -> None:
-    """Let MuJoCo use the backend of MUJOCO_GL, which it has read when it was imported."""
-    importlib.reload(sys.modules[mujoco.Renderer.__module__].gl_context)
-
-
 @functools.cache
 def opengl_failure() -> str:
     """Why OpenGL cannot render in this process, with the fix; empty if it can.
@@ -112,7 +103,8 @@ def opengl_failure() -> str:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
-            _use_chosen_opengl()
+            # MuJoCo has read MUJOCO_GL when it was imported.
+            importlib.reload(sys.modules[mujoco.Renderer.__module__].gl_context)
             mujoco.Renderer(mujoco.MjModel.from_xml_string("<mujoco/>"), _PROBE_SIZE, _PROBE_SIZE).close()
             return ""
         except Exception as failure:  # backends raise various errors, even AttributeError for a missing library

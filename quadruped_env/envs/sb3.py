@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from quadruped_env.envs.spaces_and_info import observation_space
 from quadruped_env.envs.vector import MiniQuadrupedVectorEnv
-from quadruped_env.errors import MissingExtraError, QuadrupedError
+from quadruped_env.errors import MissingExtraError
+from quadruped_env.utils.fields import check
 
 try:
     from stable_baselines3.common.monitor import Monitor
@@ -42,11 +43,9 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
     def __init__(
         self, env: MiniQuadrupedVectorEnv, privileged: bool = False, random_first_length: bool = False
     ) -> None:
-        if env.autoreset_mode is not AutoresetMode.SAME_STEP:
-            raise QuadrupedError(
-                f"autoreset_mode: Stable-Baselines3 resets finished envs within the step; expected "
-                f"{AutoresetMode.SAME_STEP.value!r}, found {env.autoreset_mode.value!r}; leave the argument out"
-            )
+        mode, same_step = env.autoreset_mode, AutoresetMode.SAME_STEP
+        rule = f"{same_step.value!r} for Stable-Baselines3, which resets finished envs within the step"
+        check(mode is same_step, "autoreset_mode", mode.value, rule)
         self.env = env
         self.task = env.task
         self.render_mode = env.render_mode
@@ -115,7 +114,7 @@ class MiniQuadrupedSB3VecEnv(VecEnv):
                     "TimeLimit.truncated": bool(transition.truncated[env_id] and not transition.terminated[env_id]),
                     "episode": {
                         "r": float(np.add.accumulate(terms)[-1]),
-                        "l": int(self.task.steps[env_id]),
+                        "l": int(self.task.control.steps[env_id]),
                         "t": elapsed,
                         "terms": terms.copy(),
                     },

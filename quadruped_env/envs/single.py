@@ -1,9 +1,7 @@
 """The single environment."""
 
 import os
-from collections.abc import Mapping
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import gymnasium
 import mujoco
@@ -18,14 +16,11 @@ from quadruped_env.robot import QuadrupedDesign, Robot
 from quadruped_env.simulation import SingleSimulation
 from quadruped_env.task import Task, TaskConfig
 
-if TYPE_CHECKING:
-    from quadruped_env.envs.rendering import SceneRenderer
-
 _ENV_IDS = np.zeros(1, dtype=np.intp)
 
 
 @with_tables
-class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
+class MiniQuadrupedEnv(spaces.BaseEnv, gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]):
     """A small four-legged robot that follows velocity commands.
 
     ## Description
@@ -118,9 +113,6 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
     * v0: initial version.
     """
 
-    default_config: Mapping[str, Any] = MappingProxyType({})
-    """Changes to the default config that the argument `config` may change again."""
-
     # gymnasium.make reads the render modes from the class; an instance has its own frame rate.
     metadata = spaces.metadata(TaskConfig())
 
@@ -135,22 +127,17 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
         width: int = 640,
         height: int = 480,
     ) -> None:
-        arguments.check_render_mode(render_mode)
-        self._frame_size = arguments.frame_size(width, height)
+        self.render_mode, self._frame_size = arguments.rendering(render_mode, width, height)
         task_config = arguments.task_config(action_mode, config, task_file, robot, terrain, self.default_config)
-        self.render_mode = render_mode
         self.metadata = spaces.metadata(task_config)
-        task_robot = task_config.robot
-        model = task_config.compiled_model()
-        self._simulation = SingleSimulation(model, task_robot)
+        self._simulation = SingleSimulation(task_config.compiled_model(), task_config.robot)
         self.task = Task(self._simulation, task_config)
         self._info = spaces.Info(self.task)
         self.action_space = spaces.action_space(self.task.control.robot)
         self._action_shape = self.action_space.shape
         self.observation_space = spaces.observation_space(self.task.control.layout)
-        self._renderer: SceneRenderer | None = None
         if render_mode == "human":
-            self._renderer = self._make_renderer()
+            self._make_renderer(self.model, self.data)
 
     @property
     def model(self) -> mujoco.MjModel:
@@ -203,15 +190,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
                 "render() was called without a render mode; use gymnasium.make(..., render_mode='rgb_array')"
             )
             return None
-        if self._renderer is None:
-            self._renderer = self._make_renderer()
-        return self._renderer.render(self.data)
-
-    def _make_renderer(self) -> "SceneRenderer":
-        from quadruped_env.envs.rendering import SceneRenderer
-
-        assert self.render_mode is not None
-        return SceneRenderer(self.model, self.data, self.render_mode, *self._frame_size)
+        return self._make_renderer(self.model, self.data).render(self.data)
 
     def get_state(self) -> dict[str, Any]:
         """Complete state of the environment, including the random generator."""
@@ -225,13 +204,7 @@ class MiniQuadrupedEnv(spaces.PlainSpec, gymnasium.Env[NDArray[np.float32], NDAr
 
     def close(self) -> None:
         """Close the window or the renderer, if there is one."""
-        if self._renderer is not None:
-            self._renderer.close()
-            self._renderer = None
-
-    def __getstate__(self) -> dict[str, Any]:
-        # A renderer holds OpenGL contexts, so a copy creates its own.
-        return {**self.__dict__, "_renderer": None}
+        self._close_renderer()
 
 
 class MiniQuadrupedRoughEnv(MiniQuadrupedEnv):
@@ -243,4 +216,4 @@ class MiniQuadrupedRoughEnv(MiniQuadrupedEnv):
     them again, or name another terrain. All else is as in `MiniQuadrupedEnv`.
     """
 
-    default_config = MappingProxyType(arguments.ROUGH_CONFIG)
+    default_config = arguments.ROUGH_CONFIG

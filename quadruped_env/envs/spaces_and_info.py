@@ -2,19 +2,25 @@
 
 import copy
 import os
-from typing import Any, Final
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Final
 
 import gymnasium
+import mujoco
 import numpy as np
 from gymnasium.envs.registration import EnvSpec
 from numpy.typing import NDArray
 
 from quadruped_env.control.observations import ObservationLayout
-from quadruped_env.envs.arguments import RENDER_MODES
+from quadruped_env.envs.arguments import RENDER_MODES, arguments_of
 from quadruped_env.robot import QuadrupedDesign, Robot
-from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition
+from quadruped_env.task import Task, TaskConfig
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.plain import plain
+
+if TYPE_CHECKING:
+    from quadruped_env.envs.rendering import SceneRenderer
 
 _READINGS: Final = {
     "base_position": "base_position",
@@ -44,10 +50,37 @@ def metadata(config: TaskConfig) -> dict[str, Any]:
     return {"render_modes": list(RENDER_MODES), "render_fps": round(1.0 / config.control_timestep)}
 
 
-class PlainSpec:
-    """Base of envs whose specification supports JSON: NumPy values, paths, enums, configs and robots become plain."""
+class BaseEnv:
+    """What both envs share: their renderer, and a specification that supports JSON.
 
+    In it NumPy values, paths, enums, configs and robots become plain.
+    """
+
+    default_config: Mapping[str, Any] = MappingProxyType({})
+    """Changes to the default config that the argument `config` may change again."""
+    render_mode: str | None
+    _frame_size: tuple[int, int]
     _spec: EnvSpec | None = None
+    # A class attribute, because Gymnasium 1.2 closes an env even if `__init__` raised an error.
+    _renderer: "SceneRenderer | None" = None
+
+    def _make_renderer(self, model: mujoco.MjModel, data: mujoco.MjData) -> "SceneRenderer":
+        """Return the renderer, which is made once."""
+        if self._renderer is None:
+            from quadruped_env.envs.rendering import SceneRenderer
+
+            assert self.render_mode is not None
+            self._renderer = SceneRenderer(model, data, self.render_mode, *self._frame_size)
+        return self._renderer
+
+    def _close_renderer(self) -> None:
+        if self._renderer is not None:
+            self._renderer.close()
+            self._renderer = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A renderer holds OpenGL contexts, so a copy creates its own.
+        return {**self.__dict__, "_renderer": None}
 
     @property
     def spec(self) -> EnvSpec | None:
@@ -59,15 +92,9 @@ class PlainSpec:
         self._spec = copy.copy(value)
         if self._spec is not None:
             config = self._spec.kwargs.get("config")
-            own = _of_definition(config.definition) if isinstance(config, TaskConfig) else {}
+            own = arguments_of(config.definition) if isinstance(config, TaskConfig) else {}
             kwargs = own | {name: value for name, value in self._spec.kwargs.items() if value is not None}
             self._spec.kwargs = {name: _plain_argument(value) for name, value in kwargs.items()}
-
-
-def _of_definition(definition: TaskDefinition) -> dict[str, Any]:
-    """Arguments for the parts of a definition that its config names and does not hold."""
-    robot = {} if definition.robot == BUILT_IN.robot else {"robot": definition.robot}
-    return robot if definition.path is None else {**robot, "task_file": definition.path}
 
 
 def _plain_argument(value: Any) -> Any:
@@ -81,11 +108,7 @@ def _plain_argument(value: Any) -> Any:
 
 
 class Info:
-    """Entries of `info` for the robots of a task.
-
-    Args:
-        task: the task.
-    """
+    """Entries of `info` for the robots of a task."""
 
     def __init__(self, task: Task) -> None:
         self._task = task
@@ -97,9 +120,7 @@ class Info:
     ) -> dict[str, NDArray[Any]]:
         """Entries that describe the state of one env, or with entries (N, ...) of all, as views of copies.
 
-        Args:
-            env: index of the env, or the slice of all.
-            only: mask (N,) of the envs to describe; the entries of the others are zero. None: all.
+        With a mask `only` (N,) the entries of the other envs are zero.
         """
         task, tiles = self._task, self._task.tiles
         # One copy, with a view per reading, is cheaper than a copy per reading.

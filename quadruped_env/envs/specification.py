@@ -12,64 +12,38 @@ Class = TypeVar("Class", bound=type)
 
 
 def with_tables(cls: Class) -> Class:
-    """Replace `{observations}`, `{rewards}`, `{terminations}` and `{terrains}` in a docstring by tables."""
+    """Replace `{observations}`, `{rewards}`, `{terminations}` and `{terrains}` in a docstring by tables in Markdown."""
+    layout = ObservationLayout(MINI_QUADRUPED)
+    observations = (
+        (
+            f"{columns.start}-{columns.stop - 1}",
+            f"`{field.name}`",
+            field.description.removesuffix("."),
+            field.unit,
+            f"{layout.scale[columns][0]:g}",
+            f"+-{layout.high[columns][0]:g}",
+        )
+        for field, columns in zip(layout.fields, layout.slices.values(), strict=True)
+    )
+    rewards = (
+        (f"`{name}`", term.described(name).removesuffix("."), term.unit, f"{weight:g}")
+        for term in BUILT_IN.paid
+        for name, weight in term.weights.items()
+    )
+    terrains = (
+        (f"`{terrain.name}`", terrain.description.removesuffix("."), ", ".join(_terrain_fields(terrain)))
+        for terrain in BUILT_IN.terrains
+    )
     tables = {
-        "observations": observation_table(),
-        "rewards": reward_table(),
-        "terminations": termination_list(),
-        "terrains": terrain_table(),
+        "observations": markdown_table(("columns", "name", "reading", "unit", "scale", "bounds"), observations),
+        "rewards": markdown_table(("term", "value", "unit", "weight, 1/s"), rewards),
+        "terminations": [f"* {term.description.removesuffix('.')}" for term in BUILT_IN.terminations],
+        "terrains": markdown_table(("terrain", "ground", 'fields of `config["terrain"]`'), terrains),
     }
     if cls.__doc__ is not None:  # None with python -OO
         for name, lines in tables.items():
             cls.__doc__ = cls.__doc__.replace(f"{{{name}}}", "\n    ".join(lines))
     return cls
-
-
-def observation_table() -> list[str]:
-    """Lines of a Markdown table of the built-in observations."""
-    layout = ObservationLayout(MINI_QUADRUPED)
-    return markdown_table(
-        ("columns", "name", "reading", "unit", "scale", "bounds"),
-        (
-            (
-                f"{columns.start}-{columns.stop - 1}",
-                f"`{field.name}`",
-                _sentence(field.description),
-                field.unit,
-                f"{layout.scale[columns][0]:g}",
-                f"+-{layout.high[columns][0]:g}",
-            )
-            for field, columns in zip(layout.fields, layout.slices.values(), strict=True)
-        ),
-    )
-
-
-def reward_table() -> list[str]:
-    """Lines of a Markdown table of the built-in reward terms."""
-    return markdown_table(
-        ("term", "value", "unit", "weight, 1/s"),
-        (
-            (f"`{name}`", _sentence(term.described(name)), term.unit, f"{weight:g}")
-            for term in BUILT_IN.paid
-            for name, weight in term.weights.items()
-        ),
-    )
-
-
-def termination_list() -> list[str]:
-    """Lines of a Markdown list of the built-in terminations."""
-    return [f"* {_sentence(term.description)}" for term in BUILT_IN.terminations]
-
-
-def terrain_table() -> list[str]:
-    """Lines of a Markdown table of the built-in terrains."""
-    return markdown_table(
-        ("terrain", "ground", 'fields of `config["terrain"]`'),
-        (
-            (f"`{terrain.name}`", _sentence(terrain.description), ", ".join(_terrain_fields(terrain)))
-            for terrain in BUILT_IN.terrains
-        ),
-    )
 
 
 def _terrain_fields(terrain: Terrain) -> list[str]:
@@ -85,7 +59,3 @@ def markdown_table(header: tuple[str, ...], rows: Iterable[tuple[Any, ...]]) -> 
     """Lines of a Markdown table."""
     first, *others = [f"| {' | '.join(row)} |" for row in (header, *rows)]
     return [first, f"|{'---|' * len(header)}", *others]
-
-
-def _sentence(text: str) -> str:
-    return text.removesuffix(".")

@@ -2,9 +2,7 @@
 
 import functools
 import os
-from collections.abc import Mapping
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import gymnasium
 import mujoco
@@ -22,12 +20,9 @@ from quadruped_env.task import Task, TaskConfig, Transition
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.plain import whole_number
 
-if TYPE_CHECKING:
-    from quadruped_env.envs.rendering import SceneRenderer
-
 
 class MiniQuadrupedVectorEnv(
-    spaces.PlainSpec, gymnasium.vector.VectorEnv[NDArray[np.float32], NDArray[np.float32], NDArray[Any]]
+    spaces.BaseEnv, gymnasium.vector.VectorEnv[NDArray[np.float32], NDArray[np.float32], NDArray[Any]]
 ):
     """N copies of `MiniQuadrupedEnv`, simulated on a thread pool, with bit-identical results.
 
@@ -48,9 +43,6 @@ class MiniQuadrupedVectorEnv(
         QuadrupedError: if an argument is not valid; the message says what is valid.
     """
 
-    default_config: Mapping[str, Any] = MappingProxyType({})
-    """See `MiniQuadrupedEnv`."""
-
     def __init__(
         self,
         num_envs: int = 1,
@@ -68,26 +60,19 @@ class MiniQuadrupedVectorEnv(
     ) -> None:
         self.num_envs = whole_number("num_envs", num_envs, 1)
         num_threads = whole_number("num_threads", num_threads, 0)
-        arguments.check_render_mode(render_mode)
+        self.render_mode, self._frame_size = arguments.rendering(render_mode, width, height)
         if render_mode == "human":
             raise QuadrupedError("render_mode: 'human' shows one robot; use 'rgb_array' here, or gymnasium.make")
-        self.render_mode = render_mode
         self.autoreset_mode = arguments.autoreset_mode(autoreset_mode)
-        self._frame_size = arguments.frame_size(width, height)
         task_config = arguments.task_config(action_mode, config, task_file, robot, terrain, self.default_config)
         self.metadata = {**spaces.metadata(task_config), "autoreset_mode": self.autoreset_mode}
-        task_robot = task_config.robot
-        model = task_config.compiled_model()
-        self._simulation = BatchSimulation(model, self.num_envs, num_threads, task_robot)
+        self._simulation = BatchSimulation(task_config.compiled_model(), self.num_envs, num_threads, task_config.robot)
         self.task = Task(self._simulation, task_config, max_episode_steps)
         self._info = spaces.Info(self.task)
         self.single_action_space = spaces.action_space(self.task.control.robot)
         self.single_observation_space = spaces.observation_space(self.task.control.layout)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
-
-    # A class attribute, because Gymnasium 1.2 closes an env even if `__init__` raised an error.
-    _renderer: "SceneRenderer | None" = None
 
     @property  # type: ignore[misc]  # read-only, and one per env, as in SyncVectorEnv
     def np_random(self) -> tuple[np.random.Generator, ...]:  # type: ignore[override]
@@ -174,13 +159,8 @@ class MiniQuadrupedVectorEnv(
 
     def render_one(self, index: int) -> NDArray[np.uint8]:
         """Image (height, width, 3) of one env; the render mode must be `rgb_array`."""
-        assert self.render_mode is not None
         data = self.env_data(index)
-        if self._renderer is None:
-            from quadruped_env.envs.rendering import SceneRenderer
-
-            self._renderer = SceneRenderer(self._simulation.model, data, self.render_mode, *self._frame_size)
-        frame = self._renderer.render(data)
+        frame = self._make_renderer(self._simulation.model, data).render(data)
         assert frame is not None
         return frame
 
@@ -195,19 +175,13 @@ class MiniQuadrupedVectorEnv(
 
     def close_extras(self, **kwargs: Any) -> None:
         """Free the renderer, if there is one."""
-        if self._renderer is not None:
-            self._renderer.close()
-            self._renderer = None
-
-    def __getstate__(self) -> dict[str, Any]:
-        # A renderer holds OpenGL contexts, so a copy creates its own.
-        return {**self.__dict__, "_renderer": None}
+        self._close_renderer()
 
 
 class MiniQuadrupedRoughVectorEnv(MiniQuadrupedVectorEnv):
     """N copies of `MiniQuadrupedRoughEnv`; see `MiniQuadrupedVectorEnv`."""
 
-    default_config = MappingProxyType(arguments.ROUGH_CONFIG)
+    default_config = arguments.ROUGH_CONFIG
 
 
 def _only(values: NDArray[Any], env_ids: NDArray[np.intp]) -> NDArray[Any]:

@@ -243,7 +243,7 @@ def compare(
                 f"{name}: is a policy for {policy.config.robot!r}, the first one for {config.robot!r}; compare "
                 f"policies for one robot with each other, and evaluate those for other robots by themselves"
             )
-    tuned = CommandedGait.tuned(config.robot)
+    tuned = CommandedGait.preset("tuned", config.robot)
     # With a clock of its own frequency the searched gait is in phase, so that the reward's terms of the clock judge it.
     configs["tuned"] = dataclasses.replace(config, clock_frequency=tuned.angular_frequency / math.tau)
     controllers: tuple[Controller, ...] = (

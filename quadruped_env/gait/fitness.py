@@ -60,7 +60,7 @@ def fitness(robot: Robot, frequency: float | None = None, motors: MotorConfig | 
 
 def _closed_form_rise(robot: Robot, frequency: float) -> float:
     """Return the height to which the trot in closed form lifts the feet on the spot, m."""
-    sine, _, offset = (values.mean(axis=0) for values in CommandedGait.sinusoid(robot, frequency).straight)
+    sine, _, offset = (values.mean(axis=0) for values in CommandedGait.preset(SINUSOID, robot, frequency).straight)
     top, bottom = robot.skeleton.foot_centres(np.array([offset + sine, offset - sine]))[..., 2]
     return float((top - bottom).min())
 

@@ -134,10 +134,8 @@ def sinusoid(frequency: float) -> dict[str, Any]:
 
     The feet swing forward while sin(p) > 0. The lift comes from a knee that folds by a max(0, sin(p)) and a hip that
     turns by half of it to keep the foot below, without their higher harmonics. During half a cycle on the ground the
-    hip turns by twice its amplitude, at a mean speed of 1.4 u: the servos lag behind their targets.
-
-    Args:
-        frequency: frequency of the clock f, Hz.
+    hip turns by twice its amplitude, at a mean speed of 1.4 u: the servos lag behind their targets. The clock has the
+    frequency f in Hz.
     """
     hip, knee = TUNED_ON.stance[:2].tolist()
     stride = 1.0 / (2.8 * frequency * TUNED_ON.stance_height)

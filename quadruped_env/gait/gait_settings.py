@@ -2,12 +2,14 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Final, Self
+from typing import Annotated, Final, Self
 
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait.gaits import SinusoidalGait
+from quadruped_env.utils.fields import Fields, check
+from quadruped_env.utils.parameters import Parameter
 
 AMPLITUDES: Final = (0.0, 2.0)
 """Range of the amplitude, as a multiple of the preset's."""
@@ -15,26 +17,21 @@ FREQUENCIES: Final = (0.1, 6.0)
 """Range of the frequency, Hz."""
 
 
+def _finite(phases: tuple[float, ...], path: str) -> tuple[float, ...]:
+    check(bool(np.isfinite(phases).all()), path, phases, f"{len(phases)} finite numbers")
+    return phases
+
+
 @dataclass(frozen=True)
-class GaitSettings:
+class GaitSettings(Fields, path="gait"):
     """Settings that modify a preset."""
 
-    amplitude: float
+    amplitude: Annotated[float, Parameter("1", *AMPLITUDES)]
     """Amplitude of every joint, as a multiple of the preset's."""
-    frequency: float
+    frequency: Annotated[float, Parameter("Hz", *FREQUENCIES)]
     """Cycles per second, Hz."""
-    phases: tuple[float, ...]
+    phases: Annotated[tuple[float, ...], _finite]
     """Phase of each leg, in cycles, in the order of the robot's legs."""
-
-    def __post_init__(self) -> None:
-        for name, value, (low, high) in (
-            ("amplitude", self.amplitude, AMPLITUDES),
-            ("frequency", self.frequency, FREQUENCIES),
-        ):
-            if not low <= value <= high:
-                raise QuadrupedError(f"gait: {name} must be in {low:g} to {high:g}; found {value:g}")
-        if not np.isfinite(self.phases).all():
-            raise QuadrupedError(f"gait: phases must be {len(self.phases)} finite numbers; found {self.phases!r}")
 
     @classmethod
     def of(cls, gait: SinusoidalGait) -> Self:

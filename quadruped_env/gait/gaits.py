@@ -28,7 +28,6 @@ from quadruped_env.gait.gait_presets import (
     ARTICLE,
     COMMANDED,
     PRESETS,
-    SINUSOID,
     TROTS,
     TUNED_FOR_ONE_SPEED,
     TUNED_ON,
@@ -42,6 +41,7 @@ from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import Floats, frozen
+from quadruped_env.utils.fields import check, check_names, one_of
 from quadruped_env.utils.plain import plain
 
 LEG_TABLES: Final = ("fore", "hind", "fore_turn", "hind_turn", "fore_side", "hind_side")
@@ -84,25 +84,20 @@ class SinusoidalGait:
     _knees: NDArray[np.bool_] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        num_joints, knees = self.robot.num_joints, _knees(self.robot)
-        if len(self.phases) != num_joints:
-            raise QuadrupedError(
-                f"SinusoidalGait: phases must have {num_joints} values, one per joint; found {len(self.phases)}"
-            )
-        amplitude, offset = np.empty(num_joints), np.empty(num_joints)
+        phases, knees = np.array(self.phases, dtype=np.float64), _knees(self.robot)
+        rule = f"{len(knees)} numbers, one per joint"
+        check(phases.shape == knees.shape, "SinusoidalGait: phases", self.phases, rule)
+        amplitude, offset = np.empty((2, len(knees)))
         for kind, joints in (("hip", ~knees), ("knee", knees)):
             for part, values in (("amplitude", amplitude), ("offset", offset)):
                 given, count = getattr(self, f"{kind}_{part}"), int(joints.sum())
-                if np.shape(given) not in ((), (count,)):
-                    raise QuadrupedError(f"SinusoidalGait: {kind}_{part} must be one number or {count}, one per {kind}")
+                rule = f"one number or {count}, one per {kind}"
+                check(np.shape(given) in ((), (count,)), f"SinusoidalGait: {kind}_{part}", given, rule)
                 values[joints] = given
-        values = np.concatenate([amplitude, offset, self.phases, [self.angular_frequency]])
-        if not np.isfinite(values).all():
+        if not np.isfinite([*amplitude, *offset, *phases, self.angular_frequency]).all():
             raise QuadrupedError("SinusoidalGait: every parameter must be finite; found NaN or infinity")
-        object.__setattr__(self, "_amplitude", amplitude)
-        object.__setattr__(self, "_offset", offset)
-        object.__setattr__(self, "_phases", np.array(self.phases, dtype=np.float64))
-        object.__setattr__(self, "_knees", knees)
+        for name, found in {"_amplitude": amplitude, "_offset": offset, "_phases": phases, "_knees": knees}.items():
+            object.__setattr__(self, name, found)
 
     @classmethod
     def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "SinusoidalGait":
@@ -115,15 +110,13 @@ class SinusoidalGait:
         """
         if name in COMMANDED:
             return CommandedGait.preset(name, robot).straight_ahead
-        if name not in ("article", *TUNED_FOR_ONE_SPEED):
-            raise QuadrupedError(
-                f"SinusoidalGait.preset: unknown preset {name!r}; valid names are {', '.join(PRESETS)}"
-            )
-        if name == "article":
+        if one_of(name, PRESETS, "SinusoidalGait.preset") == "article":
             return SinusoidalGait(**ARTICLE, robot=robot) if robot == TUNED_ON else _published(robot)
-        if has_tuned_shape(robot):
-            return _tuned_for_one_speed(name, robot)
         root, trot = scale_of("m/s", robot), TROTS[name]
+        if has_tuned_shape(robot):
+            angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
+            waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", robot))
+            return _sinusoids(robot, angular_frequency / root, joint_phases(robot, name), *waves)
         return _trot(robot, trot, trot.frequency / root).at((trot.speed * root, 0.0), trot.phases)
 
     def parameters(self) -> dict[str, Any]:
@@ -159,14 +152,9 @@ class SinusoidalGait:
 
 
 def limit_violations(robot: Robot, low: Floats, high: Floats, speed: Floats, tolerance: float = 1e-9) -> list[str]:
-    """Return messages about the limits that a motion of the joints exceeds.
+    """Return messages about the limits that a motion of the joints exceeds by more than a tolerance.
 
-    Args:
-        robot: the robot.
-        low: lowest position of each joint, rad (J,).
-        high: highest position of each joint, rad (J,).
-        speed: highest speed of each joint, rad/s (J,).
-        tolerance: excess that counts as none, rad and rad/s.
+    `low` and `high` are the ends of the joints' positions (J,) in rad, `speed` their highest speeds (J,) in rad/s.
     """
     found = []
     for i, joint in enumerate(robot.joint_names):
@@ -217,13 +205,6 @@ def _sinusoids(
     )
 
 
-def _tuned_for_one_speed(name: str, robot: Robot) -> SinusoidalGait:
-    """Return a preset on the robot for which it was tuned, or on one of its shape."""
-    angular_frequency, fore, hind = TUNED_FOR_ONE_SPEED[name]
-    waves = (values[0] for values in _waves_of({"fore": fore, "hind": hind}, "", robot))
-    return _sinusoids(robot, angular_frequency / scale_of("m/s", robot), joint_phases(robot, name), *waves)
-
-
 def turn_size(yaw_rate: Floats, largest: float) -> Floats:
     """Return the size of a turn for yaw rates of any shape: sign(w) sqrt(|w| largest), at most the largest, rad/s.
 
@@ -245,11 +226,11 @@ class CommandedGait:
         angular_frequency: angular frequency, rad/s.
         speeds: forward velocities of the tables (K,), increasing, m/s.
         largest_yaw_rate: yaw rate up to which the tables for turning hold, rad/s; for a larger one it is used.
-        straight: waves of the joints without a yaw rate, (K, J) each, rad.
-        turn: what a turn of either sign adds, per rad/s of its size, (K, J) each.
-        side: what a turn to the left adds and one to the right subtracts, per rad/s of its size, (K, J) each.
+        straight: waves of the joints without a yaw rate: sine part, cosine part and offset (3, K, J), rad.
+        turn: what a turn of either sign adds, per rad/s of its size (3, K, J).
+        side: what a turn to the left adds and one to the right subtracts, per rad/s of its size (3, K, J).
         robot: robot that walks.
-        lateral: what motion to the left adds and to the right subtracts, per m/s, (K, J) each; only of a robot whose
+        lateral: what motion to the left adds and to the right subtracts, per m/s (3, K, J); only of a robot whose
             legs can move their feet sideways.
         legs: the tables of a fore and a hind leg from which the waves were made, if they were.
     """
@@ -257,18 +238,20 @@ class CommandedGait:
     angular_frequency: float
     speeds: Sequence[float]
     largest_yaw_rate: float
-    straight: Waves
-    turn: Waves
-    side: Waves
+    straight: Floats
+    turn: Floats
+    side: Floats
     robot: Robot = MINI_QUADRUPED
-    lateral: Waves | None = None
+    lateral: Floats | None = None
     legs: Mapping[str, LegTable] | None = None
     _phases: Floats = field(init=False, repr=False)
     _tables: Floats = field(init=False, repr=False)
     """The waves side by side, (K, 9 J) or (K, 12 J)."""
 
     def __post_init__(self) -> None:
-        tables = np.concatenate([*self.straight, *self.turn, *self.side, *(self.lateral or ())], axis=1)
+        tables = np.concatenate(
+            [*self.straight, *self.turn, *self.side, *([] if self.lateral is None else self.lateral)], axis=1
+        )
         if len(tables) != len(self.speeds):
             raise QuadrupedError(f"gait: the tables have {len(tables)} rows for {len(self.speeds)} speeds")
         object.__setattr__(self, "_tables", frozen(tables))
@@ -287,43 +270,32 @@ class CommandedGait:
         return cls(**others, straight=straight, turn=turn, side=side, robot=robot, legs=legs)
 
     @classmethod
-    def preset(cls, name: str, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
+    @functools.cache
+    def preset(cls, name: str, robot: Robot = MINI_QUADRUPED, frequency: float | None = None) -> "CommandedGait":
         """Return a gait by name: the robot's own of `Robot.gaits`, or else the preset.
 
-        On the built-in robot, and on those of its shape in any size, `sinusoid` is the trot in closed form, and
-        `tuned`, `crouched`, `low` and `fast` were found by searches. Another robot has the gaits of `TROTS`.
+        On the built-in robot, and on others of its shape in any size, `sinusoid` is the trot in closed form, and
+        `tuned`, `crouched`, `low` and `fast` were found by searches. Another robot has the gaits of `TROTS`. With a
+        frequency in Hz the preset `sinusoid` has the strides of a gait clock with it.
 
         Raises:
             QuadrupedError: if there is no such preset, the robot's own is not valid, or the scripted gaits do not fit
                 the robot.
         """
-        if name not in COMMANDED:
-            raise QuadrupedError(
-                f"CommandedGait.preset: {name!r} follows no command; those that do are {', '.join(COMMANDED)}"
-            )
-        return _commanded(name, robot)
-
-    @classmethod
-    def sinusoid(cls, robot: Robot, frequency: float) -> "CommandedGait":
-        """Return the preset `sinusoid` with the strides of a gait clock.
-
-        Args:
-            robot: robot that walks.
-            frequency: frequency of its clock, Hz.
-
-        Raises:
-            QuadrupedError: if the scripted gaits do not fit the robot.
-        """
-        return _commanded(SINUSOID, robot, frequency)
-
-    @classmethod
-    def tuned(cls, robot: Robot = MINI_QUADRUPED) -> "CommandedGait":
-        """Return the preset `tuned`.
-
-        Raises:
-            QuadrupedError: if the scripted gaits do not fit the robot.
-        """
-        return cls.preset("tuned", robot)
+        gaits, root = robot.gaits or {}, scale_of("m/s", robot)
+        check_names(gaits, COMMANDED, f"robot {robot.name!r}: gaits")
+        if one_of(name, COMMANDED, "CommandedGait.preset") in gaits:
+            check_two_joints(robot, f"gaits[{name!r}] is")
+            try:
+                return cls.of_legs(gaits[name], robot)
+            except (TypeError, KeyError, ValueError) as error:
+                raise QuadrupedError(
+                    f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} "
+                    f"({error})"
+                ) from error
+        if has_tuned_shape(robot):
+            return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
+        return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
 
     def parameters(self) -> dict[str, Any]:
         """Return the numbers of the gait as plain values for JSON."""
@@ -402,8 +374,8 @@ def check_two_joints(robot: Robot, what: str) -> None:
         )
 
 
-def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
-    """Return the waves of all joints (K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
+def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Floats:
+    """Return the waves of all joints (3, K, J) from the tables of a fore and a hind leg; `_side` is for the right."""
     waves = np.zeros((3, np.size(legs["fore" + part].hip_sine), robot.num_joints))
     for joints, corner in zip(robot.leg_joints, corners(robot), strict=True):
         hip, knee = joints
@@ -411,31 +383,7 @@ def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Waves:
         sign = -1.0 if part == "_side" and corner % 2 == 0 else 1.0
         waves[:, :, hip] = sign * np.array((table.hip_sine, table.hip_cosine, table.hip_offset)).reshape(3, -1)
         waves[:, :, knee] = sign * np.array((table.knee_sine, table.knee_cosine, table.knee_offset)).reshape(3, -1)
-    sine, cosine, offset = waves
-    return sine, cosine, offset
-
-
-@functools.cache
-def _commanded(name: str, robot: Robot, frequency: float | None = None) -> CommandedGait:
-    """Return a preset, or `sinusoid` with the strides of a clock with a frequency in Hz."""
-    gaits = robot.gaits or {}
-    if unknown := set(gaits) - set(COMMANDED):
-        raise QuadrupedError(
-            f"robot {robot.name!r}: gaits has {', '.join(map(repr, sorted(unknown)))}; it may replace "
-            f"{', '.join(COMMANDED)}"
-        )
-    if name not in gaits:
-        root = scale_of("m/s", robot)
-        if has_tuned_shape(robot):
-            return _scaled_to(robot, COMMANDED[name] if frequency is None else sinusoid(frequency * root))
-        return _trot(robot, TROTS[name], TROTS[name].frequency / root if frequency is None else frequency)
-    check_two_joints(robot, f"gaits[{name!r}] is")
-    try:
-        return CommandedGait.of_legs(gaits[name], robot)
-    except (TypeError, KeyError, ValueError) as error:
-        raise QuadrupedError(
-            f"robot {robot.name!r}: gaits[{name!r}] must be what tools/tune_gait.py writes under {name!r} ({error})"
-        ) from error
+    return waves
 
 
 def has_tuned_shape(robot: Robot) -> bool:
@@ -480,19 +428,14 @@ def _trot(robot: Robot, trot: Trot, frequency: float) -> CommandedGait:
     found = np.stack(trot_waves(robot, frequency, velocities, trot)).reshape(3, len(aside), len(speeds), -1)
     straight, left, right, to_left, to_right = np.moveaxis(found, 1, 0)
     turn, side = 0.5 * (left + right) - straight, 0.5 * (left - right)
+    # To 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums.
     return CommandedGait(
         math.tau * frequency,
         speeds,
         largest,
-        straight=_rounded(straight),
-        turn=_rounded(turn / largest),
-        side=_rounded(side / largest),
+        straight=straight.round(6),
+        turn=(turn / largest).round(6),
+        side=(side / largest).round(6),
         robot=robot,
-        lateral=_rounded(0.5 * (to_left - to_right) / lateral) if lateral else None,
+        lateral=(0.5 * (to_left - to_right) / lateral).round(6) if lateral else None,
     )
-
-
-def _rounded(waves: Floats) -> Waves:
-    """Return waves to 1e-6 rad, so that a policy's gait does not depend on the last bits of a processor's sums."""
-    sine, cosine, offset = waves.round(6)
-    return sine, cosine, offset

@@ -49,18 +49,14 @@ def leg_phases(robot: Robot, gait: str = "trot") -> Floats:
 def trot_waves(robot: Robot, frequency: float, velocities: Floats, trot: Trot) -> Waves:
     """Return the waves (K, J) of joint targets with which a robot's feet walk at velocities (K, 3).
 
+    The velocities are forward in m/s, the yaw rate in rad/s, and to the left in m/s.
+
     Of each cycle of a leg's angle a, its foot is in the air while sin(a) > 0, swings forward and rises; then it moves
     backward on the ground, at the velocity commanded. Inverse kinematics gives the joint positions, projection their
     waves. The targets lead these by what the servos need to follow: the torque that holds the weight on two legs, by
     the feet's Jacobians, and the torques of damping and inertia, divided by the gain, and their delay.
 
     Joints that are too slow for the whole lift get a smaller one, and longer strides, since feet drag.
-
-    Args:
-        robot: robot that walks.
-        frequency: cycles per second, Hz.
-        velocities: forward (m/s), yaw rate (rad/s), to the left (m/s).
-        trot: size of the steps.
 
     Raises:
         QuadrupedError: if the robot has not one leg of two or three joints in each corner, or its feet cannot rise.
@@ -154,12 +150,7 @@ def weight_torque(robot: Robot) -> Floats:
 def wave_positions(phase: Floats, phases: Floats, sine: Floats, cosine: Floats, offset: Floats) -> Floats:
     """Return joint positions (N, J) in rad at gait phases (N,) in rad.
 
-    Args:
-        phase: phase of the gait, (N,), rad.
-        phases: result of `joint_phases`, (J,), rad.
-        sine: sine part of each joint, as all three from `CommandedGait.waves`, (N, J), rad.
-        cosine: cosine part, (N, J), rad.
-        offset: offset, (N, J), rad.
+    `phases` is the result of `joint_phases` (J,), and the other three are from `CommandedGait.waves` (N, J).
     """
     angle = phase[:, None] + phases
     return sine * np.sin(angle) + cosine * np.cos(angle) + offset

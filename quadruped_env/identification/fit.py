@@ -281,7 +281,8 @@ class MotorFit:
 
     def _model(self, motors: MotorConfig) -> mujoco.MjModel:
         spec = self._spec.copy()
-        motors.write(spec, self.recorded.robot.joint_kinds, self._max_delay)
+        motors.write(spec, self.recorded.robot.joint_kinds)
+        motors.write_delay(spec, self._max_delay)
         return spec.compile()
 
     def _simulate(self, motors: Sequence[MotorConfig], times: Floats) -> Iterator[Floats]:

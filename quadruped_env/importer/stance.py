@@ -77,7 +77,7 @@ def find_stance(described: Description, anatomy: Anatomy) -> Stance:
         QuadrupedError: if a leg has no length.
     """
     planes = tuple(map(_plane, anatomy.legs))
-    _check_lengths(planes)
+    _check_lengths(described, planes)
     knees, unsure = _knees(described, planes)
     positions = _home(described, planes)
     if positions is not None:
@@ -126,13 +126,14 @@ def _upright(leg: Leg, place: int, left: Floats) -> float:
     return min((_wrapped(angle + turn) for turn in (0.0, math.pi)), key=cost)
 
 
-def _check_lengths(planes: Sequence[LegPlane]) -> None:
+def _check_lengths(described: Description, planes: Sequence[LegPlane]) -> None:
     lengths = np.array([[plane.thigh, plane.shank] for plane in planes])
     if lengths.min() < 0.1 * lengths.max() or lengths.max() < 1e-4:
         found = "; ".join(f"{plane.leg.corner} {plane.thigh:.3g} and {plane.shank:.3g} m" for plane in planes)
         raise QuadrupedError(
             f"thigh and shank of the legs are {found}; expected two links of similar length, with the foot "
             f"at the end of the second: check the joints' origins and the shapes of the last links (a wheel is none)"
+            f"{described.meshes_not_read()}"
         )
 
 

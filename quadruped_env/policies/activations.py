@@ -16,10 +16,6 @@ _ERF: Final = tuple(map(np.float32, (0.254829592, -0.284496736, 1.421413741, -1.
 """Coefficients of erf, Abramowitz and Stegun 7.1.26: 1.5e-7 off."""
 
 
-def _elu(x: Array) -> Array:
-    return np.maximum(x, 0.0) + np.expm1(np.minimum(x, 0.0))
-
-
 def _sigmoid(x: Array) -> Array:
     small = np.exp(-np.abs(x))
     return (np.exp(np.minimum(x, 0.0)) / (1.0 + small)).astype(np.float32)
@@ -38,7 +34,7 @@ def _erf(x: Array) -> Array:
 ACTIVATIONS: Final[Mapping[str, Activation]] = MappingProxyType(
     {
         "tanh": np.tanh,
-        "elu": _elu,
+        "elu": lambda x: np.maximum(x, 0.0) + np.expm1(np.minimum(x, 0.0)),
         "relu": lambda x: np.maximum(x, 0.0),
         "leaky_relu": lambda x: np.where(x < 0.0, np.float32(0.01) * x, x),
         "silu": lambda x: x * _sigmoid(x),

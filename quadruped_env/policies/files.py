@@ -37,7 +37,7 @@ from quadruped_env.policies.policy_data import (
 )
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import check_same_robot
-from quadruped_env.utils.documents import check_regular, read_json
+from quadruped_env.utils.documents import check_regular, read_bytes, read_json
 from quadruped_env.utils.interpreter import program_command
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
@@ -220,7 +220,7 @@ def read_policy(source: str | Path, terms: Terms | None = None) -> PolicyData:
         document.get("output", "clip"),
         str(path),
     )
-    policy.check_finite(str(directory / TENSORS_FILE))
+    policy.check_is_data(str(directory / TENSORS_FILE))
     return policy
 
 
@@ -266,11 +266,7 @@ def _document(path: Path) -> dict[str, Any]:
 
 
 def _tensors(path: Path, document: dict[str, Any], card_path: Path) -> dict[str, NDArray[Any]]:
-    check_regular(path, "name the directory of a finished run")
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be read ({error.strerror})") from error
+    content = read_bytes(path, "name the directory of a finished run")
     _check_hash(document, "weights_sha256", hashlib.sha256(content).hexdigest(), card_path, path)
     try:
         return load(content)
@@ -318,14 +314,10 @@ def _layers(
             rule = f"layer{i}.weight must have shape ({width}, outputs) and layer{i}.bias (outputs,); found {found}"
             raise _damaged(tensors_path, rule)
         if weight.dtype != np.float32 or bias.dtype != np.float32:
-            raise QuadrupedError(
-                f"{tensors_path}: layer{i} must be float32; found {weight.dtype} and {bias.dtype}; train again"
-            )
+            raise _damaged(tensors_path, f"layer{i} must be float32; found {weight.dtype} and {bias.dtype}")
         weights.append(weight)
         biases.append(bias)
         width = len(bias)
     if width != outputs:
-        raise QuadrupedError(
-            f"{tensors_path}: the last layer has {width} outputs; expected {outputs}, one per joint; train again"
-        )
+        raise _damaged(tensors_path, f"the last layer has {width} outputs; expected {outputs}, one per joint")
     return tuple(weights), tuple(biases)

@@ -1,5 +1,6 @@
 """Layers of networks that other libraries trained, as a policy's file holds them."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
@@ -12,8 +13,7 @@ from quadruped_env.task import TaskConfig
 
 Layer = tuple[NDArray[np.float32], NDArray[np.float32]]
 """Weights (in, out) and biases (out,)"""
-SAMPLES: Final = 64
-"""Observations on which a policy is compared with its origin."""
+_SAMPLES: Final = 64
 _TOLERANCE: Final = 1e-3
 """Largest difference of an action; more is not rounding."""
 
@@ -28,6 +28,39 @@ class Network(NamedTuple):
     """Function of the last layer's values, a key of `OUTPUTS`"""
 
 
+class Actor(NamedTuple):
+    """The network of another program's model, with what the model does."""
+
+    network: Network
+    config: TaskConfig
+    """Config of its task."""
+    observations: NDArray[np.float32]
+    """Some observations (N, width)."""
+    actions: NDArray[np.floating]
+    """The model's own actions for them (N, J)."""
+    kind: str
+    """The model's class or form, for errors."""
+    refused: Callable[[str], QuadrupedError]
+    """Makes the error from its reason."""
+
+    def check(self, actions: NDArray[np.float32]) -> None:
+        """Refuse a policy whose actions differ from the model's by more than rounding.
+
+        NaN passes, and is refused where a policy is saved.
+        """
+        difference = float(np.abs(actions - self.actions).max())
+        if difference > _TOLERANCE:
+            raise self.refused(
+                f"{self.kind} computes its action in a way of its own: it differs from its layers by up to "
+                f"{difference:.2g}"
+            )
+
+
+def samples(width: int) -> NDArray[np.float32]:
+    """Return observations (N, width) on which a policy is compared with its origin."""
+    return np.random.default_rng(0).uniform(-2.0, 2.0, (_SAMPLES, width)).astype(np.float32)
+
+
 def affine_before(layer: Layer, scale: NDArray[Any], shift: NDArray[Any]) -> Layer:
     """Return the layer for inputs x (in,) where `layer` gets scale * x + shift, computed in float64."""
     weight, bias = (part.astype(np.float64) for part in layer)
@@ -36,17 +69,7 @@ def affine_before(layer: Layer, scale: NDArray[Any], shift: NDArray[Any]) -> Lay
 
 
 def check_fits(source: Path, observation: object, action: object, config: TaskConfig) -> None:
-    """Refuse a network for another env.
-
-    Args:
-        source: the file that holds it.
-        observation: shape of its observations; the task's is (columns,).
-        action: shape of its actions, (joints,).
-        config: config of the task.
-
-    Raises:
-        QuadrupedError: if a shape is not the task's.
-    """
+    """Raise a QuadrupedError for a file whose shapes (columns,) and (joints,) do not fit the task."""
     history, fields = config.control.observation_history, config.definition.observations
     width = history * ObservationLayout(config.robot, fields).width
     columns = f"{history} x ({', '.join(entry.name for entry in fields)})"
@@ -60,20 +83,3 @@ def check_fits(source: Path, observation: object, action: object, config: TaskCo
                 f"{fix} of its training with --task (config=... or task_file=... in Python). A policy of another env "
                 f"cannot walk here"
             )
-
-
-def check_same_actions(found: NDArray[Any], expected: NDArray[Any], refuse: Any, what: str) -> None:
-    """Raise an error if actions differ by more than rounding; NaN passes, and is refused where a policy is saved.
-
-    Args:
-        found: actions of the policy.
-        expected: actions of the model that it was made from.
-        refuse: makes the error from its reason.
-        what: the model's class or file.
-    """
-    difference = float(np.abs(found - expected).max())
-    if difference > _TOLERANCE:
-        error: QuadrupedError = refuse(
-            f"{what} computes its action in a way of its own: it differs from its layers by up to {difference:.2g}"
-        )
-        raise error

@@ -27,9 +27,7 @@ _RECORDINGS: Final = (".csv", ".mcap", ".db3", ".bag", ".tsv", ".yaml", ".yml")
 def not_a_policy(source: str, recordings: bool = True) -> str:
     """Return the message for a file, folder or name that is known to be no policy; else an empty string.
 
-    Args:
-        source: what the user typed.
-        recordings: a recording counts too; viewer and controller play it.
+    With `recordings` a recording counts, too; viewer and controller play it.
     """
     path, is_file = Path(source), os.path.isfile(source)  # opening a named pipe would wait
     if not os.path.exists(path):

@@ -1,18 +1,15 @@
 """Networks in ONNX files: a chain of linear layers and activation functions, such as rsl_rl's and mjlab's export."""
 
-import hashlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Final, Self
+from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quadruped_env.errors import MissingExtraError, QuadrupedError, short
 from quadruped_env.policies.activations import ACTIVATIONS, BY_CLASS
-from quadruped_env.policies.layers import SAMPLES, Network, check_fits, check_same_actions
+from quadruped_env.policies.layers import Actor, Network, check_fits, samples
 from quadruped_env.task import TaskConfig
 from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.documents import check_regular
@@ -32,52 +29,30 @@ _AFFINE: Final[Mapping[str, Callable[[Floats, float], tuple[Floats, Floats]]]] =
 """Operator with a constant c -> scale and shift of the value; the sign is -1 for c - x."""
 
 
-@dataclass(frozen=True)
-class OnnxActor:
-    """The network of an ONNX file with one input, observations, and one output, actions."""
-
-    path: Path
-    model: Any
-    """`onnx.ModelProto` with its weights"""
-    network: Network
-
-    @classmethod
-    def read(cls, path: Path, config: TaskConfig) -> Self:
-        """See `Policy.from_onnx`; the network fits the task's observations and actions."""
-        try:
-            import onnx
-        except ImportError as error:
-            raise MissingExtraError("A policy from ONNX", "export") from error
-        check_regular(path, "name an ONNX file")
-        try:
-            model = onnx.load(path)  # with the weights next to it, where torch writes them for large networks
-            onnx.checker.check_model(model)
-            network = _network(path, model.graph, onnx)
-        except QuadrupedError:
-            raise
-        except Exception as error:  # of protobuf, of the checker, and of missing files of weights
-            raise QuadrupedError(
-                f"{path}: cannot be read as ONNX ({type(error).__name__}: {short(str(error))}); export it again"
-            ) from error
-        check_fits(path, (len(network.layers[0][0]),), (len(network.layers[-1][1]),), config)
-        return cls(path, model, network)
-
-    @property
-    def facts(self) -> dict[str, Any]:
-        """Provenance: the file's name and SHA-256."""
-        sha256 = hashlib.sha256(self.path.read_bytes()).hexdigest()
-        return {"imported_from": {"name": self.path.name, "sha256": sha256}}
-
-    def check(self, predict: Callable[[NDArray[np.float32]], NDArray[np.float32]]) -> None:
-        """Refuse a policy whose actions differ from the graph's, clipped to [-1, 1]."""
+def actor_of(path: Path, config: TaskConfig) -> Actor:
+    """Return the actor of a file that fits a task's observations and actions; see `Policy.from_onnx`."""
+    try:
+        import onnx
         from onnx.reference import ReferenceEvaluator
-
-        evaluator, (name,) = ReferenceEvaluator(self.model), [entry.name for entry in _inputs(self.model.graph)]
-        width = len(self.network.layers[0][0])
-        seen = np.random.default_rng(0).uniform(-2.0, 2.0, (SAMPLES, width)).astype(np.float32)
-        # One by one: the graph may be of one env.
-        actions = np.concatenate([evaluator.run(None, {name: row[None]})[0].reshape(1, -1) for row in seen])
-        check_same_actions(predict(seen), np.clip(actions, -1.0, 1.0), _refused(self.path), "the graph")
+    except ImportError as error:
+        raise MissingExtraError("A policy from ONNX", "export") from error
+    check_regular(path, "name an ONNX file")
+    try:
+        model = onnx.load(path)  # with the weights next to it, where torch writes them for large networks
+        onnx.checker.check_model(model)
+        network = _network(path, model.graph, onnx)
+    except QuadrupedError:
+        raise
+    except Exception as error:  # of protobuf, of the checker, and of missing files of weights
+        raise QuadrupedError(
+            f"{path}: cannot be read as ONNX ({type(error).__name__}: {short(str(error))}); export it again"
+        ) from error
+    width = len(network.layers[0][0])
+    check_fits(path, (width,), (len(network.layers[-1][1]),), config)
+    seen, evaluator, (given,) = samples(width), ReferenceEvaluator(model), _inputs(model.graph)
+    # One by one: the graph may be of one env.
+    actions = np.concatenate([evaluator.run(None, {given.name: row[None]})[0].reshape(1, -1) for row in seen])
+    return Actor(network, config, seen, np.clip(actions, -1.0, 1.0), "the graph", _refused(path))
 
 
 def _refused(path: Path) -> Callable[[str], QuadrupedError]:
@@ -125,11 +100,7 @@ def _network(path: Path, graph: Any, onnx: Any) -> Network:
 
 
 class _Chain:
-    """The layers of a chain of operators, in float64.
-
-    Args:
-        refused: makes the error from a reason.
-    """
+    """The layers of a chain of operators, in float64; `refused` makes the error from a reason."""
 
     def __init__(self, refused: Callable[[str], QuadrupedError]) -> None:
         self._refused = refused

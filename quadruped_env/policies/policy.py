@@ -1,6 +1,7 @@
 """Trained policies with their tasks: loaded by name or run, and made of models and of code."""
 
 import copy
+import hashlib
 import os
 import warnings
 from collections.abc import Sequence
@@ -16,11 +17,11 @@ from quadruped_env.control.control_interface import Controller
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.task_file import KEPT_FILE, TASK_FILE, execute, recorded_terms
 from quadruped_env.envs import ENV_ID
-from quadruped_env.envs.arguments import task_config
+from quadruped_env.envs.arguments import arguments_of, task_config
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
 from quadruped_env.policies import onnx_file, sb3
 from quadruped_env.policies.files import is_code, kept_file, policy_directory, read_policy, trained_with, unusable
-from quadruped_env.policies.layers import Network
+from quadruped_env.policies.layers import Actor
 from quadruped_env.policies.policy_data import PolicyData
 from quadruped_env.robot.robot import Robot
 from quadruped_env.task import BUILT_IN, Task, TaskConfig, TaskDefinition, load_task_file
@@ -111,11 +112,9 @@ class Policy(PolicyData):
         Warns:
             QuadrupedWarning: if `VecNormalize` clips observations that the env can give.
         """
-        actor = sb3.Actor.of(model)
+        actor = sb3.actor_of(model)
         facts = {"algo": type(model).__name__.lower(), "seed": model.seed, "timesteps": int(model.num_timesteps)}
-        policy = cls._of_network(actor.network, actor.config, facts if card is None else card)
-        actor.check(policy.predict)
-        return policy
+        return cls._of_actor(actor, facts if card is None else card)
 
     @classmethod
     def from_onnx(cls, path: str | os.PathLike[str], card: dict[str, Any] | None = None, **env_kwargs: Any) -> Self:
@@ -134,22 +133,23 @@ class Policy(PolicyData):
             MissingExtraError: if onnx is not installed.
             QuadrupedError: if the file is no such graph, or its observations or actions do not fit the env.
         """
-        config = task_config(**{"action_mode": None, "config": None, **env_kwargs})
-        actor = onnx_file.OnnxActor.read(Path(path), config)
-        policy = cls._of_network(actor.network, config, actor.facts if card is None else card)
-        actor.check(policy.predict)
-        return policy
+        file, config = Path(path), task_config(**env_kwargs)
+        actor = onnx_file.actor_of(file, config)
+        facts = {"imported_from": {"name": file.name, "sha256": hashlib.sha256(file.read_bytes()).hexdigest()}}
+        return cls._of_actor(actor, facts if card is None else card)
 
     @classmethod
-    def _of_network(cls, network: Network, config: TaskConfig, card: dict[str, Any]) -> Self:
+    def _of_actor(cls, actor: Actor, card: dict[str, Any]) -> Self:
+        network = actor.network
         weights, biases = zip(*network.layers, strict=True)
-        return cls.for_task(weights, biases, network.activation, config, card, network.output)
+        policy = cls.for_task(weights, biases, network.activation, actor.config, card, network.output)
+        actor.check(policy.predict(actor.observations))
+        return policy
 
     def make_env(self, **kwargs: Any) -> gymnasium.Env[NDArray[np.float32], NDArray[np.float32]]:
         """Return the environment that the policy was trained for: its task, action mode and control rate.
 
-        Args:
-            **kwargs: arguments of `gymnasium.make`, such as `render_mode`, or `terrain` for another ground.
+        `kwargs` are arguments of `gymnasium.make`, such as `render_mode`, or `terrain` for another ground.
 
         Raises:
             QuadrupedError: if `kwargs` name another task than the policy's.
@@ -157,15 +157,7 @@ class Policy(PolicyData):
         return gymnasium.make(ENV_ID, **self._task_arguments(kwargs), **kwargs)
 
     def make_vec_env(self, num_envs: int, **kwargs: Any) -> gymnasium.vector.VectorEnv[Any, Any, Any]:
-        """Return a native vector environment of the task that the policy was trained for.
-
-        Args:
-            num_envs: number of robots.
-            **kwargs: arguments of `gymnasium.make_vec`, such as `max_episode_steps`.
-
-        Raises:
-            QuadrupedError: if `kwargs` name another task than the policy's.
-        """
+        """Return a native vector environment of the task, by arguments of `gymnasium.make_vec`; see `make_env`."""
         return gymnasium.make_vec(ENV_ID, num_envs=num_envs, **self._task_arguments(kwargs), **kwargs)
 
     def _task_arguments(self, kwargs: dict[str, Any]) -> dict[str, Any]:
@@ -178,8 +170,7 @@ class Policy(PolicyData):
         if definition.added_terrains:
             # Plain values and a task file cannot give these terrains again.
             return {"config": self.config}
-        robot = {} if self.robot == BUILT_IN.robot else {"robot": self.robot}
-        return {"config": self.config.to_dict(), "task_file": definition.path, **robot}
+        return {"config": self.config.to_dict(), **arguments_of(definition)}
 
     def begin(self, begun: NDArray[np.bool_]) -> None:
         """See `PolicyData.begin`."""
@@ -207,14 +198,14 @@ class Policy(PolicyData):
             raise QuadrupedError(f"{self.source}: predict: an action is not finite; return numbers in [-1, 1]")
         return np.clip(actions, -1.0, 1.0).astype(np.float32)
 
-    def check_is_data(self, use: str) -> None:
+    def check_is_data(self, where: str) -> None:
         """See `PolicyData.check_is_data`."""
         if self.agent is not None:
             raise QuadrupedError(
-                f"{use}: {self.source} is a policy of Python code, and this takes policies of files: the directory of "
-                f"a run, or of Policy.from_sb3(model).save(DIR), which holds any MLP of Stable-Baselines3"
+                f"{where}: {self.source} is a policy of Python code, and this takes policies of files: the directory "
+                f"of a run, or of Policy.from_sb3(model).save(DIR), which holds any MLP of Stable-Baselines3"
             )
-        super().check_is_data(use)
+        super().check_is_data(where)
 
     def check_env(self, env: Any) -> None:
         """Check that actions and observations have the same meaning in an environment as in training.
@@ -347,10 +338,7 @@ def task_of(controller: Controller, robot: Robot = BUILT_IN.robot) -> TaskConfig
 def as_policy(policy: Policy | Agent, source: str = "policy", **env_kwargs: Any) -> Policy:
     """Return a policy, or the policy of an agent, which acts for one set of envs at a time.
 
-    Args:
-        policy: either of both.
-        source: name in error messages.
-        env_kwargs: arguments of the env that an agent does not name itself.
+    `source` is its name in error messages, and `env_kwargs` arguments of the env that an agent does not name.
 
     Raises:
         QuadrupedError: if the object lacks one of the two methods, or its `env_kwargs` are not valid.
@@ -370,7 +358,7 @@ def as_policy(policy: Policy | Agent, source: str = "policy", **env_kwargs: Any)
             f"{source}: env_kwargs: expected a dict with {', '.join(_ENV_ARGUMENTS)}; found {short(own)}"
         )
     try:
-        config = task_config(**{"action_mode": None, "config": None, **env_kwargs, **own})
+        config = task_config(**{**env_kwargs, **own})
     except QuadrupedError as error:
         raise QuadrupedError(f"{source}: env_kwargs: {error}" if own else str(error)) from error
     return replace(Policy.for_task((), (), "", config, {"agent": kind}, agent=policy), source=source)
@@ -379,9 +367,7 @@ def as_policy(policy: Policy | Agent, source: str = "policy", **env_kwargs: Any)
 def load_agent(path: str | Path, **env_kwargs: Any) -> Policy:
     """Return the policy that a user's file defines, with memory of its own; the file is executed.
 
-    Args:
-        path: Python file with an agent, or its class, under the name `policy`.
-        env_kwargs: arguments of the env that the agent does not name itself.
+    The file has an agent, or its class, under the name `policy`; for `env_kwargs` see `as_policy`.
 
     Raises:
         QuadrupedError: if the file cannot be executed, defines no agent, or its agent is not valid.

@@ -92,25 +92,16 @@ class PolicyData:
             x = activate(_product(x, weight) + bias)
         return OUTPUTS[self.output](_product(x, self.weights[-1]) + self.biases[-1])
 
-    def check_is_data(self, use: str) -> None:
+    def check_is_data(self, where: str) -> None:
         """Check that the policy can be used where its file is needed.
 
-        Raises:
-            QuadrupedError: as `check_finite`, or if it is code.
-        """
-        self.check_finite(use)
-
-    def check_finite(self, where: str) -> None:
-        """Check that the actions are finite for every observation within its bounds, in float32.
-
+        It has weights, and its actions are finite for every observation within its bounds, in float32.
         A bound on the absolute values after each layer is computed from that before it, by interval arithmetic. It is
-        sound: what passes cannot overflow, in whatever order a library or a microcontroller sums.
-
-        Args:
-            where: beginning of the error message, such as the file.
+        sound: what passes cannot overflow, in whatever order a library or a microcontroller sums. `where`, such as the
+        file, begins the error message.
 
         Raises:
-            QuadrupedError: if a weight is not finite, or the bound exceeds what float32 can hold.
+            QuadrupedError: if the policy is code, a weight is not finite, or the bound exceeds what float32 can hold.
         """
         activate = ACTIVATIONS[self.activation]
         bound = np.tile(self.layout.high, self.layout.history)
@@ -130,10 +121,7 @@ class PolicyData:
     def check_fits(self, robot: Robot, control: ControlConfig, layout: ObservationLayout | None = None) -> None:
         """Check that actions and observations have the same meaning in a task as in training.
 
-        Args:
-            robot: robot of the task.
-            control: its action mode, control rate, clock and history.
-            layout: its observations; None: the policy's own.
+        Without a layout the task's observations are the policy's own.
 
         Raises:
             QuadrupedError: if the robot, action mode, action scale, scripted gait, control rate, gait clock, length of

@@ -4,10 +4,9 @@ Modules are recognized by the names of their classes, so that nothing here impor
 """
 
 import warnings
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable
 from types import MappingProxyType
-from typing import Any, Final, NamedTuple, Self
+from typing import Any, Final
 
 import gymnasium
 import numpy as np
@@ -17,8 +16,9 @@ from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning
 from quadruped_env.policies.activations import ACTIVATIONS, BY_CLASS
-from quadruped_env.policies.layers import SAMPLES, Layer, Network, affine_before, check_same_actions
+from quadruped_env.policies.layers import Actor, Layer, Network, affine_before, samples
 from quadruped_env.task import Task, TaskConfig
+from quadruped_env.utils.arrays import Floats
 
 _ARGUMENTS: Final = MappingProxyType(
     {"alpha": 1.0, "negative_slope": 0.01, "beta": 1.0, "threshold": 20.0, "approximate": "none"}
@@ -47,62 +47,41 @@ def refused(reason: str) -> QuadrupedError:
     )
 
 
-@dataclass(frozen=True)
-class Actor:
-    """The actor of a model, with the task of the model's env."""
-
-    model: Any
-    config: TaskConfig
-    network: Network
-    """Its layers, into which the normalization of the observations is folded, without its clipping"""
-    normalization: "_Normalization | None"
-
-    @classmethod
-    def of(cls, model: Any) -> Self:
-        """See `Policy.from_sb3`."""
-        if not hasattr(model, "get_env"):
-            raise QuadrupedError(
-                f"Policy.from_sb3: expected a model of Stable-Baselines3; found {type(model).__name__}"
-            )
-        kind, venv = type(model).__name__, model.get_env()
-        if was_normalized(model) and model.get_vec_normalize_env() is None:
-            raise QuadrupedError(
-                f"Policy.from_sb3: this {kind} was trained in a VecNormalize, whose statistics are not in its zip, and "
-                f"its env has none, so its actions would be others; load it with {NORMALIZED_ENV}"
-            )
-        if venv is None:
-            raise QuadrupedError(
-                f"Policy.from_sb3: this {kind} has no env; if it was trained in a VecNormalize, load it with "
-                f"{NORMALIZED_ENV}; if it was not, with env=make_sb3_vec_env(1). Both take the action_mode of the "
-                f"training"
-            )
-        config = _task_of(venv)
-        network = actor_network(model.policy)
-        layout = ObservationLayout(config.robot, config.definition.observations, config.control.observation_history)
-        inputs, found = layout.history * layout.width, len(network.layers[0][0])
-        if found != inputs:
-            raise refused(f"its actor sees {found} columns, and the env's observation has {inputs}")
-        normalization = _Normalization.of(model, inputs)
-        if normalization is not None:
-            mean, deviation, clip = normalization
-            first, *others = network.layers
-            network = network._replace(layers=[affine_before(first, 1.0 / deviation, -mean / deviation), *others])
-            if np.isfinite(clip):
-                _check_clip(normalization, venv.observation_space)
-        return cls(model, config, network, normalization)
-
-    def check(self, predict: Callable[[NDArray[np.float32]], NDArray[np.float32]]) -> None:
-        """Refuse a policy whose actions differ from the model's, as for a subclass with its own `forward`."""
-        inputs = len(self.network.layers[0][0])
-        seen = np.random.default_rng(0).uniform(-2.0, 2.0, (SAMPLES, inputs)).astype(np.float32)
-        raw = seen
-        if self.normalization is not None:
-            raw = (seen * self.normalization.deviation + self.normalization.mean).astype(np.float32)
-        # With the privileged readings, which the actor does not see.
-        wide = np.zeros((SAMPLES, self.model.policy.observation_space.shape[0]), np.float32)
-        wide[:, :inputs] = seen
-        expected, _ = self.model.predict(wide, deterministic=True)
-        check_same_actions(predict(raw), expected, refused, type(self.model.policy).__name__)
+def actor_of(model: Any) -> Actor:
+    """Return the actor of a model; see `Policy.from_sb3`."""
+    if not hasattr(model, "get_env"):
+        raise QuadrupedError(f"Policy.from_sb3: expected a model of Stable-Baselines3; found {type(model).__name__}")
+    kind, venv, normalize = type(model).__name__, model.get_env(), model.get_vec_normalize_env()
+    if was_normalized(model) and normalize is None:
+        raise QuadrupedError(
+            f"Policy.from_sb3: this {kind} was trained in a VecNormalize, whose statistics are not in its zip, and "
+            f"its env has none, so its actions would be others; load it with {NORMALIZED_ENV}"
+        )
+    if venv is None:
+        raise QuadrupedError(
+            f"Policy.from_sb3: this {kind} has no env; if it was trained in a VecNormalize, load it with "
+            f"{NORMALIZED_ENV}; if it was not, with env=make_sb3_vec_env(1). Both take the action_mode of the "
+            f"training"
+        )
+    config = _task_of(venv)
+    network = actor_network(model.policy)
+    layout = ObservationLayout(config.robot, config.definition.observations, config.control.observation_history)
+    inputs, found = layout.history * layout.width, len(network.layers[0][0])
+    if found != inputs:
+        raise refused(f"its actor sees {found} columns, and the env's observation has {inputs}")
+    raw = seen = samples(inputs)
+    if normalize is not None and normalize.norm_obs:
+        mean, variance = normalize.obs_rms.mean[:inputs], normalize.obs_rms.var[:inputs]
+        deviation = np.sqrt(variance + normalize.epsilon)
+        first, *others = network.layers
+        network = network._replace(layers=[affine_before(first, 1.0 / deviation, -mean / deviation), *others])
+        raw = (seen * deviation + mean).astype(np.float32)
+        _check_clip(mean, deviation, float(normalize.clip_obs), venv.observation_space)
+    # With the privileged readings, which the actor does not see.
+    wide = np.zeros((len(seen), model.policy.observation_space.shape[0]), np.float32)
+    wide[:, :inputs] = seen
+    actions, _ = model.predict(wide, deterministic=True)
+    return Actor(network, config, raw, actions, type(model.policy).__name__, refused)
 
 
 def was_normalized(model: Any) -> bool:
@@ -253,26 +232,8 @@ def symmetrized(layers: list[Layer], mirror: MirrorMap) -> list[Layer]:
     ]
 
 
-class _Normalization(NamedTuple):
-    """Normalization of the columns that an actor sees: (x - mean) / deviation, clipped to +-clip."""
-
-    mean: NDArray[np.float64]
-    deviation: NDArray[np.float64]
-    clip: float
-
-    @classmethod
-    def of(cls, model: Any, inputs: int) -> Self | None:
-        """Return the normalization by the model's `VecNormalize`; None without one."""
-        normalize = model.get_vec_normalize_env()
-        if normalize is None or not normalize.norm_obs:
-            return None
-        mean, variance = normalize.obs_rms.mean[:inputs], normalize.obs_rms.var[:inputs]
-        return cls(mean, np.sqrt(variance + normalize.epsilon), float(normalize.clip_obs))
-
-
-def _check_clip(normalization: _Normalization, space: Any) -> None:
+def _check_clip(mean: Floats, deviation: Floats, clip: float, space: Any) -> None:
     """Warn if observations that the env can give are clipped by the normalization, which a policy's file cannot."""
-    mean, deviation, clip = normalization
     low, high = space.low[: len(mean)], space.high[: len(mean)]
     beyond = np.maximum(np.abs(low - mean), np.abs(high - mean)) > clip * deviation
     if beyond.any():

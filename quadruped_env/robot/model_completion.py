@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.utils.documents import check_regular
+from quadruped_env.utils.documents import read_bytes
 
 _DIRECTORIES: Final = ("meshdir", "texturedir", "assetdir")
 _FREE: Final = mujoco.mjtJoint.mjJNT_FREE
@@ -56,11 +56,10 @@ def read_model(path: Path) -> tuple[str, dict[str, bytes]]:
 
 
 def _read(path: Path, folder: Path, assets: dict[str, bytes], fix: str) -> bytes:
-    check_regular(path, fix)
+    content = read_bytes(path, fix)
     try:
-        content = path.read_bytes()
         root = ElementTree.fromstring(content) if path.suffix == ".xml" else None  # noqa: S314  the user's own file
-    except (OSError, ElementTree.ParseError) as error:
+    except ElementTree.ParseError as error:
         raise QuadrupedError(f"{path}: cannot be read ({error}); {fix}") from error
     if (files := read_files.get()) is not None:
         files[path] = content
@@ -79,12 +78,7 @@ def _read(path: Path, folder: Path, assets: dict[str, bytes], fix: str) -> bytes
 
 
 def parsed(text: str, assets: Mapping[str, bytes] | None, main: Mapping[str, str] | None = None) -> mujoco.MjSpec:
-    """Return the specification of an MJCF, or of another text that includes it.
-
-    Args:
-        text: the MJCF.
-        assets: files that it names.
-        main: other MJCF files by name, which `text` includes.
+    """Return the specification of an MJCF that names the files `assets`, and includes the MJCF files `main`.
 
     Raises:
         ValueError: if MuJoCo cannot read it.
@@ -179,15 +173,7 @@ def add_sensors(
     foot_radius: float,
     hips: Sequence[str],
 ) -> None:
-    """Add the sensors of `own_sensors` to a robot.
-
-    Args:
-        spec: specification of the robot, with actuators.
-        sensors: the result of `own_sensors`.
-        foot_sites: sites at the centres of the feet.
-        foot_radius: radius of the feet, m.
-        hips: first link of each leg.
-    """
+    """Add the sensors of `own_sensors` to a robot with actuators; `foot_radius` in m, `hips` the legs' first links."""
     base, zone = spec.joints[0].parent, mujoco.mjtGeom.mjGEOM_SPHERE
     base.add_site(name=_IMU, type=zone, size=[_WHOLE_LINK] * 3, group=5)
     feet, trunk = [], [_IMU]

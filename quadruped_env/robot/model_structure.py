@@ -64,11 +64,7 @@ def _last_links(model: mujoco.MjModel) -> list[int]:
 
 
 def add_sites(mjcf: str, places: Mapping[str, Place]) -> tuple[str, tuple[str, ...]]:
-    """Return an MJCF with a site at each position, and the names of all sites.
-
-    Args:
-        mjcf: the text; unchanged if all places are names of sites.
-        places: name of a site, or the position of a new one, by link.
+    """Return an MJCF with a site at each position, and the names of all sites, for places by link.
 
     Raises:
         QuadrupedError: if a position is not three finite numbers, or the MJCF has no such body.

@@ -175,14 +175,8 @@ class MotorConfig(_MotorFields):
             values[kind] = {k: v for k, v in values[kind].items() if v or k not in SERVO_ERRORS}
         return values
 
-    def write(self, spec: mujoco.MjSpec, kinds: Sequence[str], max_delay: float | None = None) -> None:
-        """Set these motors in a robot's specification.
-
-        Args:
-            spec: specification of a robot; its time step must already be set.
-            kinds: kinds of the robot's joints, which are in the order of the actuators.
-            max_delay: maximum delay to allocate a buffer for, s. None: the delay of this config.
-        """
+    def write(self, spec: mujoco.MjSpec, kinds: Sequence[str]) -> None:
+        """Set these motors in a robot's specification, but for their delay; `kinds` as in `of_joints`."""
         for actuator, motor in zip(spec.actuators, self.of_joints(kinds), strict=True):
             joint = spec.joint(actuator.target)
             joint.damping[:] = [motor.damping, 0.0, 0.0]
@@ -196,10 +190,9 @@ class MotorConfig(_MotorFields):
                 controller=[motor.kp, 0.0, motor.kd, 0.0, 0.0, VOLTAGE],
                 ctrlspec=_POSITION,
             )
-        self.write_delay(spec, self.delay if max_delay is None else max_delay)
 
     def write_delay(self, spec: mujoco.MjSpec, max_delay: float) -> None:
-        """Set the delay in a robot's specification, with a buffer for delays up to `max_delay` in s."""
+        """Set the delay in a specification with a time step, with a buffer for delays up to `max_delay` in s."""
         if max_delay > 0.0:
             for actuator in spec.actuators:
                 actuator.delay, actuator.interp = self.delay, _LINEAR
@@ -220,13 +213,8 @@ def servo_target(
     from either side of the backlash, and else at rest. Within the dead band the servo pulls to where the joint is, and
     beyond it by the error less the dead band, so that the joint comes to rest up to the dead band away.
 
-    Args:
-        target: joint target.
-        position: position that the servo measures.
-        play: position of the joint's end of the gears; begins at the joint's position, updated in place.
-        target_step: see `JointMotor`.
-        backlash: see `JointMotor`.
-        dead_band: see `JointMotor`.
+    `position` is what the servo measures, and `play` the position of the joint's end of the gears, which begins at the
+    joint's position and is updated in place.
     """
     step = np.where(target_step > 0.0, target_step, 1.0)
     rounded = np.where(target_step > 0.0, step * np.rint(target / step), target)
@@ -236,13 +224,7 @@ def servo_target(
 
 
 def fill_command_history(model: mujoco.MjModel, history: Floats, joint_target: Floats) -> None:
-    """Initialize the buffers of delayed motors as if the targets (N, J) in rad had been constant before.
-
-    Args:
-        model: the robot.
-        history: MuJoCo's history buffers (N, model.nhistory), written in place.
-        joint_target: joint targets (N, J), rad.
-    """
+    """Fill MuJoCo's history buffers (N, model.nhistory) as if joint targets (N, J) in rad had been constant before."""
     for actuator in range(model.nu):
         start, samples = model.actuator_historyadr[actuator], model.actuator_history[actuator, 0]
         if start >= 0:

@@ -37,12 +37,8 @@ def _angles(value: Plain, path: str) -> tuple[float, float] | None:
 
 def _legs(value: Plain, path: str) -> tuple[str, ...]:
     names = plain(value)
-    check(
-        isinstance(names, list) and sorted(map(str, names)) == sorted(CORNERS),
-        path,
-        value,
-        f"{', '.join(CORNERS)} in any order",
-    )
+    valid = isinstance(names, list) and sorted(map(str, names)) == sorted(CORNERS)
+    check(valid, path, value, f"{', '.join(CORNERS)} in any order")
     return tuple(names)
 
 

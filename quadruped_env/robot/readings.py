@@ -7,9 +7,10 @@ from typing import Final, Self
 import mujoco
 import numpy as np
 
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
 from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.fields import check, check_names
 
 _FOOT_VECTORS: Final = ("foot_position", "foot_velocity", "foot_angular_velocity")
 
@@ -22,15 +23,10 @@ def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
             or has them in another order, or they have more or fewer values than the field.
     """
     shapes = _shapes(robot)
+    columns, of = {}, f"robot {robot.name!r}: sensors"
     if missing := [field for field in shapes if not robot.sensor_names.get(field)]:
-        raise QuadrupedError(
-            f"robot {robot.name!r}: sensors: missing {', '.join(missing)}; name the sensors of the model for each"
-        )
-    if unknown := [field for field in robot.sensor_names if field not in shapes]:
-        raise QuadrupedError(
-            f"robot {robot.name!r}: sensors: unknown field {short(unknown[0])}; valid fields are {', '.join(shapes)}"
-        )
-    columns = {}
+        raise QuadrupedError(f"{of}: missing {', '.join(missing)}; name the sensors of the model for each")
+    check_names(robot.sensor_names, shapes, of)
     address, width = model.sensor_adr.tolist(), model.sensor_dim.tolist()
     for field, sensors in robot.sensor_names.items():
         ids = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, sensor) for sensor in sensors]
@@ -43,11 +39,8 @@ def sensor_columns(model: mujoco.MjModel, robot: Robot) -> dict[str, slice]:
                     f"{'is missing in the model' if i < 0 else 'must follow the one before it in the model'}"
                 )
             stop += width[i]
-        if stop - start != math.prod(shapes[field]):
-            raise QuadrupedError(
-                f"robot {robot.name!r}: sensors of {field}: expected {math.prod(shapes[field])} values; found "
-                f"{stop - start} of {len(sensors)} sensors"
-            )
+        size = math.prod(shapes[field])
+        check(stop - start == size, f"{of} of {field}", sensors, f"sensors with {size} values, not {stop - start}")
         columns[field] = slice(start, stop)
     return columns
 

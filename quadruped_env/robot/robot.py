@@ -30,6 +30,7 @@ from quadruped_env.robot.motors import MOTOR_KINDS, JointMotor, MotorConfig
 from quadruped_env.robot.skeleton import Pose, Skeleton
 from quadruped_env.robot.written_urdf import written_urdf
 from quadruped_env.utils.arrays import Floats, frozen
+from quadruped_env.utils.fields import check
 from quadruped_env.utils.parameters import is_quantity
 from quadruped_env.utils.plain import plain
 
@@ -133,11 +134,9 @@ class Robot:
         self._check_given()
         self._find_legs()
         self._check_restated()
-        if len(self.leg_names) != self.num_legs:
-            raise self._error(f"leg_names must have {self.num_legs} entries, one per foot; found {self.leg_names!r}")
-        for names in (self.leg_names, self.joint_names, self.link_names):
-            if len(set(names)) < len(names):
-                raise self._error(f"names must differ; found {names!r}")
+        self._check(len(self.leg_names) == self.num_legs, "leg_names", f"{self.num_legs} names, one per foot")
+        for name in ("leg_names", "joint_names", "link_names"):
+            self._check(len(set(getattr(self, name))) == len(getattr(self, name)), name, "different names")
 
     def _find_joints_and_feet(self) -> None:
         """Fill `joint_names` and `foot_sites` where they are not given as names, and put `stance` in order."""
@@ -185,17 +184,16 @@ class Robot:
             if getattr(self, name) is None and name != "stance":
                 continue
             values = np.array(getattr(self, name), dtype=np.float64)
-            if values.shape != (self.num_joints,) or not np.isfinite(values).all():
-                raise self._error(
-                    f"{name} must be {self.num_joints} finite numbers, one per joint; found {short(values)}"
-                )
+            finite = values.shape == (self.num_joints,) and bool(np.isfinite(values).all())
+            self._check(finite, name, f"{self.num_joints} finite numbers, one per joint")
             self._set(**{name: frozen(values)})
         for name in ("stance_height", "foot_radius"):
             value = getattr(self, name)
-            if value is not None and not (is_quantity(value) and value > 0):
-                raise self._error(
-                    f"{name} must be a positive number (m), or None for the model's; found {short(value)}"
-                )
+            valid = value is None or (is_quantity(value) and value > 0)
+            self._check(valid, name, "a positive number (m), or None for the model's")
+
+    def _check(self, condition: bool, name: str, rule: str) -> None:
+        check(condition, f"robot {self.name!r}: {name}", getattr(self, name), rule)
 
     def _set(self, **values: Any) -> None:
         for name, value in values.items():
@@ -204,12 +202,11 @@ class Robot:
     def _check_given(self) -> None:
         """Check the optional fields, and make them plain."""
         if self.sensors is not None:
-            try:
-                self._set(sensors={key: tuple(names) for key, names in self.sensors.items()})
-            except (AttributeError, TypeError) as error:
-                raise self._error(
-                    f"sensors must be a dict of field -> names of the model's sensors; found {short(self.sensors)}"
-                ) from error
+            lists = isinstance(self.sensors, Mapping) and all(
+                isinstance(of, list | tuple) for of in self.sensors.values()
+            )
+            self._check(lists, "sensors", "a dict of field -> names of the model's sensors")
+            self._set(sensors={key: tuple(names) for key, names in self.sensors.items()})
         for name, length, allowed in (
             ("motor_kinds", self.num_joints, MOTOR_KINDS),
             ("mirror_signs", self.num_joints, (1, -1)),
@@ -220,13 +217,11 @@ class Robot:
             given = plain(getattr(self, name))
             if given is None:
                 continue
-            if not isinstance(given, list) or len(given) != length or any(x not in allowed for x in given):
-                found = short(getattr(self, name))
-                raise self._error(f"{name} must be {length} of {', '.join(map(str, allowed))}; found {found}")
+            valid = isinstance(given, list) and len(given) == length and all(x in allowed for x in given)
+            self._check(valid, name, f"{length} of {', '.join(map(str, allowed))}")
             self._set(**{name: tuple(given)})
         if self.gaits is not None:
-            if not isinstance(self.gaits, Mapping):
-                raise self._error(f"gaits must be a dict of preset -> parameters; found {short(self.gaits)}")
+            self._check(isinstance(self.gaits, Mapping), "gaits", "a dict of preset -> parameters")
             self._set(gaits=plain(dict(self.gaits)))
 
     @property
@@ -368,7 +363,7 @@ class Robot:
         """
         spec = self._parsed(scene)
         make_servos(spec, self.joint_names)
-        self.motors.write(spec, self.joint_kinds, max_delay=0.0)  # the delay depends on the time step
+        self.motors.write(spec, self.joint_kinds)
         if self.sensors is None:
             bodies = self.skeleton.model.jnt_bodyid[[1 + joints[0] for joints in self.leg_joints]]
             hips = [self.skeleton.model.body(body).name for body in bodies]
@@ -580,15 +575,7 @@ def _line(error: ValueError) -> str:
 
 
 def check_same_robot(recorded: Any, robot: Robot) -> None:
-    """Check that a robot is the recorded one.
-
-    Args:
-        recorded: a robot's `identity`; None is not checked.
-        robot: robot to compare.
-
-    Raises:
-        QuadrupedError: if they are not the same.
-    """
+    """Raise a QuadrupedError if a robot is not the one whose `identity` was recorded; None is not checked."""
     if recorded is None:
         return
     if not isinstance(recorded, Mapping) or not {"name", "sha256"} <= set(recorded):

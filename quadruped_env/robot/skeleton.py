@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.fields import check
 from quadruped_env.utils.rotations import from_axis_angle, multiply, rotate
 
 Pose = tuple[Floats, Floats]
@@ -49,12 +50,7 @@ class Transform:
 class Skeleton:
     """Bodies, joints and collision points of a robot, for kinematics at a third of the cost of the full model.
 
-    Args:
-        spec: specification of the robot alone; it is changed.
-        whole: the model compiled from it.
-        joint_names: joints, in the order of the model's.
-        link_names: links, the base first.
-        foot_sites: sites at the centres of the feet.
+    The specification of the robot alone, from which the `whole` model was compiled, is changed.
     """
 
     def __init__(
@@ -66,7 +62,8 @@ class Skeleton:
         foot_sites: Sequence[str],
     ) -> None:
         self.joint_names, self.link_names = joint_names, link_names
-        self.feet = [(_name(whole, whole.site(site).bodyid[0]), whole.site(site).pos.copy()) for site in foot_sites]
+        sites = [whole.site(name) for name in foot_sites]
+        self.feet = [(whole.body(int(site.bodyid[0])).name, site.pos.copy()) for site in sites]
         """Link of each foot, and the foot's centre in the frame of that link, m."""
         self._collision = _collision_points(whole)
         for body in spec.bodies[1:]:
@@ -127,32 +124,21 @@ class Skeleton:
         """Return fields of MuJoCo's data (..., rows, columns); arguments and errors are as in `forward_kinematics`."""
         num_joints = len(self.joint_names)
         joints = np.asarray(positions, dtype=np.float64)
-        if joints.ndim == 0 or joints.shape[-1] != num_joints:
-            raise QuadrupedError(
-                f"forward_kinematics: positions must have shape (..., {num_joints}), one value per joint; "
-                f"found {joints.shape}"
-            )
         base = np.asarray(_ORIGIN if base_pose is None else base_pose, dtype=np.float64)
-        if base.ndim == 0 or base.shape[-1] != 7:
-            raise QuadrupedError(
-                f"forward_kinematics: base_pose must have shape (..., 7), xyz and wxyz; found {base.shape}"
-            )
+        rule, both = f"of shape (..., {num_joints}), one value per joint", "forward_kinematics: positions and base_pose"
+        check(joints.shape[-1:] == (num_joints,), "forward_kinematics: positions", joints.shape, rule)
+        check(base.shape[-1:] == (7,), "forward_kinematics: base_pose", base.shape, "of shape (..., 7), xyz and wxyz")
         try:
             leading = np.broadcast_shapes(joints.shape[:-1], base.shape[:-1])
         except ValueError as error:
-            raise QuadrupedError(
-                f"forward_kinematics: the leading axes of positions {joints.shape} and base_pose {base.shape} do not "
-                f"fit"
-            ) from error
+            raise QuadrupedError(f"{both}: their shapes {joints.shape} and {base.shape} do not fit") from error
         joints = np.broadcast_to(joints, (*leading, num_joints)).reshape(-1, num_joints)
         base = np.broadcast_to(base, (*leading, 7)).reshape(-1, 7)
         for values in (joints, base):
             # The minimum and maximum of an array with NaN are NaN, and comparisons with NaN are false.
             if values.size and not (values.min() >= -MAX_VALUE and values.max() <= MAX_VALUE):
-                raise QuadrupedError(
-                    f"forward_kinematics: positions and base_pose must be finite and within {MAX_VALUE:g}; "
-                    f"found {values[~(np.abs(values) <= MAX_VALUE)][0]:g}"
-                )
+                wrong = values[~(np.abs(values) <= MAX_VALUE)][0]
+                raise QuadrupedError(f"{both} must be finite and within {MAX_VALUE:g}; found {wrong:g}")
         if not base[:, 3:].any(axis=1).all():
             raise QuadrupedError("forward_kinematics: base_pose has a zero quaternion; identity is (1, 0, 0, 0)")
 
@@ -198,11 +184,9 @@ class Skeleton:
         return np.array(found)
 
     def lowest(self, positions: ArrayLike, up: Floats) -> float:
-        """Return the height of the robot's lowest point over its base's centre, along a direction in the base frame, m.
+        """Return the height of the robot's lowest point over its base's centre, m, for joint positions (J,) in rad.
 
-        Args:
-            positions: joint positions in rad (J,).
-            up: unit vector (3,).
+        The height is along `up`, a unit vector (3,) in the base frame.
         """
         points, radii = self._collision
         return float((self._points(points, self.forward_kinematics(positions)) @ up - radii).min())
@@ -216,17 +200,13 @@ class Skeleton:
         return data.subtree_com[self.model.body(self.link_names[0]).id].copy()
 
     def resting_pose(self, positions: ArrayLike) -> Floats:
-        """Return the pose (7,) of the base with the robot resting on its feet, above the origin and facing along x.
+        """Return the pose of the base with the robot resting on its feet, above the origin and facing along x.
+
+        Position in m and quaternion wxyz (7,), for joint positions (J,) in rad.
 
         The three feet whose support triangle contains the centre of mass touch the ground; every other foot touches it
         or is in the air. If no three feet can carry the robot, its base is level. If another part would penetrate the
         ground, the robot is raised until that part rests on the ground.
-
-        Args:
-            positions: joint positions in rad (J,).
-
-        Returns:
-            Position in m and quaternion wxyz.
 
         Raises:
             QuadrupedError: as `forward_kinematics`.
@@ -243,29 +223,20 @@ class Skeleton:
     def joint_transforms(self, positions: ArrayLike, base_pose: ArrayLike | None = None) -> tuple[Transform, ...]:
         """Return the transforms that `robot_state_publisher` sends on `/tf`: one per joint, from parent to child link.
 
-        Args:
-            positions: joint positions in rad, shape (..., J).
-            base_pose: position in m and quaternion wxyz of the base in the world, shape (..., 7). With it the first
-                transform places the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
-
-        Returns:
-            Transforms with leading axes (...), in the order of `joint_names`.
+        They have leading axes (...), for positions (..., J) and base poses (..., 7) as in `forward_kinematics`. With
+        poses the first one places the base in `ODOMETRY_FRAME`, which `robot_state_publisher` does not send.
 
         Raises:
             QuadrupedError: if a shape is wrong or a value is not finite.
         """
         joints, base = np.asarray(positions, np.float64), np.asarray(base_pose, np.float64)
         model, names, transforms = self.model, self.joint_names, []
-        if joints.ndim == 0 or joints.shape[-1] != len(names) or not np.isfinite(joints).all():
-            raise QuadrupedError(
-                f"joint_transforms: positions must be finite, of shape (..., {len(names)}); found {joints.shape}"
-            )
+        valid = joints.shape[-1:] == (len(names),) and bool(np.isfinite(joints).all())
+        check(valid, "joint_transforms: positions", joints.shape, f"finite, of shape (..., {len(names)})")
         if base_pose is not None:
-            if base.shape != (*joints.shape[:-1], 7) or not np.isfinite(base).all():
-                raise QuadrupedError(
-                    f"joint_transforms: base_pose must be finite, of shape {(*joints.shape[:-1], 7)}; "
-                    f"found {base.shape}"
-                )
+            shape = (*joints.shape[:-1], 7)
+            valid = base.shape == shape and bool(np.isfinite(base).all())
+            check(valid, "joint_transforms: base_pose", base.shape, f"finite, of shape {shape}")
             transforms.append(Transform(ODOMETRY_FRAME, self.link_names[0], base[..., :3], base[..., 3:]))
         for column, name in enumerate(names):
             joint = model.joint(name)
@@ -319,22 +290,16 @@ def _support_normal(feet: Floats, centre: Floats) -> Floats:
     return np.array([0.0, 0.0, 1.0])
 
 
-def _name(model: mujoco.MjModel, body: int) -> str:
-    return model.body(int(body)).name
-
-
 def _collision_points(model: mujoco.MjModel) -> tuple[list[tuple[str, Floats]], Floats]:
     """Return the points by link and radii (P,) of the balls whose convex hulls are the collision shapes."""
     points: list[tuple[str, Floats]] = []
     radii: list[float] = []
     for geom in np.flatnonzero(model.geom_contype | model.geom_conaffinity):
         local, radius = _balls(model, int(geom))
-        quaternion = model.geom_quat[geom]
+        quaternion, link = model.geom_quat[geom], model.body(int(model.geom_bodyid[geom])).name
         for point in local:
             # Rounded, because MuJoCo states centre and half length where a model states the two ends.
-            points.append(
-                (_name(model, model.geom_bodyid[geom]), np.round(rotate(quaternion, point) + model.geom_pos[geom], 12))
-            )
+            points.append((link, np.round(rotate(quaternion, point) + model.geom_pos[geom], 12)))
             radii.append(radius)
     return points, np.array(radii)
 

@@ -20,12 +20,8 @@ _UPRIGHT: Final = 1e-7
 def written_urdf(name: str, model: mujoco.MjModel, motors: Sequence[JointMotor]) -> str:
     """Return the links, joints, inertia, collision shapes and drives of a model as URDF.
 
-    A capsule becomes a cylinder and two spheres, and a mesh the box around it.
-
-    Args:
-        name: name of the robot.
-        model: the robot alone, whose first joint is free.
-        motors: motor of each other joint.
+    A capsule becomes a cylinder and two spheres, and a mesh the box around it. The model is the robot alone, whose
+    first joint is free; `motors` has one for each other joint.
 
     Raises:
         QuadrupedError: if a joint is no hinge at the origin of its link.

@@ -1,7 +1,7 @@
 """Simulation of many robots, on `mujoco.batch.Batch` and its thread pool."""
 
 from collections.abc import Callable
-from typing import Any, Final
+from typing import Final
 
 import mujoco
 import numpy as np
@@ -13,7 +13,7 @@ from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.readings import Readings, sensor_columns
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState
+from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, SETTLED, SimulationState, restored
 from quadruped_env.utils.arrays import Floats
 
 _WARNING_COUNT = 1
@@ -25,19 +25,13 @@ class BatchSimulation:
     """`Simulation` with many envs.
 
     Args:
-        model: model of the robot on its ground.
-        num_envs: number of envs, N.
         num_threads: number of threads that step the envs, the calling thread included; 0 uses every core. The results
             do not depend on it.
-        robot: robot that the model describes.
     """
 
     def __init__(
         self, model: mujoco.MjModel, num_envs: int, num_threads: int = 0, robot: Robot = MINI_QUADRUPED
     ) -> None:
-        self._make(model, num_envs, num_threads, robot)
-
-    def _make(self, model: mujoco.MjModel, num_envs: int, num_threads: int, robot: Robot) -> None:
         self.model = model
         self.robot = robot
         self.height_field = HeightField.of(model)
@@ -176,42 +170,17 @@ class BatchSimulation:
 
     def set_state(self, env_id: int, state: SimulationState) -> None:
         """See `Simulation.set_state`."""
-        fields = {name: values[None] for name, values in state.model_fields.items()}
-        self._restore(np.array([env_id]), state.integration, state.readings, np.array([state.diverged]), fields)
+        for name, values in state.model_fields.items():
+            self.model_field(name)[env_id] = values
+        self._clear(np.array([env_id]))
+        self.batch.state[env_id] = state.integration
+        self._sensordata[env_id] = state.readings
+        self._failed[env_id] = state.diverged
 
-    def _restore(
-        self,
-        env_ids: NDArray[np.intp],
-        integration: Floats,
-        readings: Floats,
-        diverged: NDArray[np.bool_],
-        model_fields: dict[str, Floats],
-    ) -> None:
-        for name, values in model_fields.items():
-            self.model_field(name)[env_ids] = values
-        self._clear(env_ids)
-        self.batch.state[env_ids] = integration
-        self._sensordata[env_ids] = readings
-        self._failed[env_ids] = diverged
-
-    def __getstate__(self) -> dict[str, Any]:
-        # A batch and its threads do not support pickling: a copy creates its own and restores the state of every env.
-        return {
-            "model": self.model,
-            "num_envs": self.num_envs,
-            "num_threads": self._num_threads,
-            "robot": self.robot,
-            "integration": self.batch.state.copy(),
-            "readings": self.sensordata.copy(),
-            "diverged": self.diverged(),
-            "model_fields": {name: self.batch.expand(name).copy() for name in sorted(self._varied_fields)},
-        }
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self._make(state["model"], state["num_envs"], state["num_threads"], state["robot"])
-        self._restore(
-            np.arange(self.num_envs), state["integration"], state["readings"], state["diverged"], state["model_fields"]
-        )
+    def __reduce__(self) -> tuple[object, ...]:
+        # A batch and its threads do not support pickling.
+        arguments = self.model, self.num_envs, self._num_threads, self.robot
+        return restored, (type(self), arguments, [self.get_state(env_id) for env_id in range(self.num_envs)])
 
     def copy_data(self, env_id: int) -> mujoco.MjData:
         """A copy of the MuJoCo data of one env, for rendering."""

@@ -1,7 +1,7 @@
 """Heights of the ground of a compiled model, exactly as MuJoCo collides with it."""
 
 import math
-from typing import Any, Final, Self
+from typing import Final, Self
 
 import mujoco
 import numpy as np
@@ -16,16 +16,12 @@ SURROUNDINGS: Final = "surroundings"
 
 
 class HeightField:
-    """Height field of a model.
+    """Height field of a model that has one as its ground (`build_model`).
 
     Elementwise operations only: the height below a point does not depend on the other points.
-
-    Args:
-        model: model with a height field as its ground (`build_model`).
     """
 
     def __init__(self, model: mujoco.MjModel) -> None:
-        self._model = model
         ground = model.geom(GROUND)
         field = model.hfield(int(model.geom_dataid[ground.id]))
         self._rows, self._columns = int(field.nrow[0]), int(field.ncol[0])
@@ -43,10 +39,6 @@ class HeightField:
         """Height field of a model; None if its ground is a plane at height 0."""
         is_field = model.geom(GROUND).type == mujoco.mjtGeom.mjGEOM_HFIELD
         return cls(model) if is_field else None
-
-    def __reduce__(self) -> Any:
-        # The model is usually pickled with it, and only once.
-        return type(self), (self._model,)
 
     def points(self, around: NDArray[np.floating] | None = None, margin: float = 0.0) -> Floats:
         """Grid points (along y, along x, 3) in the world, m.
@@ -83,12 +75,7 @@ class HeightField:
         return np.where(self._inside(place, 0.0), height, self._outside)
 
     def highest(self, positions: Floats, radius: float) -> Floats:
-        """Maximum height (...,) of the grid points around positions (..., 2 or 3), m.
-
-        Args:
-            positions: world coordinates, m.
-            radius: half the side of the square that is covered, m.
-        """
+        """Maximum height (...,) of the grid points in squares of half side `radius` at positions (..., 2 or 3), m."""
         place = positions[..., :2]
         first, _ = self._cell_of(place - radius)
         columns, rows = (

@@ -14,11 +14,7 @@ PERIOD: Final = 1.0
 
 
 class PushLimit:
-    """Refuses pushes that add up to more than `MAX_PUSH`.
-
-    Args:
-        name: name of the input that pushes, for the error.
-    """
+    """Refuses pushes that add up to more than `MAX_PUSH`; `name` names the input in the error."""
 
     def __init__(self, name: str) -> None:
         self._name = name
@@ -26,11 +22,7 @@ class PushLimit:
         """Time (s) and velocity (m/s) of each push of the last period."""
 
     def check(self, velocity: Iterable[float], time: float) -> None:
-        """Count a push.
-
-        Args:
-            velocity: its velocity, m/s.
-            time: simulated time, s, not before an earlier push.
+        """Count a push of a velocity in m/s at a simulated time in s, not before an earlier push.
 
         Raises:
             QuadrupedError: if it is not finite, or too large together with the others; it is not counted then.

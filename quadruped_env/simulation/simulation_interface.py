@@ -1,5 +1,6 @@
 """Interface between a task and a simulation, common to both drivers."""
 
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 import mujoco
@@ -69,14 +70,9 @@ class Simulation(Protocol):
         ...
 
     def push(self, env_ids: NDArray[np.intp], velocity: NDArray[np.float64]) -> None:
-        """Add a velocity to the base of some envs (R,).
+        """Add a velocity to the base of some envs (R,); readings change with the next step.
 
-        Readings change with the next step.
-
-        Args:
-            env_ids: indices of the envs.
-            velocity: linear velocity in the world frame in m/s (R, 3), or with it the angular velocity in the body
-                frame in rad/s (R, 6).
+        It is linear in the world frame in m/s (R, 3), or with the angular velocity in the body frame in rad/s (R, 6).
         """
         ...
 
@@ -113,6 +109,16 @@ class Simulation(Protocol):
     def set_state(self, env_id: int, state: SimulationState) -> None:
         """Restore a state from `get_state`, of this or of another simulation of the same model."""
         ...
+
+
+def restored(
+    kind: Callable[..., Simulation], arguments: tuple[object, ...], states: Sequence[SimulationState]
+) -> Simulation:
+    """Return a new simulation whose envs have states of `Simulation.get_state`: pickling and copying call it."""
+    simulation = kind(*arguments)
+    for env_id, state in enumerate(states):
+        simulation.set_state(env_id, state)
+    return simulation
 
 
 def highest_ground(simulation: Simulation, positions: NDArray[np.float64]) -> NDArray[np.float64]:

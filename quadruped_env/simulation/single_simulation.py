@@ -1,6 +1,6 @@
 """Simulation of one robot, on `MjData`; it supports pickling, copying and rendering."""
 
-from typing import Any
+import copy
 
 import mujoco
 import numpy as np
@@ -11,7 +11,12 @@ from quadruped_env.robot.motors import fill_command_history
 from quadruped_env.robot.readings import Readings, sensor_columns
 from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation.height_field import HeightField
-from quadruped_env.simulation.simulation_interface import DIVERGENCE_WARNINGS, STATE_SPEC, SimulationState
+from quadruped_env.simulation.simulation_interface import (
+    DIVERGENCE_WARNINGS,
+    STATE_SPEC,
+    SimulationState,
+    restored,
+)
 from quadruped_env.utils.arrays import Floats
 
 
@@ -20,7 +25,6 @@ class SingleSimulation:
 
     Args:
         model: model of the robot on its ground, for this simulation alone: steps and randomizations write to it.
-        robot: robot that the model describes.
     """
 
     num_envs = 1
@@ -37,9 +41,6 @@ class SingleSimulation:
         """Values of the fields before they were varied, by name."""
         self._base = model.body(robot.base_name).id
         self.sensor_columns = sensor_columns(model, robot)
-        self._bind()
-
-    def _bind(self) -> None:
         self.sensordata = self.data.sensordata[None]
         self.readings = Readings.from_sensordata(self.model, self.sensordata, self.robot)
         self._ctrl = self.data.ctrl
@@ -151,25 +152,13 @@ class SingleSimulation:
         self._clear()
         mujoco.mj_setState(self.model, self.data, state.integration, STATE_SPEC)
         mujoco.mj_step1(self.model, self.data)
-        self._keep_readings(state.readings)
+        # Those before a push, if there was one.
+        self.data.sensordata = state.readings
+        self._settled = False
         self._failed = state.diverged
 
-    def __getstate__(self) -> dict[str, Any]:
-        # The readings are views of the data, and unpickling would turn them into copies: `_bind` creates them again.
-        attributes = self.__dict__.copy()
-        for name in ("readings", "sensordata", "substeps", "_recorded", "_ctrl", "_warnings"):
-            del attributes[name]
-        return attributes
-
-    def __setstate__(self, attributes: dict[str, Any]) -> None:
-        self.__dict__.update(attributes)
-        self._bind()
-        readings = self.data.sensordata.copy()
-        # Pickling does not include intermediate results, of which rendering needs some.
-        mujoco.mj_step1(self.model, self.data)
-        self._keep_readings(readings)
-
-    def _keep_readings(self, readings: Floats) -> None:
-        """Replace the readings of the first half of a step by those before a push, if there was one."""
-        self.data.sensordata = readings
-        self._settled = False
+    def __reduce__(self) -> tuple[object, ...]:
+        model = copy.copy(self.model)
+        for name, values in self._varied_fields.items():
+            getattr(model, name)[...] = values
+        return restored, (type(self), (model, self.robot), [self.get_state(0)])

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Final, Self, overload
+from typing import Annotated, Any, Final, Self, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.fields import check, check_names, converted
 from quadruped_env.utils.parameters import Parameter, described, parameters_of, stay_importable
 from quadruped_env.utils.provenance import TERRAIN_FILE, TaskFile
 
@@ -36,6 +37,7 @@ ROUNDING: Final = 1e-9
 
 LEVELS: Final = 10
 """Number of levels of a terrain that has levels, from 1 to the hardest."""
+Level = Annotated[int, Parameter(low=1, high=LEVELS)]
 FIELDS: Final = ("name", "seed", "level")
 """Fields of every terrain in the config."""
 
@@ -158,16 +160,12 @@ class Terrain:
             raise QuadrupedError(
                 f"terrain {self.name}: {reserved[0]!r} is a field of every terrain; rename the parameter"
             )
-        if not (0.0 < self.cell <= self.size and self.size / self.cell <= MAX_POINTS - 1):
-            raise QuadrupedError(
-                f"terrain {self.name}: expected a size and a cell in m with 1 to {MAX_POINTS - 1} cells per side; "
-                f"found size={self.size:g}, cell={self.cell:g}"
-            )
+        fine = 0.0 < self.cell <= self.size and self.size / self.cell <= MAX_POINTS - 1
+        rule = f"lengths in m with 1 to {MAX_POINTS - 1} cells per side"
+        check(fine, f"terrain {self.name}: size and cell", (self.size, self.cell), rule)
         for name, value in (self.hardest or {}).items():
-            if name not in self.parameters or not self.parameters[name][0].accepts(value):
-                raise QuadrupedError(
-                    f"terrain {self.name}: hardest must give valid values of its parameters; found {name}={value!r}"
-                )
+            valid = name in self.parameters and self.parameters[name][0].accepts(value)
+            check(valid, f"terrain {self.name}: hardest", {name: value}, "valid values of its parameters")
 
     @property
     def extent(self) -> tuple[float, float]:
@@ -175,13 +173,7 @@ class Terrain:
         return self.size * self.scale, self.size * self.scale
 
     def defaults(self, level: int | None, scale: float = 1.0) -> dict[str, float]:
-        """Values of all parameters at a level, or without one.
-
-        Those of the levels are in proportion to the level.
-
-        Args:
-            level: from 1 to `LEVELS`; None: the defaults of the parameters.
-            scale: factor on lengths.
+        """Values of all parameters at a level, in proportion to it, or without one; `scale` is a factor on lengths.
 
         Raises:
             QuadrupedError: if the level is not valid, or the terrain has no levels.
@@ -192,12 +184,9 @@ class Terrain:
             return values
         if self.hardest is None:
             raise QuadrupedError(f"terrain {self.name}: found level {short(level)}, but it has no levels; leave it out")
-        if isinstance(level, bool) or not isinstance(level, (int, np.integer)) or not 1 <= level <= LEVELS:
-            raise QuadrupedError(
-                f"terrain {self.name}: level must be a whole number from 1 to {LEVELS}; found {short(level)}"
-            )
+        whole = converted(level, Level, f"terrain {self.name}: level")
         for name, value in self.hardest.items():
-            values[name] = value * factors[name] * level / LEVELS
+            values[name] = value * factors[name] * whole / LEVELS
         return values
 
     def variant(self, seed: int = 0, level: int | None = None, scale: float = 1.0, **values: float) -> Self:
@@ -213,14 +202,12 @@ class Terrain:
             QuadrupedError: if the level is not valid, a parameter is unknown or its value is not valid.
         """
         defaults = self.defaults(level, scale)
-        for name, value in values.items():
-            if name not in self.parameters:
-                valid = ", ".join(self.parameters) or "none"
-                raise QuadrupedError(f"terrain {self.name}: unknown parameter {name!r}; its parameters are: {valid}")
-            parameter = self.parameter(name, scale)
-            if not parameter.accepts(value):
-                raise QuadrupedError(f"terrain {self.name}: {name} must be {parameter.rule()}; found {short(value)}")
-        changed = ((name, float(value)) for name, value in sorted(values.items()) if value != defaults[name])
+        check_names(values, self.parameters, f"terrain {self.name}")
+        own = {
+            name: converted(value, Annotated[float, self.parameter(name, scale)], f"terrain {self.name}: {name}")
+            for name, value in values.items()
+        }
+        changed = ((name, value) for name, value in sorted(own.items()) if value != defaults[name])
         return replace(self, seed=seed, level=level, scale=float(scale), values=tuple(changed))
 
     def parameter(self, name: str, scale: float) -> Parameter:
@@ -331,11 +318,7 @@ class Tiles(Terrain):
         return np.stack(np.meshgrid(along_x, along_y), axis=-1)
 
     def tile(self, kind: int, level: int) -> Floats:
-        """Heights (P, P) of one tile in m, without the other tiles.
-
-        Args:
-            kind: index in `kinds`.
-            level: from 1 on.
+        """Heights (P, P) of one tile in m, without the other tiles, for an index in `kinds` and a level from 1 on.
 
         Raises:
             QuadrupedError: if the kind's heights are not valid, or not 0 on the edge.

@@ -52,12 +52,7 @@ class CommandSection(Section, path="config.command"):
 
 
 class CommandSampler:
-    """Samples commands.
-
-    Args:
-        commands: components of the command (C,), the velocities first.
-        config: ranges, fractions of standing, straight and turning commands, and time between commands.
-    """
+    """Samples commands of C components, the velocities first."""
 
     def __init__(self, commands: Sequence[Command], config: CommandSection) -> None:
         self._interval = config.resample_interval

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import fields
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,8 @@ from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import quantities
 from quadruped_env.utils.arrays import Floats
 
+_SMALLEST_COMMAND: Final = np.array([0.1, 0.2, 0.1])
+
 
 class TaskContext:
     """Readings, actions, commands and episode memory of N envs after a control step.
@@ -23,13 +26,8 @@ class TaskContext:
     A term must read from the context that it is called with and keep no reference to its arrays: they are overwritten
     or replaced at every step.
 
-    Args:
-        readings: readings of the simulation.
-        control: gait clock, commands and actions.
-        velocity_time_constant: time constant of `smooth_velocity`, s.
-        contact_threshold: normal force above which a foot is in contact, N.
-        height_field: heights of the ground; None for a plane at height 0.
-        motors: motors of the simulation. None: the robot's.
+    The time constant of `smooth_velocity` is in s. Without a height field the ground is a plane at height 0; without
+    motors the robot has its own.
     """
 
     joint_offset: Floats
@@ -80,14 +78,11 @@ class TaskContext:
         self._airborne: Floats = self.memory.zeros("airborne", self.robot.num_legs)
         self.contact_threshold = contact_threshold
         """Normal force above which a foot is in contact, N."""
-        self.velocity_unit = np.array([scale_of(entry.unit, self.robot) for entry in velocity_commands(self.robot)])
-        """Size of a velocity and of a rate for the robot relative to the built-in one, (V,)."""
+        units = np.array([scale_of(entry.unit, self.robot) for entry in velocity_commands(self.robot)])
+        self.smallest_command = _SMALLEST_COMMAND[: len(units)] * units
+        """Command below which progress is reduced in proportion (V,), m/s, rad/s and m/s."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
-        self.bind(readings, control)
-
-    def bind(self, readings: Readings, control: ControlInterface) -> None:
-        """Replace the readings and the control interface."""
         self.readings = readings
         """Readings of the simulation; see `Readings`."""
         self.control = control

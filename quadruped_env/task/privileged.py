@@ -1,6 +1,5 @@
 """Privileged readings: what a simulation knows and a robot does not measure, for the value function of a training."""
 
-import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
@@ -14,7 +13,6 @@ from quadruped_env.control.observations import (
     ObservationLayout,
     PerRobot,
     Reader,
-    first_line,
     per_unit,
     per_velocity,
 )
@@ -22,8 +20,9 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.sensor_errors import Sensors
-from quadruped_env.task.reward_function import checked
+from quadruped_env.task.reward_function import check_fields
 from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.parameters import described
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,7 @@ def privileged(
         scale: factor from the reading to the value function's input.
         bound: the scaled value is clipped to +-bound.
     """
-    return lambda read: PrivilegedReading(read.__name__, read, unit, mirror, scale, bound, 0.0, first_line(read))
+    return lambda read: PrivilegedReading(read.__name__, read, unit, mirror, scale, bound, 0.0, described(read))
 
 
 @privileged(unit="m/s", mirror=(1.0, -1.0, 1.0), scale=per_unit(2.0, "m/s"), bound=4.0)
@@ -138,10 +137,6 @@ PRIVILEGED: Final = (
 class PrivilegedReadings:
     """The privileged readings of N robots, scaled and clipped like an observation.
 
-    Args:
-        fields: the readings.
-        state: what they are computed from.
-
     Raises:
         QuadrupedError: if a reading is not an array with its columns.
     """
@@ -149,9 +144,7 @@ class PrivilegedReadings:
     def __init__(self, fields: Sequence[PrivilegedReading], state: TrueState) -> None:
         self.layout = ObservationLayout(state.context.robot, tuple(fields))
         self._state = state
-        for field in fields:
-            shape = state.simulation.num_envs, field.width(state.context.robot)
-            checked(f"privileged reading {field.name}", shape, functools.partial(field.read, state))
+        check_fields("privileged reading", self.layout, state.simulation.num_envs, state)
 
     def values(self) -> NDArray[np.float32]:
         """Return the scaled readings (N, layout.width) in a new array.

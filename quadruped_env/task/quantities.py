@@ -30,11 +30,7 @@ def foot_lift(sole_height: Floats, full: float) -> Floats:
 
     Unlike contact it is continuous, so a small increase in height already increases the reward. The slope is largest
     at the ground, so it does not pay to drag one foot and lift the others higher. Beyond the full height it falls
-    again: a foot that is thrown up gains nothing.
-
-    Args:
-        sole_height: height of each foot over the ground (N, L), m.
-        full: height of a full lift, m.
+    again: a foot that is thrown up gains nothing. Heights over the ground are in m.
     """
     # Scaled so that the square of the missing height is 2 on the ground.
     root = math.sqrt(2.0)
@@ -43,17 +39,14 @@ def foot_lift(sole_height: Floats, full: float) -> Floats:
 
 
 def mechanical_power(torque: Real, velocity: Real) -> Floats:
-    """Return the mechanical power of the motors (...,), W; negative power counts as zero."""
+    """Return the power (...,), W, of torques in N m and velocities in rad/s (..., J); negative power is zero."""
     return np.add.reduce(np.maximum(torque * velocity, 0.0), axis=-1)
 
 
 def electrical_power(torque: Real, velocity: Real, joule_coefficient: Floats) -> Floats:
     """Return the electrical power of the motors (...,), W: `mechanical_power`, and the heat in their windings.
 
-    Args:
-        torque: motor torques (..., J), N m.
-        velocity: joint velocities (..., J), rad/s.
-        joule_coefficient: heat per squared torque of each motor (J,), W/(N m)^2; `MotorConfig.joule_coefficients`.
+    The heat per squared torque of each motor (J,) is in W/(N m)^2, as in `MotorConfig.joule_coefficients`.
     """
     return mechanical_power(torque, velocity) + np.add.reduce(torque**2 * joule_coefficient, axis=-1)
 
@@ -67,12 +60,8 @@ def mean_over_steps(values: Floats) -> Floats:
 def sliding_squared(foot_velocity: Floats, foot_angular_velocity: Floats, radius: float) -> Floats:
     """Return the squared horizontal velocity of each foot's lowest point (..., L), m^2/s^2.
 
-    The lowest point of a ball that rolls without slipping is at rest: v + omega x (0, 0, -r).
-
-    Args:
-        foot_velocity: velocity of the ball's centre (..., L, 3), m/s.
-        foot_angular_velocity: angular velocity of the foot (..., L, 3), rad/s.
-        radius: r, m.
+    The lowest point of a ball that rolls without slipping is at rest: v + omega x (0, 0, -r), with the velocity v of
+    its centre in m/s and the angular velocity omega in rad/s (..., L, 3), and the radius r in m.
     """
     along_x = foot_velocity[..., 0] - foot_angular_velocity[..., 1] * radius
     along_y = foot_velocity[..., 1] + foot_angular_velocity[..., 0] * radius

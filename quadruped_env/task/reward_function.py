@@ -7,21 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.task.context import TaskContext
 from quadruped_env.task.terms import RewardSection, RewardTerm, Termination, TerminationSection
 from quadruped_env.utils.arrays import Bools, Floats
-from quadruped_env.utils.fields import Section
+from quadruped_env.utils.fields import Section, check
 
 
 class RewardFunction:
-    """Weighted reward terms of a task. A term whose weights are 0 is not computed, and counts as 0.
-
-    Args:
-        terms: terms in the order in which they are added.
-        config: weights and parameters of the terms.
-        context: input of the terms.
-    """
+    """Weighted reward terms of a task, in their order. A term whose weights are 0 is not computed, and counts as 0."""
 
     def __init__(self, terms: Sequence[RewardTerm], config: RewardSection, context: TaskContext) -> None:
         self.names = tuple(name for term in terms for name in term.names)
@@ -66,22 +61,20 @@ def checked(what: str, shape: tuple[int, ...], call: Callable[[], object], dtype
         value = call()
     except Exception as error:
         raise QuadrupedError(f"{what}: {type(error).__name__}: {error}") from error
-    found = getattr(value, "shape", type(value).__name__)
-    if found != shape:
-        raise QuadrupedError(f"{what}: expected an array of shape {shape}, one value per env; found {found}")
-    kind = getattr(value, "dtype", None)
-    if dtype not in (None, kind):
-        raise QuadrupedError(f"{what}: expected an array of {dtype}, one value per env; found {kind}")
+    found, kind = getattr(value, "shape", type(value).__name__), getattr(value, "dtype", None)
+    check(found == shape, what, found, f"an array of shape {shape}, one value per env")
+    check(dtype in (None, kind), what, str(kind), f"an array of {dtype}, one value per env")
+
+
+def check_fields(what: str, layout: ObservationLayout, num_envs: int, *arguments: object) -> None:
+    """Check what each field of a layout reads from the arguments; see `checked`."""
+    for field in layout.fields:
+        shape = num_envs, field.width(layout.robot)
+        checked(f"{what} {field.name}", shape, functools.partial(field.read, *arguments))
 
 
 class Terminations:
-    """Terminations of a task.
-
-    Args:
-        terms: termination conditions.
-        config: parameters of the terms.
-        context: input of the terms.
-    """
+    """Terminations of a task."""
 
     def __init__(self, terms: Sequence[Termination], config: TerminationSection, context: TaskContext) -> None:
         self._names = [term.name for term in terms]

@@ -17,9 +17,6 @@ from quadruped_env.utils.parameters import Parameter
 
 Positive = Parameter.positive
 
-_SMALLEST_COMMAND: Final = np.array([0.1, 0.2, 0.1])
-"""Command below which progress is reduced in proportion, for the built-in robot, m/s, rad/s and m/s."""
-
 
 @reward_group(track_forward_velocity=9.0, track_yaw_rate=9.0)
 class tracking:  # noqa: N801  named like the other terms
@@ -49,17 +46,17 @@ def progress(context: TaskContext) -> Floats:
     forward_progress: share = v~ / v_command, less below 0.1 m/s
     turn_progress: share = w~ / w_command, less below 0.2 rad/s
     """
-    return _progress(context, slice(2))
+    return _progress(context)[:, :2]
 
 
-def _progress(context: TaskContext, columns: int | slice) -> Floats:
-    """Return the progress in some velocities of the command (N, ...)."""
+def _progress(context: TaskContext) -> Floats:
+    """Return the progress in each velocity of the command (N, V)."""
     # Linear, so it has a gradient at standstill, where the tracking of a fast command is flat. Of the average velocity:
     # a peak at the command would else pull the median there, not the mean.
-    command = context.command[:, columns]
+    command = context.command
     speed = np.abs(command)
-    size = np.maximum(speed, _SMALLEST_COMMAND[columns] * context.velocity_unit[columns])
-    share, whole = context.smooth_velocity[:, columns] * (np.sign(command) / size), speed / size
+    size = np.maximum(speed, context.smallest_command)
+    share, whole = context.smooth_velocity * (np.sign(command) / size), speed / size
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
@@ -143,7 +140,7 @@ def lateral(context: TaskContext, lateral_velocity_std: Annotated[float, Positiv
     lateral_progress: as forward_progress, share = u~ / u_command, less below 0.1 m/s
     """
     tracked = np.exp(-((context.tracking_error[:, 2] / lateral_velocity_std) ** 2))
-    return np.stack([tracked, _progress(context, 2)], axis=-1)
+    return np.stack([tracked, _progress(context)[:, 2]], axis=-1)
 
 
 # mypy ignores the return type of a class decorator.

@@ -4,7 +4,6 @@ The single and the vector environment share this code. The values of an env do n
 rules in CONTRIBUTING.md before changing an expression here.
 """
 
-import functools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -23,7 +22,7 @@ from quadruped_env.task.privileged import PrivilegedReadings, TrueState
 from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.randomization.randomizer import Randomizer
 from quadruped_env.task.randomization.tile_assignment import TileAssignment
-from quadruped_env.task.reward_function import RewardFunction, Terminations, checked
+from quadruped_env.task.reward_function import RewardFunction, Terminations, check_fields
 from quadruped_env.task.task_config import TaskConfig
 from quadruped_env.task.terrain_section import TilesSection
 from quadruped_env.utils.arrays import Bools, EnvIds, Floats
@@ -68,12 +67,13 @@ class Task:
         definition = config.definition
         if simulation.robot != config.robot:
             raise QuadrupedError(f"task: it is for {config.robot!r}; found a simulation of {simulation.robot!r}")
-        # First attribute, so that unpickling loads a user's file before it needs the classes in it.
         self.config = config
         self.simulation = simulation
         self.max_episode_steps = max_episode_steps
         n = self.num_envs = simulation.num_envs
         self.control = ControlInterface(config.robot, config.control, n, definition.observations)
+        self.command = self.control.command
+        """Commanded velocities (N, V); see `ControlInterface.command`; live."""
         self.context = TaskContext(
             simulation.readings,
             self.control,
@@ -121,35 +121,11 @@ class Task:
         if self._own_terms:
             self._check_terms()
 
-    def __setstate__(self, state: dict[str, object]) -> None:
-        self.__dict__.update(state)
-        # Unpickling the simulation creates new views of its readings.
-        self.context.bind(self.simulation.readings, self.control)
-
-    @property
-    def command(self) -> Floats:
-        """Commanded velocities (N, V); see `ControlInterface.command`; live."""
-        return self.control.command
-
-    @property
-    def smooth_velocity(self) -> Floats:
-        """Velocities in the order of the command, averaged over about one gait cycle, (N, V); live."""
-        return self.context.smooth_velocity
-
-    @property
-    def tracking_error(self) -> Floats:
-        """`smooth_velocity` minus the command that was in force in the last step, (N, V); live, and kept at a reset."""
-        return self.context.tracking_error
-
-    @property
-    def phase(self) -> Floats:
-        """Phase of the gait clock in [0, 2 pi), (N,); live."""
-        return self.control.phase
-
-    @property
-    def steps(self) -> NDArray[np.int64]:
-        """Control steps since each env's reset, (N,); live."""
-        return self.control.steps
+    def __reduce__(self) -> tuple[object, ...]:
+        # Made again, because its arrays are views of each other, of which pickling would make copies. A single env has
+        # the same generators.
+        states = [self.get_state(env_id) for env_id in range(self.num_envs)]
+        return _restored, (self.config, self.simulation, self.max_episode_steps, self.generators, states)
 
     def reset(
         self,
@@ -206,7 +182,7 @@ class Task:
 
         Envs that begin together, and do not fall, would otherwise reach every time limit in the same step.
         """
-        share = self.draws.uniform(_PURPOSES, slice(None), self.steps)[:, 0]
+        share = self.draws.uniform(_PURPOSES, slice(None), self.control.steps)[:, 0]
         self._shortened[:] = np.floor(share * (self.max_episode_steps or 0)).astype(np.int64)
 
     def set_command(self, env_ids: EnvIds, command: Sequence[float] | Floats) -> None:
@@ -242,11 +218,7 @@ class Task:
         return self._move(self.control.joint_target(values), restart)
 
     def act(self, controller: Controller, observation: NDArray[np.float32]) -> Transition:
-        """Advance every env by one control step with a controller's joint targets.
-
-        Args:
-            controller: see `quadruped_env.control.control_interface.Controller`.
-            observation: observations of all envs (N, width).
+        """Advance every env by one control step with a controller's joint targets for the observations (N, width).
 
         Raises:
             QuadrupedError: as `step`.
@@ -302,7 +274,7 @@ class Task:
         """Return the observations (N, width) of all envs in a new array."""
         noise = self._randomizer.observation_noise() if self._noise else None
         sensors = self._randomizer.sensors
-        readings = self.simulation.readings if sensors is None else sensors.read(self.steps)
+        readings = self.simulation.readings if sensors is None else sensors.read(self.control.steps)
         return self.control.observe(readings, noise)
 
     def get_state(self, env_id: int) -> State:
@@ -362,16 +334,27 @@ class Task:
         self.control.phase[:] = 0.0
         self._rewards.check(self.context)
         self._terminations.check(self.context)
-        layout = self.control.layout
-        for field in layout.fields:
-            shape = self.num_envs, field.width(self.control.robot)
-            read = functools.partial(field.read, self.simulation.readings, self.control)
-            checked(f"observation {field.name}", shape, read)
+        check_fields("observation", self.control.layout, self.num_envs, self.simulation.readings, self.control)
         self.context.memory.clear(np.arange(self.num_envs))
 
     def _refuse_reward(self, terms: Floats) -> None:
         term, env_id = np.argwhere(~np.isfinite(terms))[0]
         raise QuadrupedError(
-            f"reward {self.term_names[term]}: {terms[term, env_id]} in env {env_id}, step {self.steps[env_id]}; return "
-            f"finite numbers"
+            f"reward {self.term_names[term]}: {terms[term, env_id]} in env {env_id}, step "
+            f"{self.control.steps[env_id]}; return finite numbers"
         )
+
+
+def _restored(
+    config: TaskConfig,
+    simulation: Simulation,
+    max_episode_steps: int | None,
+    generators: list[np.random.Generator],
+    states: list[State],
+) -> Task:
+    """Return a task from what was pickled."""
+    task = Task(simulation, config, max_episode_steps)
+    task.generators = generators
+    for env_id, state in enumerate(states):
+        task.set_state(env_id, state)
+    return task

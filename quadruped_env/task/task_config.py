@@ -187,21 +187,20 @@ class TaskConfig(LoopConfig):
                 name another robot than the definition's.
         """
         values = plain(values)
-        if isinstance(values, dict):
-            file = recorded_file(values.get(TASK_FILE))
-            if file is not None and definition.file is None:
-                raise needs_file("this task has terms", file)
-            values = known_values(values, definition)
-            terrain_file = values.pop(TERRAIN_FILE, None)
-            check_same_robot(values.pop(ROBOT, None), definition.robot)
-            if terrain_file is not None:
-                terrains = _terrains_of_file(terrain_file, values.get("terrain"), definition)
-                # The file gave the config its terrains and nothing else.
-                definition = definition if file is not None else BUILT_IN.with_robot(definition.robot)
-                for terrain in terrains:
-                    definition = definition.with_terrain(terrain)
         if not isinstance(values, dict):
             raise QuadrupedError(f"config: expected a mapping of fields; found {short(values)}")
+        file = recorded_file(values.get(TASK_FILE))
+        if file is not None and definition.file is None:
+            raise needs_file("this task has terms", file)
+        values = known_values(values, definition)
+        terrain_file = values.pop(TERRAIN_FILE, None)
+        check_same_robot(values.pop(ROBOT, None), definition.robot)
+        if terrain_file is not None:
+            terrains = _terrains_of_file(terrain_file, values.get("terrain"), definition)
+            # The file gave the config its terrains and nothing else.
+            definition = definition if file is not None else BUILT_IN.with_robot(definition.robot)
+            for terrain in terrains:
+                definition = definition.with_terrain(terrain)
         check_names(values, [name for name in hints_of(cls) if name != "definition"], "config")
         return cls(**values, definition=definition)
 

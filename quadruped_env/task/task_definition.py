@@ -142,13 +142,9 @@ def load_task_file(path: str | os.PathLike[str], expected: TaskFile | None = Non
 
     The file's code is executed, so load only files that you trust.
 
-    Args:
-        path: path of the file.
-        expected: expected name and hash; verified before anything is executed.
-
     Raises:
-        QuadrupedError: if the file cannot be read, differs from the expected one, raises an error, defines more than
-            one robot, or defines nothing of a task.
+        QuadrupedError: if the file cannot be read, differs from the expected one, which is verified before anything is
+            executed, raises an error, defines more than one robot, or defines nothing of a task.
     """
     return _defined(*execute(path, expected))
 

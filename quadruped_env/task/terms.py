@@ -4,11 +4,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.task.context import TaskContext
 from quadruped_env.utils.arrays import Bools, Floats
-from quadruped_env.utils.fields import Section
-from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of, stay_importable
+from quadruped_env.utils.fields import Section, check
+from quadruped_env.utils.parameters import LARGEST, Parameter, described, is_quantity, parameters_of
 from quadruped_env.utils.plain import plain
 
 Term = Callable[..., Floats | Callable[[TaskContext], Floats]]
@@ -32,11 +31,8 @@ class RewardTerm:
     def __post_init__(self) -> None:
         object.__setattr__(self, "weights", plain(self.weights))
         for name, weight in self.weights.items():
-            if not is_quantity(weight):
-                raise QuadrupedError(
-                    f"reward {name}: weight must be a number from {-LARGEST:g} to {LARGEST:g}, per second; found "
-                    f"{short(weight)}; write, for example, @reward(weight=-0.5)"
-                )
+            rule = f"a number from {-LARGEST:g} to {LARGEST:g}, per second, as in @reward(weight=-0.5)"
+            check(is_quantity(weight), f"reward {name}: weight", weight, rule)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -93,13 +89,11 @@ def reward_group(unit: str = "1", **weights: float) -> Callable[[Term], RewardTe
 
 
 def _term(weights: dict[str, float], unit: str, function: Term) -> RewardTerm:
-    stay_importable(function)
     return RewardTerm(weights, function, unit, parameters_of(function), described(function))
 
 
 def termination(function: Condition) -> Termination:
     """Decorator: a function (context) -> bool (N,) becomes a termination of the same name."""
-    stay_importable(function)
     return Termination(function.__name__, function, parameters_of(function), described(function))
 
 

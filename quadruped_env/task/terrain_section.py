@@ -5,17 +5,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Final, Self
 
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.simulation.built_in_terrains import find_terrain, terrain_scale
-from quadruped_env.simulation.terrain import FIELDS, LEVELS, Terrain, Tiles
+from quadruped_env.simulation.terrain import FIELDS, LEVELS, Level, Terrain, Tiles
 from quadruped_env.task.task_definition import TaskDefinition
-from quadruped_env.utils.fields import Section, check, converted, extended, with_values
+from quadruped_env.utils.fields import Section, check, converted, extended, one_of, with_values
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.plain import Plain
 
 DEFAULT_TERRAIN: Final = "flat"
 Seed = Annotated[int, Parameter(low=0, high=2**32 - 1)]
-Level = Annotated[int, Parameter(low=1, high=LEVELS)]
 Share = Annotated[float, Parameter(low=0.0, exclusive=True)]
 
 
@@ -140,12 +139,6 @@ def _type(terrain: Terrain, level: int | None, definition: TaskDefinition) -> ty
 
 
 def _kinds(valid: Sequence[str], value: Plain, path: str) -> tuple[str, ...]:
-    if not isinstance(value, (list, tuple)) or not value:
-        raise QuadrupedError(
-            f"{path}: expected a list of one or more terrains with levels; found {short(value)}; valid are "
-            f"{', '.join(valid)}"
-        )
-    for kind in value:
-        if kind not in valid:
-            raise QuadrupedError(f"{path}: {short(kind)} is not a terrain with levels; valid are {', '.join(valid)}")
-    return tuple(value)
+    listed = isinstance(value, (list, tuple)) and len(value) > 0
+    check(listed, path, value, f"a list of one or more terrains with levels: {', '.join(valid)}")
+    return tuple(one_of(kind, valid, path) for kind in value)

@@ -96,7 +96,7 @@ class Recorder(Scheduled):
 
     def _on_step(self) -> bool:
         self.elapsed = time.perf_counter() - self._start
-        error = self._task.tracking_error
+        error = self._task.context.tracking_error
         self._squares += (error * error).mean(axis=0)
         self._terms += self._env.last_terms.mean(axis=0)
         self._steps += 1

@@ -47,6 +47,16 @@ def check_regular(path: Path, fix: str) -> None:
         raise QuadrupedError(f"{path}: is {found}; {fix}")
 
 
+def read_bytes(path: Path, fix: str, limit: int = -1) -> bytes:
+    """Return the content of a regular file, or its first bytes up to a limit; errors as `check_regular`."""
+    check_regular(path, fix)
+    try:
+        with path.open("rb") as file:
+            return file.read(limit)
+    except OSError as error:
+        raise _unreadable(path, error, fix) from error
+
+
 def read_json(path: Path, fix: str = "name a JSON file") -> Any:
     """Return the document in a JSON file.
 
@@ -72,13 +82,8 @@ def read_toml(path: Path, fix: str = "fix it, or name another file") -> dict[str
 
 
 def _text(path: Path, language: str, fix: str) -> str:
-    check_regular(path, fix)
     limit = MAX_BYTES[language]
-    try:
-        with path.open("rb") as file:
-            data = file.read(limit + 1)
-    except OSError as error:
-        raise _unreadable(path, error, fix) from error
+    data = read_bytes(path, fix, limit + 1)
     if len(data) > limit:
         raise QuadrupedError(f"{path}: over {limit} bytes are too many; {fix}")
     try:

@@ -247,9 +247,9 @@ class TaskRobot(ViewedRobot):
             self.timestep,
             self.terrain,
             self._simulation.readings,
-            time=task.steps * self.timestep,
+            time=task.control.steps * self.timestep,
             command=task.control.requested,
-            smooth_velocity=task.smooth_velocity,
+            smooth_velocity=task.context.smooth_velocity,
             contact=task.context.foot_contact,
             reward_terms=np.zeros((1, len(self.term_names))) if transition is None else transition.terms,
         )

@@ -41,7 +41,7 @@ def learning_document(config: TaskConfig) -> dict[str, Any] | None:
     task = TaskConfig().for_robot(robot)
     frequency = clock_frequency(robot)
     try:
-        gait = CommandedGait.sinusoid(robot, frequency)
+        gait = CommandedGait.preset("sinusoid", robot, frequency)
     except QuadrupedError:
         return None
     # Without a stride: the mean of one forwards and one backwards.

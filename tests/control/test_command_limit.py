@@ -6,8 +6,8 @@ import pytest
 from comparisons import random_policy
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import ControlConfig, ControlInterface
-from quadruped_env.control.control_config import COMMANDS, Command
+from quadruped_env.control.control_config import COMMANDS, Command, ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
 from quadruped_env.robot import MINI_QUADRUPED

@@ -48,7 +48,7 @@ def walked_with_changed_settings(commands):
     """As `walked`, with the searched gait as the viewer controls it, one robot at a time."""
     found = []
     for command in commands:
-        controller = GaitController(CommandedGait.tuned())
+        controller = GaitController(CommandedGait.preset("tuned"))
         controller.settings = replace(controller.settings, amplitude=1.05)
         found.append(walked(controller, [command], seeds=[0]))
     return np.concatenate(found)
@@ -75,7 +75,7 @@ FOLLOWERS = {
     "searched gait in the viewer": lambda: walked_with_changed_settings(COMMANDS),
     "searched gait under a residual policy": lambda: walked_in_env("residual", COMMANDS, action={"gait": "tuned"}),
     "searched gait at each command": lambda: np.concatenate(
-        [walked(GaitController(CommandedGait.tuned().at(command), "at"), [STANDING]) for command in COMMANDS]
+        [walked(GaitController(CommandedGait.preset("tuned").at(command), "at"), [STANDING]) for command in COMMANDS]
     ),
     "shipped policy": lambda: walked(PolicyController(load_policy("flat")), COMMANDS),
     "shipped policy in its env": lambda: walked_in_env("residual", COMMANDS, load_policy("flat")),
@@ -130,7 +130,7 @@ def test_gait_preset_walks_straight_ahead_under_any_command(preset, speed):
 
 
 def test_recording_of_a_gait_goes_where_the_gait_goes():
-    gait = CommandedGait.tuned().at((0.2, 0.5))
+    gait = CommandedGait.preset("tuned").at((0.2, 0.5))
     times = np.arange(round(SECONDS / DT) + 1) * DT
     stamps = 7_000_000_000 + np.rint(times * 1e9).astype(np.int64)
     # Joint names in another order, as in a recording.

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from quadruped_env.control import ControlConfig, ControlInterface
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.controllers import GaitController
 from quadruped_env.gait import CommandedGait
 from quadruped_env.robot import MINI_QUADRUPED
@@ -24,13 +25,13 @@ def test_phase_is_the_start_plus_the_clocks_cycles(mode):
         assert ((control.phase >= 0) & (control.phase < math.tau)).all()
     if mode == "residual":
         # Zero action is the gait at this phase, exactly.
-        gait = CommandedGait.sinusoid(MINI_QUADRUPED, 2.7)
+        gait = CommandedGait.preset("sinusoid", MINI_QUADRUPED, 2.7)
         np.testing.assert_array_equal(control.nominal(), gait.positions(control.phase, command))
 
 
 def test_reset_leaves_the_clock_and_the_gait_of_the_zero_command():
     control = ControlInterface(MINI_QUADRUPED, ControlConfig(action=ActionConfig(mode="residual")), 2)
-    standing = CommandedGait.sinusoid(MINI_QUADRUPED, 3.4).positions(np.zeros(2), np.zeros((2, 2)))
+    standing = CommandedGait.preset("sinusoid", MINI_QUADRUPED, 3.4).positions(np.zeros(2), np.zeros((2, 2)))
     np.testing.assert_array_equal(control.nominal(), standing)
     control.set_command(np.arange(2), np.array([[0.4, 0.0], [0.4, 0.0]]))
     control.approach_requested()
@@ -43,7 +44,7 @@ def test_reset_leaves_the_clock_and_the_gait_of_the_zero_command():
 
 @pytest.mark.parametrize("edited", [False, True])
 def test_tuned_gait_steps_with_the_clock_of_its_frequency_as_in_residual_mode(edited):
-    controller = GaitController(CommandedGait.tuned())
+    controller = GaitController(CommandedGait.preset("tuned"))
     if edited:
         controller.settings = controller.settings
     residual = ControlInterface(MINI_QUADRUPED, ControlConfig(action=ActionConfig(mode="residual", gait="tuned")))
@@ -62,6 +63,6 @@ def test_tuned_gait_keeps_its_frequency_with_another_clock():
     control.reset(np.array([0]), 2.0, np.array([[0.3, 0.2]]))
     for _ in range(40):
         control.advance()
-    gait = CommandedGait.tuned()
+    gait = CommandedGait.preset("tuned")
     expected = gait.positions(gait.angular_frequency * control.time, control.command)
     np.testing.assert_allclose(GaitController().act(None, control), expected, atol=1e-9)

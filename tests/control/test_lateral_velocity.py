@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from twelve_joints import ROBOT
 
-from quadruped_env.control import ControlInterface, ObservationLayout
 from quadruped_env.control.control_config import COMMANDS, ControlConfig, velocity_commands
+from quadruped_env.control.control_interface import ControlInterface
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.steering import key_steps
 from quadruped_env.control.velocity_command import check_command, moving_threshold
 from quadruped_env.envs import ENV_ID
@@ -58,7 +59,7 @@ def test_roll_joints_turn_the_other_way_under_the_mirror():
 
 
 def test_lateral_velocity_approaches_at_its_own_rate():
-    config = ControlConfig.of_robot(ROBOT)
+    config = ControlConfig.of_task({}, ROBOT)
     assert config.num_velocities == 3
     # One m/s^2 has no size: lengths grow as squared times.
     np.testing.assert_allclose(config.command_rate, [1.0, 4.0 * scale_of("rad/s^2", ROBOT), 1.0], rtol=1e-5)
@@ -72,7 +73,7 @@ def test_lateral_velocity_approaches_at_its_own_rate():
 
 
 def test_a_lateral_velocity_alone_starts_the_gait_clock():
-    control = ControlInterface(ROBOT, ControlConfig.of_robot(ROBOT), 2)
+    control = ControlInterface(ROBOT, ControlConfig.of_task({}, ROBOT), 2)
     least = moving_threshold(ROBOT)[2]
     control.reset(np.arange(2), command=np.array([[0.0, 0.0, 0.99 * least], [0.0, 0.0, -1.01 * least]]))
     np.testing.assert_array_equal(control.moving, [0.0, 1.0])

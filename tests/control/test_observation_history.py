@@ -10,9 +10,11 @@ from comparisons import random_policy
 from settings import settings
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.controllers import PolicyController
 from quadruped_env.control.live_controller import LiveController, Measurement, Mode, Safety
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.envs import make_sb3_vec_env
 from quadruped_env.policies import Policy, load_policy

@@ -46,7 +46,7 @@ def test_an_observation_is_the_readings_offset_scaled_and_clipped():
         action = rng.choice([-1.0, -0.5, 1.0], (64, 8))
         observation = task.step(action).observation
         state = task.simulation.readings
-        clock = np.stack([np.sin(task.phase), np.cos(task.phase)], axis=1)
+        clock = np.stack([np.sin(task.control.phase), np.cos(task.control.phase)], axis=1)
         clock[(abs(task.command) <= moving_threshold(MINI_QUADRUPED)).all(axis=1)] = 0.0
         readings = {
             "projected_gravity": -state.up_b,
@@ -115,15 +115,15 @@ def test_joints_are_observed_and_driven_in_the_order_of_their_names():
 
 def test_clock_runs_at_its_frequency_and_stops_at_a_zero_command():
     task = make_task(3, fixed_command=(0.3, 0.0), clock_frequency=1.7, termination=NEVER_FALLS)
-    np.testing.assert_array_equal(task.phase, np.clip(task.phase, 0, math.tau))
-    assert len(np.unique(task.phase)) == 3, "each env starts at a phase of its own"
-    start = task.phase.copy()
+    np.testing.assert_array_equal(task.control.phase, np.clip(task.control.phase, 0, math.tau))
+    assert len(np.unique(task.control.phase)) == 3, "each env starts at a phase of its own"
+    start = task.control.phase.copy()
     for step in range(1, 60):
         clock = column("gait_clock", task.step(np.zeros((3, 8))).observation)
         phase = start + math.tau * 1.7 * task.config.control_timestep * step
         np.testing.assert_allclose(clock, np.stack([np.sin(phase), np.cos(phase)], axis=1), atol=1e-6)
-        assert (task.phase >= 0).all()
-        assert (task.phase < math.tau).all()
+        assert (task.control.phase >= 0).all()
+        assert (task.control.phase < math.tau).all()
     task.reset(np.arange(3), command=(0.0, 0.0))
     np.testing.assert_array_equal(column("gait_clock", task.observe()), 0.0)
     task.reset(np.arange(3), command=(0.02, -0.02))

@@ -10,8 +10,8 @@ from mirroring import mirrored
 from tasks import ACTION_WIDTH, OBSERVATION_WIDTH
 
 import quadruped_env  # noqa: F401  registers the environment
-from quadruped_env.control import ObservationLayout
 from quadruped_env.control.control_config import ACTION_MODES
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.robot import MINI_QUADRUPED
 
@@ -35,7 +35,7 @@ def test_mirrored_actions_give_mirrored_observations_and_the_same_reward(mode, k
     mirror.reset(seed=1, options={"command": np.array(command) * [1.0, -1.0, -1.0][: len(command)]})
     qpos, qvel, _ = mirrored(robot.data.qpos, robot.data.qvel, kind.stance, kind)
     mirror.task.simulation.reset(ROW, qpos[None], qvel[None])
-    mirror.task.phase[:] = (robot.task.phase + math.pi) % math.tau
+    mirror.task.control.phase[:] = (robot.task.control.phase + math.pi) % math.tau
     mirror.task.observe()  # before the first step, so that the past is the mirrored start, too
     privileged = [one.task.privileged_readings() for one in (robot, mirror)]
     mirror_privileged = MirrorMap.of(privileged[0].layout)

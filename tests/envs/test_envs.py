@@ -114,7 +114,7 @@ def test_masked_reset_leaves_the_other_envs_unchanged():
             np.testing.assert_array_equal(info["_command"], mask)
             np.testing.assert_array_equal(info["command"][mask], [[0.1, 0.2]] * 2)
             assert (observation[mask] != expected[mask]).any(axis=1).all()
-            np.testing.assert_array_equal(env.task.steps, [6, 0, 6, 0])
+            np.testing.assert_array_equal(env.task.control.steps, [6, 0, 6, 0])
         assert_same(observation[~mask], expected[~mask])
 
 

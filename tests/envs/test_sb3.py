@@ -129,7 +129,7 @@ def test_infos_written_to_by_a_wrapper_do_not_leak_into_the_next_step(sb3):
 
 
 def test_sb3_env_with_other_autoreset_mode_is_refused(sb3):
-    with pytest.raises(QuadrupedError, match=r"autoreset_mode: .*expected 'SameStep', found 'NextStep'"):
+    with pytest.raises(QuadrupedError, match=r"autoreset_mode must be 'SameStep' .*found 'NextStep'"):
         sb3.make(2, autoreset_mode="NextStep")
 
 

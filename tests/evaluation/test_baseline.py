@@ -10,7 +10,7 @@ from quadruped_env.evaluation.baseline import run_baseline
 class TestBaseline:
     def test_invalid_numbers_are_refused(self):
         for arguments, message in {
-            ("preset", "gallop"): "unknown preset 'gallop'",
+            ("preset", "gallop"): "preset must be one of .*'gallop'",
             ("episodes", 0): "episodes: expected 1 or more; found 0",
         }.items():
             with pytest.raises(QuadrupedError, match=message):

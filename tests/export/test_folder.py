@@ -16,7 +16,7 @@ from paths import ROOT
 
 from quadruped_env import MissingExtraError, QuadrupedError, QuadrupedWarning
 from quadruped_env.cli.main import main
-from quadruped_env.control import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.live_controller import Safety
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.comparison import compare

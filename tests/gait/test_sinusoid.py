@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from quadruped_env import CommandedGait
-from quadruped_env.control import ControlConfig, ControlInterface
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import ActionConfig
 
@@ -44,7 +45,7 @@ def samples(count=200):
 @pytest.mark.parametrize("frequency", [2.2, 3.4, 5.0])
 def test_positions_are_the_formula_at_random_phases_and_commands(frequency):
     phases, commands = samples()
-    gait = CommandedGait.sinusoid(MINI_QUADRUPED, frequency)
+    gait = CommandedGait.preset("sinusoid", MINI_QUADRUPED, frequency)
     expected = [formula(*sample, frequency) for sample in zip(phases, commands, strict=True)]
     np.testing.assert_allclose(gait.positions(phases, commands), expected, rtol=0, atol=1e-9)
     assert gait.angular_frequency == pytest.approx(math.tau * frequency)
@@ -52,7 +53,7 @@ def test_positions_are_the_formula_at_random_phases_and_commands(frequency):
 
 def test_feet_swing_forwards_in_the_air_and_push_backwards_on_the_ground():
     """Of each leg, in the half of its cycle in which the clock is positive; the other way round when backwards."""
-    gait = CommandedGait.sinusoid(MINI_QUADRUPED, 3.4)
+    gait = CommandedGait.preset("sinusoid", MINI_QUADRUPED, 3.4)
     for speed in (0.3, -0.3):
         for leg, (start, _) in enumerate(LEGS):
             angles = np.linspace(0.0, math.tau, 100, endpoint=False)
@@ -70,8 +71,8 @@ def test_robot_of_half_the_size_has_the_same_joint_angles_at_similar_commands():
     """The built-in robot by another name: its own gait is in closed form."""
     root = half_robot.TIME
     phases, commands = samples()
-    full = CommandedGait.sinusoid(dataclasses.replace(MINI_QUADRUPED, name="twin"), 3.4)
-    half = CommandedGait.sinusoid(half_robot.ROBOT, 3.4 / root)
+    full = CommandedGait.preset("sinusoid", dataclasses.replace(MINI_QUADRUPED, name="twin"), 3.4)
+    half = CommandedGait.preset("sinusoid", half_robot.ROBOT, 3.4 / root)
     scaled = commands * (root, 1.0 / root)
     np.testing.assert_allclose(half.positions(phases, scaled), full.positions(phases, commands), rtol=0, atol=1e-5)
     assert half.angular_frequency == pytest.approx(full.angular_frequency / root)

@@ -60,7 +60,7 @@ def test_feet_of_three_joints_step_to_the_side_and_about_the_middle():
 
 @ROBOTS
 def test_gait_of_a_command_is_its_mirror_image_turning_the_other_way(robot):
-    gait = CommandedGait.sinusoid(robot, 2.9)
+    gait = CommandedGait.preset("sinusoid", robot, 2.9)
     phase = np.linspace(0.0, math.tau, 20)
     commands = np.array([[0.2, 0.4, 0.1], [0.2, -0.4, -0.1]])[:, : 3 if robot is TWELVE else 2]
     left, right = (
@@ -125,7 +125,7 @@ def test_slow_joints_lift_their_feet_by_less():
 def test_tables_are_the_waves_at_their_commands(robot):
     """At the speeds of the table, with the largest turn to either side, and a step to the side."""
     frequency, root = 2.9, scale_of("m/s", robot)
-    gait = CommandedGait.sinusoid(robot, frequency)
+    gait = CommandedGait.preset("sinusoid", robot, frequency)
     largest = gait.largest_yaw_rate
     commands = [(0.5 * root, 0.0, 0.0), (-0.5 * root, largest, 0.0), (0.5 * root, -largest, 0.0)]
     if gait.lateral is not None:
@@ -139,17 +139,17 @@ def test_tables_are_the_waves_at_their_commands(robot):
 
 
 def test_turn_of_feet_that_do_not_slide_is_in_proportion_to_the_yaw_rate():
-    gait = CommandedGait.sinusoid(TWELVE, 2.9)
+    gait = CommandedGait.preset("sinusoid", TWELVE, 2.9)
     yaw_rates = np.array([-2.0, -0.2, 0.0, 0.1, 9.0])
     limit = gait.largest_yaw_rate
     np.testing.assert_array_equal(gait.turn_size(yaw_rates), [-limit, -0.2, 0.0, 0.1, limit])
-    two = CommandedGait.sinusoid(second_robot.ROBOT, 2.9)
+    two = CommandedGait.preset("sinusoid", second_robot.ROBOT, 2.9)
     assert two.lateral is None
     assert two.turn_size(np.array([0.1]))[0] > 0.2
 
 
 def test_lateral_velocity_fades_the_steps_in_and_two_commands_do():
-    gait = CommandedGait.sinusoid(TWELVE, 2.9)
+    gait = CommandedGait.preset("sinusoid", TWELVE, 2.9)
     whole = gait.whole_steps
     assert len(whole) == 3
     np.testing.assert_allclose(gait.fade(np.array([[0.0, 0.0, 0.5 * whole[2]], [0.0, 0.0, -9.0]])), [0.5, 1.0])
@@ -187,7 +187,9 @@ def test_presets_differ_as_their_names_say():
         highest[name] = np.ptp(heights), heights.mean()
     assert highest["low"][0] < 0.7 * highest["tuned"][0]
     assert highest["crouched"][1] > highest["tuned"][1] + 0.05 * TWELVE.stance_height
-    assert CommandedGait.preset("fast", TWELVE).largest_yaw_rate > CommandedGait.tuned(TWELVE).largest_yaw_rate
+    assert (
+        CommandedGait.preset("fast", TWELVE).largest_yaw_rate > CommandedGait.preset("tuned", TWELVE).largest_yaw_rate
+    )
 
 
 def test_joint_phases_are_the_phases_of_their_legs():

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from quadruped_env.control import ObservationLayout
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.policies import Policy
 from quadruped_env.task import ActionConfig, TaskConfig
 

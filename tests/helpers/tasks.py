@@ -7,7 +7,8 @@ import gymnasium
 import numpy as np
 from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW
 
-from quadruped_env.control import ControlInterface, ObservationLayout
+from quadruped_env.control.control_interface import ControlInterface
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.envs import ENV_ID
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.robot.readings import Readings

@@ -65,6 +65,7 @@ def measured(commands, motors, noise=NOISE, every=2, seed=0, robot=MINI_QUADRUPE
     """Recording of a robot on a stand under the commands, by MuJoCo alone: 5 ms steps, every second one measured."""
     spec = joint_spec(robot, 0.005)
     motors.write(spec, robot.joint_kinds)
+    motors.write_delay(spec, motors.delay)
     model = spec.compile()
     data = mujoco.MjData(model)
     data.qpos = commands.positions[0]
@@ -259,6 +260,12 @@ class TestRefusals:
         flipped = changed(walked, efforts=-walked.efforts)
         with pytest.raises(QuadrupedError, match=r"would spoil the fit.*the effort of \w+ pulls away from its command"):
             check(align(robot, flipped, commands, 0.7, 0.005), flipped, commands, [])
+
+    def test_efforts_of_motors_at_their_limits_have_their_sign(self):
+        robot = twelve_joints.ROBOT
+        commands = commanded(6.0, robot=robot)
+        hung = measured(commands, robot.motors, robot=robot)
+        check(align(robot, hung, commands, 0.7, 0.005), hung, commands, [])
 
 
 class TestCoordinates:

@@ -8,7 +8,7 @@ from built_in import JOINT_POSITION_HIGH, JOINT_POSITION_LOW, STANCE, VELOCITY_L
 from live_bench import EPOCH, LEVEL, LYING, PERIOD, Bench, Recording
 
 from quadruped_env import JOINT_NAMES, QuadrupedError, SinusoidalGait
-from quadruped_env.control import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.joint_command import LIMP
 from quadruped_env.control.live_controller import Mode, Safety
 from quadruped_env.control.timestamp_filter import TimestampFilter
@@ -315,7 +315,7 @@ def test_readings_of_a_real_robot_give_the_same_joint_targets_as_the_environment
     task = Task(simulation, config)
     task.reset(ROW, seeds=[4], command=(0.4, 0.2))
     control = ControlInterface(MINI_QUADRUPED, config.control)
-    control.reset(ROW, task.phase, task.command)
+    control.reset(ROW, task.control.phase, task.command)
     measured, observation = Readings.of_a_real_robot(MINI_QUADRUPED), task.observe()
     for _ in range(100):
         readings = simulation.readings

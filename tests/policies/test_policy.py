@@ -123,7 +123,7 @@ def test_bound_of_the_actions_counts_the_larger_side_of_an_activation_function()
     weights = np.zeros_like(policy.weights[0]), np.full((10, 8), 1e37 / 0.13, np.float32)
     biases = np.full(10, 0.1, np.float32), np.zeros(8, np.float32)
     with pytest.raises(QuadrupedError, match=r"here: layer1 can exceed float32"):
-        dataclasses.replace(policy, weights=weights, biases=biases).check_finite("here")
+        dataclasses.replace(policy, weights=weights, biases=biases).check_is_data("here")
 
 
 def test_files_of_a_policy_have_the_same_permissions(tmp_path):

@@ -140,14 +140,14 @@ def test_a_damaged_policy_never_loads_with_other_weights_or_settings(run_directo
 
 
 def test_weights_on_a_disk_that_fails_are_refused(run_directory, monkeypatch):
-    read = Path.read_bytes
+    opened = Path.open
 
-    def fail(path):
+    def fail(path, *arguments):
         if path.name == TENSORS_FILE:
             raise OSError(errno.EIO, os.strerror(errno.EIO))
-        return read(path)
+        return opened(path, *arguments)
 
-    monkeypatch.setattr(Path, "read_bytes", fail)
+    monkeypatch.setattr(Path, "open", fail)
     with pytest.raises(QuadrupedError, match=r"policy\.safetensors: cannot be read \(Input/output error\)"):
         load_policy(run_directory)
 

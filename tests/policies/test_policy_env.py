@@ -7,8 +7,6 @@ from gymnasium import make, make_vec
 from policies import TASK, make_policy
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control.control_config import ControlConfig
-from quadruped_env.control.live_controller import LiveController
 from quadruped_env.envs import ENV_ID
 from quadruped_env.evaluation.rollout import roll_out
 from quadruped_env.policies import Policy, PolicyController, load_policy
@@ -154,14 +152,6 @@ def test_every_kind_of_env_is_checked():
                 ):
                     policy.check_env(env)
             env.close()
-
-
-def test_live_controller_with_another_meaning_of_actions_is_refused_before_the_robot_moves():
-    policy = make_policy()
-    LiveController(PolicyController(policy))
-    LiveController(PolicyController(policy), policy.control)
-    with pytest.raises(QuadrupedError, match=r"action\.mode 'residual', and this environment has 'position'"):
-        LiveController(PolicyController(policy), ControlConfig())
 
 
 def test_check_env_of_another_environment_is_refused():

@@ -11,8 +11,8 @@ from trainings import SMALL
 from twelve_joints import ROBOT
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import ObservationLayout
 from quadruped_env.control.live_controller import LiveController
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.policies import PolicyController, load_policy
 from quadruped_env.policies.policy_data import CARD_FILE

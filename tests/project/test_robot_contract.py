@@ -39,7 +39,7 @@ NEUTRAL = {"CORNERS", "JOINT_KINDS", "MAX_DELAY", "MOTOR_PRESETS", "ODOMETRY_FRA
 # Position of the robot among the arguments.
 NEEDS_ROBOT = {
     "BatchSimulation": 3,
-    "CommandedGait.tuned": 0,
+    "CommandedGait.preset": 1,
     "SimulatedRobot": 2,
     "SingleSimulation": 1,
     "SinusoidalGait.preset": 1,

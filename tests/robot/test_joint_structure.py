@@ -10,7 +10,7 @@ import pytest
 from paths import ROBOTS
 
 from quadruped_env import QuadrupedError
-from quadruped_env.control import ObservationLayout
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.control.symmetry import MirrorMap
 from quadruped_env.robot import MINI_QUADRUPED, JointMotor, MotorConfig, Robot
 from quadruped_env.robot.corners import corners

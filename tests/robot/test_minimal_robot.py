@@ -133,7 +133,7 @@ def test_site_in_a_ball_of_a_fixed_link_is_not_the_foot():
         ({"mjcf": NO_SITES, "foot_sites": dict([*FEET.items()][:3])}, "leg_names, joint_mirror, foot_mirror follow"),
         ({"mjcf": ONE_KNEE_LESS, "stance": [0.6, *MINI_QUADRUPED.stance[2:]]}, "with 1, 2, 2, 2 joints"),
         ({"leg_corners": (0, 1, 2, 2)}, r"one leg in each corner.*LH_foot LH, RH_foot LH with 2, 2, 2, 2 j"),
-        ({"leg_names": ("a", "b", "c")}, r"leg_names must have 4 entries, one per foot; found \('a', 'b', 'c'\)"),
+        ({"leg_names": ("a", "b", "c")}, r"leg_names must be 4 names, one per foot; found \('a', 'b', 'c'\)"),
         ({"mjcf": BARE.replace('name="LF_knee_joint" class', "class", 1)}, "joint of the body 'LF_leg' of its model"),
         ({"stance": [0.6, -0.72] * 3}, "stance must be 8 finite numbers"),
     ],

@@ -40,6 +40,7 @@ def hung_up(motors):
     for key in list(spec.keys):
         spec.delete(key)
     motors.write(spec, KINDS)
+    motors.write_delay(spec, motors.delay)
     return spec.compile()
 
 

@@ -120,7 +120,7 @@ class TestModel:
             ({"stance": np.full(8, -1.9)}, "the stance must be within the joint limits; LF_hip_joint is not"),
             ({"effort_limit": np.full(8, np.nan)}, "effort_limit must be 8 finite numbers"),
             ({"foot_mirror": (0, 1)}, "foot_mirror must be 4 of 0, 1, 2, 3; found"),
-            ({"leg_names": ("LF", "LF", "LH", "RH")}, "names must differ"),
+            ({"leg_names": ("LF", "LF", "LH", "RH")}, "must be different names"),
         ],
     )
     def test_fields_that_contradict_each_other_are_refused(self, change, message):
@@ -184,7 +184,7 @@ class TestSensors:
             (dict.fromkeys(MINI_QUADRUPED.sensors, ()), "missing joint_position, .*, foot_angular_velocity; name"),
             ({"foot_force": ()}, "sensors: missing foot_force; name the sensors of the model"),
             ({"foot_forces": ("LF_foot_force",)}, "sensors: unknown field 'foot_forces'; valid fields are joint_pos"),
-            ({"foot_force": ("LF_foot_force",)}, "sensors of foot_force: expected 4 values; found 1 of 1 sensors"),
+            ({"foot_force": ("LF_foot_force",)}, "sensors of foot_force must be sensors with 4 values, not 1"),
         ],
         ids=["none", "missing", "unknown", "too few"],
     )

@@ -21,7 +21,7 @@ from trainings import train
 from waiting import wait_until
 
 from quadruped_env import CommandedGait, QuadrupedError, SinusoidalGait
-from quadruped_env.control import ControlInterface
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.live_controller import LiveController
 from quadruped_env.control.stand_up import StandUp
 from quadruped_env.control.task_file import load_terms
@@ -169,7 +169,7 @@ class TestGait:
         np.testing.assert_allclose(trot, 0.0, atol=1e-12)  # all phases are 0 or half a cycle
 
     def test_commanded_gait_at_a_command_is_the_commanded_gait(self):
-        gait, t, command = CommandedGait.tuned(ROBOT), np.linspace(0.0, 1.0, 30), (0.3, 0.4)
+        gait, t, command = CommandedGait.preset("tuned", ROBOT), np.linspace(0.0, 1.0, 30), (0.3, 0.4)
         np.testing.assert_allclose(
             gait.at(command).positions(t),
             gait.positions(gait.angular_frequency * t, np.tile(command, (30, 1))),
@@ -177,7 +177,7 @@ class TestGait:
         )
 
     def test_gait_turning_the_other_way_swaps_left_and_right(self):
-        gait = CommandedGait.tuned(ROBOT)
+        gait = CommandedGait.preset("tuned", ROBOT)
         for speed, rate in ((0.0, 0.5), (0.3, 0.2), (-0.2, 0.8)):
             left, right = (gait.waves(np.array([[speed, sign * rate]])) for sign in (1.0, -1.0))
             for one, other in zip(left, right, strict=True):
@@ -186,7 +186,9 @@ class TestGait:
 
     def test_tuned_gait_walks_and_turns_as_commanded(self):
         turns = [(0.0, 0.5)] * 3 + [(0.0, -0.5)] * 3
-        found = walk(GaitController(CommandedGait.tuned(ROBOT)), [(0.3, 0.0), (0.0, 0.0), *[(-0.2, 0.0)] * 3, *turns])
+        found = walk(
+            GaitController(CommandedGait.preset("tuned", ROBOT)), [(0.3, 0.0), (0.0, 0.0), *[(-0.2, 0.0)] * 3, *turns]
+        )
         assert found[:, 2].min() > 0.9  # upright, though one start in three leads a turn astray
         forward = found[:, 0]
         assert 0.22 < forward[0] < 0.4
@@ -198,7 +200,7 @@ class TestGait:
     def test_straight_legs_are_refused(self):
         straight = QuadrupedDesign(name="straight", knee_range=(-1.0, 1.0), stance_angles=(0.0, 0.0)).robot()
         with pytest.raises(QuadrupedError, match="leg LF of 'straight' can lift its foot by 0 mm"):
-            CommandedGait.tuned(straight)
+            CommandedGait.preset("tuned", straight)
         make(robot=straight).reset(seed=0)  # position mode needs no gait
 
 

@@ -19,7 +19,7 @@ from drivers import (
     start,
 )
 
-from quadruped_env.simulation import BatchSimulation, SingleSimulation
+from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 
 
 def test_a_restored_state_has_the_same_future(driver):
@@ -63,6 +63,22 @@ def test_restored_env_is_diverged_if_it_was_when_saved(driver):
 
 def through_pickle(simulation):
     return pickle.loads(pickle.dumps(simulation))  # noqa: S301
+
+
+@pytest.mark.parametrize("duplicate", [copy.deepcopy, through_pickle])
+def test_a_copy_has_the_same_future_also_with_changed_fields_of_the_model(driver, duplicate):
+    simulation = start(driver)
+    masses = np.tile(build_model().body_mass, (ROWS, 1))
+    simulation.write_model_field("body_mass", masses * (1.0 + 0.1 * ALL[:, None]))
+    simulation.reset(ALL, *draw_starts(np.random.default_rng(3), ROWS))
+    run(simulation, 10, seed=1)
+    copied = duplicate(simulation)
+    np.testing.assert_array_equal(run(copied, 20, seed=2), run(simulation, 20, seed=2))
+    for each in (simulation, copied):
+        for part in getattr(each, "singles", [each]):
+            part.restore_model_fields(np.arange(part.num_envs))
+        each.reset(ALL, *draw_starts(np.random.default_rng(4), ROWS))
+    np.testing.assert_array_equal(run(copied, 5, seed=5), run(simulation, 5, seed=5))
 
 
 def test_renderers_copy_of_an_env_equals_that_env(model):

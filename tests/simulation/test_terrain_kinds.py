@@ -167,7 +167,7 @@ def test_users_terrain_has_levels_if_it_says_what_the_hardest_is():
 
     assert ridges.defaults(5) == {"height": 0.05, "width": 0.3}
     assert ridges.variant(level=5).heights().max() == pytest.approx(0.05)
-    with pytest.raises(QuadrupedError, match=r"hardest must give valid values of its parameters; found depth=0.1"):
+    with pytest.raises(QuadrupedError, match=r"hardest must be valid values of its parameters; found {'depth': 0.1}"):
 
         @terrain(hardest={"depth": 0.1})
         def wrong(grid: Grid, height: float = 0.02):

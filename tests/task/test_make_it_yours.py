@@ -112,7 +112,7 @@ def test_a_term_that_is_added_changes_no_other_draw(my_task):
             for info, env in zip((own, built_in), envs, strict=True)
         ]
         np.testing.assert_allclose(*shares, rtol=1e-5, err_msg="the ranges follow the file's robot")
-        assert envs[0].task.phase == envs[1].task.phase
+        assert envs[0].task.control.phase == envs[1].task.control.phase
 
 
 def test_single_and_vector_environment_with_own_terms_are_bit_identical(my_task):
@@ -196,7 +196,7 @@ REFUSED = {
     ),
     "a termination that is no condition": (
         "from quadruped_env.task import termination\n@termination\ndef low(context):\n    return context.base_height\n",
-        r"termination low: expected an array of bool, one value per env; found float64",
+        r"termination low must be an array of bool, one value per env; found 'float64'",
     ),
     "half of a group": (
         "from quadruped_env.task import reward\n@reward(1.0)\ndef turn_progress(context): ...\n",
@@ -207,8 +207,8 @@ REFUSED = {
 
 MINE = "from quadruped_env.task import reward\n@reward(1.0)\ndef mine(context):\n    "
 REFUSED |= {
-    "a number": (f"{MINE}return 1.0", r"reward mine: expected an array of shape \(1,\).*found float"),
-    "columns": (f"{MINE}return context.joint_offset", r"reward mine: expected an .* \(1,\).*found \(1, 8\)"),
+    "a number": (f"{MINE}return 1.0", r"reward mine must be an array of shape \(1,\).*found 'float'"),
+    "columns": (f"{MINE}return context.joint_offset", r"reward mine must be an .* \(1,\).*found \(1, 8\)"),
     "no attribute": (f"{MINE}return context.nothing", r"reward mine: AttributeError: .*nothing"),
 }
 

@@ -181,7 +181,7 @@ def test_imu_axes_are_turned_by_roll_pitch_and_yaw():
     task = make_task(1, randomization=RandomizationConfig(imu_mounting=[0.1, 0.1]))
     mounting = Rotation.from_euler("xyz", [0.1, 0.1, 0.1])
     sensors = task._randomizer.sensors
-    readings = sensors.read(task.steps)
+    readings = sensors.read(task.control.steps)
     for name in ("up_b", "angular_velocity_b", "linear_acceleration_b"):
         true = getattr(task.simulation.readings, name).copy()
         np.testing.assert_allclose(getattr(readings, name), mounting.inv().apply(true), atol=1e-12)
@@ -194,7 +194,7 @@ def test_readings_that_only_a_simulator_knows_have_no_errors():
     task = make_task(3, randomization=RandomizationConfig(preset="hard", observation_latency=[0.04, 0.04]))
     for _ in range(3):
         task.step(np.full((3, 8), 0.3))
-    readings, true = task._randomizer.sensors.read(task.steps), task.simulation.readings
+    readings, true = task._randomizer.sensors.read(task.control.steps), task.simulation.readings
     for entry in dataclasses.fields(Readings):
         same = np.array_equal(getattr(readings, entry.name), getattr(true, entry.name))
         assert same == (entry.name not in DISTURBED), entry.name

@@ -119,7 +119,7 @@ def test_a_zero_action_in_residual_mode_is_exactly_the_scripted_gait(name, comma
     targets = []
     for _ in range(40):
         env.step(np.zeros(8))
-        expected = gait.positions(env.task.phase, env.task.command)[0]
+        expected = gait.positions(env.task.control.phase, env.task.command)[0]
         np.testing.assert_array_equal(env.data.ctrl, np.clip(expected, JOINT_POSITION_LOW, JOINT_POSITION_HIGH))
         targets.append(expected)
     swing = np.ptp(targets, axis=0)
@@ -218,7 +218,7 @@ def test_reset_clears_the_memory_of_its_envs_only():
     fresh, others = task.get_state(1), [task.get_state(row) for row in (0, 2)]
     np.testing.assert_array_equal(fresh["control"]["action"], 0.0)
     np.testing.assert_array_equal(fresh["terms"]["smooth_velocity"], 0.0)
-    np.testing.assert_array_equal(task.steps, [5, 0, 5])
+    np.testing.assert_array_equal(task.control.steps, [5, 0, 5])
     for old, new in zip(before, others, strict=True):
         assert old["generator"] == new["generator"]
         np.testing.assert_array_equal(new["simulation"].integration, old["simulation"].integration)

@@ -9,8 +9,10 @@ from half_robot import ROBOT, SIZE, TIME
 from second_robot import ROBOT as OTHER
 from twelve_joints import ROBOT as TWELVE
 
-from quadruped_env.control import ControlConfig, ControlInterface, ObservationLayout
+from quadruped_env.control.control_config import ControlConfig
+from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.live_controller import Safety
+from quadruped_env.control.observations import ObservationLayout
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.measures import mean_velocities
 from quadruped_env.evaluation.suite.candidate import Candidate
@@ -241,7 +243,7 @@ def test_episodes_of_the_half_size_robot_are_the_same_in_its_units(preset, terra
     np.testing.assert_allclose(half.observe(), full.observe(), atol=2e-5)
     similar, counts = np.ones(8, dtype=bool), np.zeros(len(full.term_names), dtype=bool)
     for step in range(30):
-        action = 0.4 * np.sin(full.phase[:, None] + np.arange(8)) + 0.2 * rng.uniform(-1.0, 1.0, (8, 8))
+        action = 0.4 * np.sin(full.control.phase[:, None] + np.arange(8)) + 0.2 * rng.uniform(-1.0, 1.0, (8, 8))
         ours, theirs = half.step(action), full.step(action)
         # A contact that one robot just misses sets an episode apart for good.
         similar &= abs(ours.observation - theirs.observation).max(axis=1) < 2e-3
@@ -266,12 +268,12 @@ def test_the_scripted_gait_walks_on_the_half_size_robot(speed):
 
 
 def test_standing_ends_at_the_same_speed_in_units_of_the_robot():
-    control = ControlInterface(ROBOT, ControlConfig.of_robot(ROBOT), 4)
+    control = ControlInterface(ROBOT, ControlConfig.of_task({}, ROBOT), 4)
     commands = np.array([[0.0141, 0.0], [0.0142, 0.0], [0.0, 0.0282], [0.0, -0.0283]])
     control.reset(np.arange(4), command=commands)
     assert control.moving.tolist() == [0.0, 1.0, 0.0, 1.0]
-    assert ControlConfig.of_robot(ROBOT) == TaskConfig().for_robot(ROBOT).control
-    assert ControlConfig.of_robot(MINI_QUADRUPED) == ControlConfig()
+    assert ControlConfig.of_task({}, ROBOT) == TaskConfig().for_robot(ROBOT).control
+    assert ControlConfig.of_task({}, MINI_QUADRUPED) == ControlConfig()
     safety = Safety.of(ROBOT)
     assert (safety.ramp_speed, safety.min_ramp_time, safety.limp_after) == (2.12132, 0.707107, 1.0)
     assert Safety.of(MINI_QUADRUPED) == Safety()

@@ -45,7 +45,7 @@ def test_standing_robot_achieves_nothing(robot):
 
 def test_results_are_those_of_each_gait():
     """One candidate lays its legs down, so that the trunk is on the ground; the other walks on."""
-    gait = CommandedGait.tuned()
+    gait = CommandedGait.preset("tuned")
 
     def targets(clock):
         return np.stack([gait.positions([clock], [[0.3, 0.0]])[0], [1.5, 0.0] * 4])
@@ -239,8 +239,8 @@ def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, ca
     for wrong in ({"fore": 3}, {**gaits["low"], "speeds": [0.0]}, {**gaits["low"], "pace": 1}):
         with pytest.raises(QuadrupedError, match=r"'tall': gaits\['low'\] must be what tools/tune_gait.py writes"):
             CommandedGait.preset("low", dataclasses.replace(TALL, gaits={"low": wrong}))
-    with pytest.raises(QuadrupedError, match="'tall': gaits has 'lower'; it may replace sinusoid, tuned, crouched"):
-        CommandedGait.tuned(dataclasses.replace(TALL, gaits={"lower": gaits["low"]}))
+    with pytest.raises(QuadrupedError, match="'tall': gaits: unknown field 'lower'; valid fields are sinusoid"):
+        CommandedGait.preset("tuned", dataclasses.replace(TALL, gaits={"lower": gaits["low"]}))
     with pytest.raises(QuadrupedError, match="'tall': gaits must be a dict of preset -> parameters; found 3"):
         dataclasses.replace(TALL, gaits=3)
 
@@ -250,7 +250,7 @@ def test_search_and_gaits_of_a_robot_with_three_joints_per_leg_are_refused(capsy
     assert "a search of a gait is for legs of two joints, and its legs have 3; leave it out" in capsys.readouterr().err
     own = dataclasses.replace(twelve_joints.ROBOT, gaits={"tuned": CommandedGait.preset("tuned").parameters()})
     with pytest.raises(QuadrupedError, match=r": gaits\['tuned'\] is for legs of two joints, and its legs have 3"):
-        CommandedGait.tuned(own)
+        CommandedGait.preset("tuned", own)
 
 
 def test_program_searches_the_presets_for_one_speed_of_the_built_in_robot(monkeypatch, tmp_path, capsys):

@@ -258,7 +258,7 @@ def test_file_of_terms_adds_and_replaces_privileged_readings(tmp_path):
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("    return state.context.readings.foot_force[:, 0]", r"privileged reading foot_force: expected an array of"),
+        ("    return state.context.readings.foot_force[:, 0]", r"privileged reading foot_force must be an array of"),
         ("    return state.wind", r"privileged reading foot_force: AttributeError: .*wind"),
     ],
 )

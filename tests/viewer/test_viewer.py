@@ -146,7 +146,7 @@ def test_invalid_gait_settings_are_refused(control):
     assert controller.gait is None
     with pytest.raises(QuadrupedError, match="no scripted gait"):
         controller.set_gait(GaitSettings.of(SinusoidalGait.preset("trot")))
-    with pytest.raises(QuadrupedError, match=r"frequency must be in 0\.1 to 6; found 0"):
+    with pytest.raises(QuadrupedError, match=r"frequency must be in \[0\.1, 6\] \(Hz\); found 0"):
         GaitSettings(1.0, 0.0, (0.0,) * 4)
     with pytest.raises(QuadrupedError, match="4 finite numbers"):
         GaitSettings(1.0, 1.0, (0.0, math.nan, 0.0, 0.0))

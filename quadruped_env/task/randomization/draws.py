@@ -25,31 +25,19 @@ _ONE_STEP: Final = 2.0**-53
 
 
 class Purposes:
-    """Groups of columns that are drawn together, one group per purpose.
-
-    Args:
-        widths: number of columns per purpose.
-    """
+    """Groups of columns that are drawn together: `widths` gives the number of columns per purpose."""
 
     def __init__(self, widths: Mapping[str, int]) -> None:
         self.widths = widths
-        constants = [_constant(name, i) for name, width in widths.items() for i in range(width)]
-        self.constants: Keys = np.array(constants, dtype=np.uint64)
+        columns = [f"{name}/{i}".encode() for name, width in widths.items() for i in range(width)]
+        digests = [hashlib.blake2b(column, digest_size=8).digest() for column in columns]
+        self.constants: Keys = np.frombuffer(b"".join(digests), dtype="<u8").astype(np.uint64)
         ends = np.cumsum(list(widths.values()), dtype=int).tolist()
         self.slices = {name: slice(end - width, end) for (name, width), end in zip(widths.items(), ends, strict=True)}
 
 
-def _constant(purpose: str, column: int) -> int:
-    digest = hashlib.blake2b(f"{purpose}/{column}".encode(), digest_size=8).digest()
-    return int.from_bytes(digest, "little")
-
-
 class Draws:
-    """Uniform random numbers for N envs.
-
-    Args:
-        num_envs: number of envs, N.
-    """
+    """Uniform random numbers for N envs."""
 
     def __init__(self, num_envs: int) -> None:
         # Not cleared at a reset, because it holds the number of the episode.
@@ -70,15 +58,9 @@ class Draws:
         self._episode_key[env_ids] = _mix(self._key[env_ids] + self._episode[env_ids] * _GOLDEN)
 
     def uniform(self, purposes: Purposes, env_ids: NDArray[np.intp] | slice, step: NDArray[np.int64]) -> Floats:
-        """Return the numbers in [0, 1) for some envs at a step of their episodes.
+        """Return numbers (R, columns) in [0, 1) for some envs (R,) at a control step of each of their episodes (R,).
 
-        Args:
-            purposes: purposes to draw for.
-            env_ids: indices (R,), or a slice.
-            step: control step of each of these envs (R,); the same step always gives the same numbers.
-
-        Returns:
-            Numbers (R, number of columns).
+        The same step always gives the same numbers.
         """
         key = self._episode_key[env_ids] + (step.astype(np.uint64) + np.uint64(1)) * _GOLDEN
         mixed = _mix(_mix(key)[:, None] ^ purposes.constants)

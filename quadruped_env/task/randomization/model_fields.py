@@ -14,7 +14,7 @@ from quadruped_env.robot.robot import Robot
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.randomization import Apply, Event, Randomization, ends_of
 from quadruped_env.utils.arrays import EnvIds, Floats
-from quadruped_env.utils.fields import Range, one_of
+from quadruped_env.utils.fields import Range, check, one_of
 
 Mode = Literal["set", "scale", "divide", "add"]
 
@@ -59,11 +59,8 @@ class ModelField:
         before = self._values(simulation)
         ids = self.ids(simulation)
         columns = before.shape[1] if before.ndim > 1 and self.column is None else 1
-        if width not in (1, len(ids)) and (len(ids) > 1 or width != columns):
-            raise QuadrupedError(
-                f"ModelField({self.field!r}): {width} values for {len(ids)} elements; width must be 1, for one value "
-                f"for all, or {len(ids)}"
-            )
+        fits = width in (1, len(ids)) or (len(ids) == 1 and width == columns)
+        check(fits, f"ModelField({self.field!r}): width", width, f"1, for one value for all, or {len(ids)}")
         for name in (self.field, *(["body_inertia"] if self.field == "body_mass" else [])):
             simulation.model_field(name)
         return functools.partial(self._write, simulation, ids, len(ids) == 1 and width == columns > 1)
@@ -87,10 +84,8 @@ class ModelField:
 
     def _values(self, simulation: Simulation) -> Floats:
         """Return the values of the compiled model."""
-        if not isinstance(getattr(simulation.model, self.field, None), np.ndarray):
-            raise QuadrupedError(
-                f"ModelField: {self.field!r} is not an array of MuJoCo's model; see the docs of MjModel"
-            )
+        array = isinstance(getattr(simulation.model, self.field, None), np.ndarray)
+        check(array, "ModelField", self.field, "an array of MuJoCo's model; see the docs of MjModel")
         return simulation.compiled_field(self.field)
 
     def ids(self, simulation: Simulation) -> NDArray[np.intp]:
@@ -198,10 +193,6 @@ def longest_delay(delay: float, active: Iterable[tuple[Randomization, Range | fl
 
 def check_physical(active: Iterable[tuple[Randomization, Range | float]], simulation: Simulation) -> None:
     """Check that ranges leave masses, inertia, friction, damping and delays possible, also at their worst together.
-
-    Args:
-        active: randomizations and their settings, in the order in which they apply.
-        simulation: simulation whose compiled model they change.
 
     Raises:
         QuadrupedError: naming the randomization, its range, what it would lead to, and what is possible.

@@ -1,21 +1,21 @@
 """Randomizations: quantities that are drawn at the start of an episode, or at intervals within it."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, Final, Literal, Protocol, Self, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of, steadiness
 from quadruped_env.simulation import Simulation
 from quadruped_env.task.randomization.sensor_errors import Quantity, Sensors
 from quadruped_env.task.randomization.servo_errors import ServoErrors
 from quadruped_env.utils.arrays import EnvIds, Floats
-from quadruped_env.utils.fields import Amplitude, Range, Section, converted, one_of
+from quadruped_env.utils.fields import Amplitude, Range, Section, check, converted, one_of
 from quadruped_env.utils.parameters import Parameter
 
 Law = Literal["uniform", "log_uniform", "direction"]
@@ -52,12 +52,8 @@ class Event:
         return self.qpos.size > 0
 
 
-class Apply(Protocol):
-    """Function that applies a randomization."""
-
-    def __call__(self, event: Event, values: Floats) -> None:
-        """Apply values (R, width)."""
-        ...
+Apply = Callable[[Event, Floats], None]
+"""Function that applies the values (R, width) of a randomization."""
 
 
 class Bindable(Protocol):
@@ -90,9 +86,7 @@ class SensorError:
         """Return the itself; raise a QuadrupedError if the quantity cannot take `width` values."""
         joints = simulation.robot.num_joints
         valid = {"encoder_offset": (1, joints), "imu_mounting": (3,), "latency": (1,)}[self.quantity]
-        if width not in valid:
-            rule = " or ".join(str(number) for number in valid)
-            raise QuadrupedError(f"SensorError({self.quantity!r}): {width} values; width must be {rule}")
+        check(width in valid, f"SensorError({self.quantity!r}): width", width, " or ".join(map(str, valid)))
         return self
 
     def __call__(self, event: Event, values: Floats) -> None:
@@ -138,13 +132,9 @@ class Randomization:
             object.__setattr__(self, "valid", replace(self.valid, low=0.0, exclusive=True))
         if self.law == "direction" and not self.valid.low >= 0.0:
             object.__setattr__(self, "valid", replace(self.valid, low=0.0))
-        if isinstance(self.width, int) and self.width < 1:
-            raise QuadrupedError(f"{what}: width must be 1 or more; found {self.width}")
-        if self.law == "direction" and self.width != _PLANE:
-            raise QuadrupedError(
-                f"{what}: width must be {_PLANE} for the law direction, which draws a horizontal vector; found "
-                f"{short(self.width)}"
-            )
+        check(isinstance(self.width, str) or self.width >= 1, f"{what}: width", self.width, "1 or more")
+        plane = f"{_PLANE} for the law direction, which draws a horizontal vector"
+        check(self.law != "direction" or self.width == _PLANE, f"{what}: width", self.width, plane)
         if self.duration is not None and self.interval is None:
             raise QuadrupedError(f"{what}: a duration needs an interval, after which the next one begins; found none")
         kind = Amplitude if self.law == "uniform" else Range | None

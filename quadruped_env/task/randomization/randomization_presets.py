@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from typing import Final
 
-from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scaled_values
 from quadruped_env.task.randomization.built_in_randomizations import RANDOMIZATIONS
+from quadruped_env.utils.fields import check
 from quadruped_env.utils.plain import Plain, plain
 
 PRESET: Final = "preset"
@@ -54,14 +54,11 @@ def preset_values(name: object, robot: Robot = MINI_QUADRUPED) -> dict[str, Plai
     Raises:
         QuadrupedError: if there is no such preset.
     """
-    if not isinstance(name, str) or name not in PRESETS:
-        raise QuadrupedError(
-            f"config.randomization: there is no preset {short(name)}; choose one of {', '.join(PRESETS)}, or give "
-            f"ranges such as {{'friction': [0.5, 1.0]}}"
-        )
+    rule = f"one of {', '.join(PRESETS)}, or ranges such as {{'friction': [0.5, 1.0]}}"
+    check(isinstance(name, str) and name in PRESETS, "config.randomization", name, rule)
     units: dict[str, Plain] = {entry.name: entry.scale(robot) for entry in RANDOMIZATIONS}
     units |= {times[0]: "s" for entry in RANDOMIZATIONS for times in (entry.interval, entry.duration) if times}
-    values: dict[str, Plain] = plain(scaled_values(PRESETS[name], units, robot))
+    values: dict[str, Plain] = plain(scaled_values(PRESETS[str(name)], units, robot))
     return values
 
 

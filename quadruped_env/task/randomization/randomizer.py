@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 from quadruped_env.control.control_interface import ControlInterface
 from quadruped_env.control.episode_memory import EpisodeMemory
 from quadruped_env.robot.motors import SERVO_ERRORS, MotorConfig
+from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation import Simulation, highest_ground
 from quadruped_env.task.command_sampling import CommandSampler
@@ -42,33 +42,30 @@ penetrate it, m."""
 _NO_STATE: Final = np.zeros((0, 0))
 
 
-@dataclass(frozen=True, slots=True)
 class _Recurring:
     """A randomization that repeats within the episodes of N envs, such as pushes."""
 
-    active: Active
-    purposes: Purposes
-    interval: Range
-    """Time between two applications, s."""
-    duration: Range | None
-    """Time after which zeros are applied, s; None: what was applied lasts."""
-    due: Steps
-    """Control step at which it applies next, (N,)."""
-    until: Steps
-    """Control step at which what was applied ends; 0 if nothing lasts, (N,)."""
+    def __init__(self, active: Active, section: RandomizationSection, robot: Robot, memory: EpisodeMemory) -> None:
+        randomization, name = active.randomization, active.name
+        times = randomization.interval, randomization.duration
+        interval, duration = ("" if field is None else field[0] for field in times)
+        self.active = active
+        self.interval: Range = section[interval]
+        """Time between two applications, s."""
+        self.duration: Range | None = section[duration] if duration else None
+        """Time after which zeros are applied, s; None: what was applied lasts."""
+        widths = {name: randomization.columns(robot), f"{name}/interval": 1}
+        self.purposes = Purposes(widths | ({f"{name}/duration": 1} if duration else {}))
+        self.due: Steps = memory.zeros(f"{name}_due", dtype=np.int64)
+        """Control step at which it applies next, (N,)."""
+        self.until: Steps = memory.zeros(f"{name}_until", dtype=np.int64)
+        """Control step at which what was applied ends; 0 if nothing lasts, (N,)."""
 
 
 class Randomizer:
     """Applies the randomizations of a task, and samples its commands and observation noise.
 
-    Args:
-        simulation: simulation of N robots.
-        control: gait clocks and commands of the robots.
-        draws: source of random numbers.
-        randomizations: randomizations of the task.
-        section: their settings.
-        commands: sampler of the commands.
-        motors: motors without randomization.
+    `section` has the settings of the randomizations, and `motors` are those without randomization.
     """
 
     def __init__(
@@ -82,7 +79,7 @@ class Randomizer:
         motors: MotorConfig,
     ) -> None:
         self._simulation, self._control, self._draws = simulation, control, draws
-        self._section, self._timestep = section, control.config.timestep
+        self._timestep = control.config.timestep
         active = section.active(randomizations)
         starting = [(entry, setting) for entry, setting in active if entry.interval is None]
         self.sensors = _sensors(simulation, self._timestep, active)
@@ -96,7 +93,7 @@ class Randomizer:
         self.commands = commands
         self._starting = [Active.of(entry, setting, simulation) for entry, setting in starting]
         self._recurring = [
-            self._repeated(Active.of(entry, setting, simulation), section[entry.interval[0]])
+            _Recurring(Active.of(entry, setting, simulation), section, simulation.robot, self.memory)
             for entry, setting in active
             if entry.interval is not None
         ]
@@ -122,22 +119,10 @@ class Randomizer:
         self._noise.constants = self._noise.constants[self._noisy]
         self._noise_values = np.zeros((control.num_envs, layout.width))
 
-    def _repeated(self, active: Active, interval: Range) -> _Recurring:
-        """Return a randomization that repeats within episodes, with its memory."""
-        randomization, name = active.randomization, active.name
-        duration = None if randomization.duration is None else self._section[randomization.duration[0]]
-        widths = {name: randomization.columns(self._simulation.robot), f"{name}/interval": 1}
-        purposes = Purposes(widths | ({} if duration is None else {f"{name}/duration": 1}))
-        due, until = (self.memory.zeros(f"{name}_{end}", dtype=np.int64) for end in ("due", "until"))
-        return _Recurring(active, purposes, interval, duration, due, until)
-
     def begin_episodes(self, env_ids: EnvIds, place: Floats | None = None, command: Floats | None = None) -> None:
-        """Set some envs (R,) to random initial states.
+        """Set some envs (R,) to random initial states, at places (R, 2) in m, or else at the origin.
 
-        Args:
-            env_ids: indices of the envs.
-            place: position (R, 2) of each start, m; None: the origin.
-            command: commands (R, C); None: random.
+        Without commands (R, C) these are random.
         """
         simulation, sensors = self._simulation, self.sensors
         simulation.restore_model_fields(env_ids)
@@ -203,11 +188,7 @@ class Randomizer:
             self._control.set_command(env_ids, command)
 
     def within_episodes(self, running: EnvIds | None) -> None:
-        """Apply the randomizations that are due at this control step, and end those that have lasted.
-
-        Args:
-            running: indices of the envs to which they may be applied; None: all.
-        """
+        """Apply the randomizations that are due in some envs (R,), or all, and end those that have lasted."""
         steps = self._control.steps
         for entry in self._recurring:
             if entry.duration is not None:

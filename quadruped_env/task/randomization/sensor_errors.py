@@ -48,7 +48,6 @@ class Sensors:
     between the readings of two control steps, which are all that is stored, they are interpolated linearly.
 
     Args:
-        simulation: simulation of N robots.
         timestep: time between control steps, s.
         largest: largest value of each quantity that is randomized; the others have no error.
     """
@@ -77,20 +76,9 @@ class Sensors:
         self._ring: Floats = self.memory.zeros("readings", self._depth, int(ends[-1]))
         self._rows = np.arange(n) * self._depth
         self._measured, self._older = np.zeros((2, n, int(ends[-1])))
-        self._bind()
-
-    def _bind(self) -> None:
         own = {name: self._measured[:, columns] for name, columns in zip(MEASURED, self._columns, strict=True)}
-        self._true = [getattr(self._simulation.readings, name) for name in MEASURED]
-        self._readings = dataclasses.replace(self._simulation.readings, **own)
-
-    def __getstate__(self) -> dict[str, object]:
-        # The readings are views, and unpickling would turn them into copies.
-        return {name: value for name, value in self.__dict__.items() if name not in ("_readings", "_true")}
-
-    def __setstate__(self, state: dict[str, object]) -> None:
-        self.__dict__.update(state)
-        self._bind()
+        self._true = [getattr(simulation.readings, name) for name in MEASURED]
+        self._readings = dataclasses.replace(simulation.readings, **own)
 
     def before_start(self, env_ids: NDArray[np.intp]) -> None:
         """Take over the errors of some envs (R,) that begin an episode, before the simulation resets them."""

@@ -12,11 +12,8 @@ from quadruped_env.utils.arrays import Floats
 class ServoErrors:
     """Errors of the servos of N robots, constant during an episode; see `servo_target`.
 
-    They are computed once per control step. The servos' delay comes after them, in the simulation.
-
-    Args:
-        simulation: simulation of N robots.
-        motors: motors, whose errors are the least.
+    They are computed once per control step. The motors' own errors are the least. The servos' delay comes after them,
+    in the simulation.
     """
 
     def __init__(self, simulation: Simulation, motors: MotorConfig) -> None:

@@ -15,6 +15,7 @@ from quadruped_env.task.context import TaskContext
 from quadruped_env.task.randomization.draws import Draws, Purposes
 from quadruped_env.task.terrain_section import TilesSection
 from quadruped_env.utils.arrays import Bools, EnvIds, Floats
+from quadruped_env.utils.fields import check
 
 EPISODE_SECONDS: Final = 20.0
 """Length of an episode without a fall, s. The distance that a fallen robot was commanded to walk counts up to it."""
@@ -34,10 +35,6 @@ class TileAssignment:
 
     Distances are integrals over time: of the commanded forward speed, and of the forward velocity in the commanded
     direction. The commanded distance of a robot that fell includes the rest of the episode, at the last command.
-
-    Args:
-        section: the config's section `terrain`.
-        num_envs: number of envs, N.
     """
 
     def __init__(self, section: TilesSection, num_envs: int) -> None:
@@ -67,8 +64,7 @@ class TileAssignment:
             QuadrupedError: if there are no such tiles, or not one per episode.
         """
         kinds, levels = self._centres.shape[:2]
-        if tiles.shape != (count, 2):
-            raise QuadrupedError(f"reset: tiles must have shape ({count}, 2), kind and level; found {tiles.shape}")
+        check(tiles.shape == (count, 2), "reset: tiles", tiles.shape, f"of shape ({count}, 2), kind and level")
         kind, level = tiles.T
         wrong = np.flatnonzero((kind < 0) | (kind >= kinds) | (level < 1) | (level > levels))
         if len(wrong):

@@ -105,7 +105,7 @@ def test_reset_puts_envs_on_the_tiles_that_it_is_called_with():
 @pytest.mark.parametrize(
     ("tiles", "words"),
     [
-        ([[0, 1]], r"tiles must have shape \(2, 2\)"),
+        ([[0, 1]], r"tiles must be of shape \(2, 2\)"),
         ([[0, 1], [2, 1]], r"kinds 0 to 1 and levels 1 to 3; found \[2, 1\] for episode 1"),
         ([[0, 0], [1, 1]], r"levels 1 to 3; found \[0, 0\] for episode 0"),
         ([[0, 4], [1, 1]], r"found \[0, 4\] for episode 0"),
