@@ -1,4 +1,4 @@
-"""Search the parameters of the scripted gaits on the simulated robot, or on one's own with --task.
+"""Search the parameters of the scripted gaits on the simulated robot, or on one's own of two joints per leg (--task).
 
 They are the tables of the gait `tuned`, `crouched`, `low` or `fast` over forward velocity, with what a yaw rate adds,
 or a preset for one speed. Each search starts from the robot's preset of that name. Writes JSON: of the built-in robot
@@ -22,6 +22,7 @@ from gait_search.styles import STYLES
 from quadruped_env.control.task_file import load_robot
 from quadruped_env.errors import QuadrupedError
 from quadruped_env.gait import SINUSOID, CommandedGait
+from quadruped_env.gait.gaits import check_two_joints
 from quadruped_env.utils.files import write_json
 from quadruped_env.utils.program import run_program
 
@@ -67,6 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
             return 0
         if name == SINUSOID:
             raise QuadrupedError(f"--preset {name} has nothing to search for; measure it with --table")
+        check_two_joints(robot, "a search of a gait is")
         frequency = preset.angular_frequency
         if arguments.frequency is not None:
             frequency = math.tau * arguments.frequency

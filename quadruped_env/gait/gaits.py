@@ -285,6 +285,7 @@ class CommandedGait:
         gaits, root = robot.gaits or {}, scale_of("m/s", robot)
         check_names(gaits, COMMANDED, f"robot {robot.name!r}: gaits")
         if one_of(name, COMMANDED, "CommandedGait.preset") in gaits:
+            check_two_joints(robot, f"gaits[{name!r}] is")
             try:
                 return cls.of_legs(gaits[name], robot)
             except (TypeError, KeyError, ValueError) as error:
@@ -357,6 +358,20 @@ class CommandedGait:
         """Return the sinusoidal gait for one command (2,) or (3,), with the phases of a gait of `LEG_PHASES`."""
         waves = (values[0] for values in self.waves(np.array([command])))
         return _sinusoids(self.robot, self.angular_frequency, joint_phases(self.robot, phases), *waves)
+
+
+def check_two_joints(robot: Robot, what: str) -> None:
+    """Refuse a robot for whose legs there is no `LegTable`; `what` begins the sentence that says what is for others.
+
+    Raises:
+        QuadrupedError: if a leg has not two joints.
+    """
+    counts = {len(joints) for joints in robot.leg_joints}
+    if counts != {2}:
+        raise QuadrupedError(
+            f"robot {robot.name!r}: {what} for legs of two joints, and its legs have {max(counts)}; leave it out: the "
+            f"robot has the trot that follows from its kinematics (docs/gaits.md)"
+        )
 
 
 def _waves_of(legs: Mapping[str, LegTable], part: str, robot: Robot) -> Floats:

@@ -31,7 +31,7 @@ _MIN_GAIN: Final = 0.5
 _MAX_GAIN: Final = 3.0
 """Motion over commanded motion: below the one a servo may hang far from its command, and none reaches the other."""
 _MOTOR_DELAY: Final = 0.05
-"""Longest time by which a motor's torque follows its command, s: later, that of a trot's next step is near."""
+"""Longest time by which a motor's torque follows its command, s: later, the command of a trot's next step is near."""
 _ECHO_TOLERANCE: Final = 2e-4
 """Difference up to which a position is a target, rad: one may be rounded to four decimals, or to 0.01 degrees."""
 _ECHO_SHARE: Final = 0.9

@@ -261,6 +261,12 @@ class TestRefusals:
         with pytest.raises(QuadrupedError, match=r"would spoil the fit.*the effort of \w+ pulls away from its command"):
             check(align(robot, flipped, commands, 0.7, 0.005), flipped, commands, [])
 
+    def test_efforts_of_motors_at_their_limits_have_their_sign(self):
+        robot = twelve_joints.ROBOT
+        commands = commanded(6.0, robot=robot)
+        hung = measured(commands, robot.motors, robot=robot)
+        check(align(robot, hung, commands, 0.7, 0.005), hung, commands, [])
+
 
 class TestCoordinates:
     def test_conversion_there_and_back_and_its_derivatives(self):

@@ -53,6 +53,9 @@ def test_page_names_the_three_velocities():
     sideways = report._description(TaskConfig().for_robot(ROBOT))
     assert "commands of forward velocity, yaw rate and lateral velocity." in sideways
     assert "commands of forward velocity and yaw rate." in report._description(TaskConfig())
+    soft = {"kp": 1.0}
+    described = report._description(TaskConfig.from_dict({"motor": {"hip": soft, "knee": soft}}))
+    assert "For a trot it lacks: kp 1 N m/rad: " in described, "of the task's motors"
     assert report._velocities(ROBOT, "tilt") == "forward velocity, yaw rate, lateral velocity and tilt"
 
 

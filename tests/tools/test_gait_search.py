@@ -8,6 +8,7 @@ import gymnasium
 import numpy as np
 import pytest
 import second_robot
+import twelve_joints
 
 import tune_gait
 from gait_search import search as gait_search
@@ -242,6 +243,14 @@ def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, ca
         CommandedGait.preset("tuned", dataclasses.replace(TALL, gaits={"lower": gaits["low"]}))
     with pytest.raises(QuadrupedError, match="'tall': gaits must be a dict of preset -> parameters; found 3"):
         dataclasses.replace(TALL, gaits=3)
+
+
+def test_search_and_gaits_of_a_robot_with_three_joints_per_leg_are_refused(capsys):
+    assert tune_gait.main(["--task", twelve_joints.__file__]) == 2
+    assert "a search of a gait is for legs of two joints, and its legs have 3; leave it out" in capsys.readouterr().err
+    own = dataclasses.replace(twelve_joints.ROBOT, gaits={"tuned": CommandedGait.preset("tuned").parameters()})
+    with pytest.raises(QuadrupedError, match=r": gaits\['tuned'\] is for legs of two joints, and its legs have 3"):
+        CommandedGait.preset("tuned", own)
 
 
 def test_program_searches_the_presets_for_one_speed_of_the_built_in_robot(monkeypatch, tmp_path, capsys):
