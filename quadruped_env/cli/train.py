@@ -37,7 +37,7 @@ from quadruped_env.policies import load_policy
 from quadruped_env.policies.files import kept_file
 from quadruped_env.policies.policy_data import CARD_FILE
 from quadruped_env.robot.description import check_no_description
-from quadruped_env.task import BUILT_IN, TaskDefinition, load_task_file, preset_values
+from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition, load_task_file, preset_values
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.recipes import RECIPES, with_recipe
 from quadruped_env.utils.documents import parse_json, read_json
@@ -160,8 +160,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         print(f"continuing {parent.name} at {parent.timesteps:,} steps, for {budget}", flush=True)
         for difference in filter(None, (parent.task_changes, parent.reward_changes(config))):
             print(f"note: {difference}", flush=True)
-    for line in fitness(definition.robot):
-        print(f"note: {definition.robot.name}: {line}", flush=True)
+    task = TaskConfig.from_dict(config.task, definition)
+    for line in fitness(task.robot, task.clock_frequency, task.motor):
+        print(f"note: {task.robot.name}: {line}", flush=True)
     # Torch takes seconds to import.
     from quadruped_env.training.train import train
 
@@ -175,9 +176,9 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     gain = measure_learning(directory, task_file, steps)
     print(f"\n{gain.table()}\nIn its own task, {gain.episodes} episodes of {gain.seconds:g} s, it {gain.verdict()}")
     print("" if gain.is_better else "give it more --timesteps or --seconds, or continue with --resume\n")
-    task = ["--trust-task"] if arguments.trust_task else [] if task_file is None else ["--task", task_file]
-    print(f"evaluate it:  {program_command('evaluate', directory, *task)}")
-    print(f"see it walk:  {program_command('view', directory, *task)}")
+    file = ["--trust-task"] if arguments.trust_task else [] if task_file is None else ["--task", task_file]
+    print(f"evaluate it:  {program_command('evaluate', directory, *file)}")
+    print(f"see it walk:  {program_command('view', directory, *file)}")
     print(f"see curves:   {module_command('tensorboard.main', '--logdir', runs)}")
     return 0 if finished else stopped_status(signal.Signals[interrupted])
 

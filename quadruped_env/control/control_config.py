@@ -1,5 +1,6 @@
 """Configuration that training and a real robot share: action scaling, control rate and commands."""
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Final, Literal, Self
@@ -85,6 +86,7 @@ def commands_for(robot: Robot, commands: Sequence[Command]) -> tuple[Command, ..
     )
 
 
+@functools.lru_cache(maxsize=64)
 def velocity_commands(robot: Robot) -> tuple[Command, ...]:
     """Return the velocity command of a robot: the `VELOCITIES` that it has."""
     return commands_for(robot, VELOCITIES)

@@ -1,8 +1,9 @@
 """Check of a robot's numbers against what a trot needs of them, before a training."""
 
+import dataclasses
 import math
 from collections.abc import Iterator
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from quadruped_env.gait.gait_presets import SINUSOID, TROTS
 from quadruped_env.gait.gaits import CommandedGait, has_tuned_shape
 from quadruped_env.gait.waves import joint_waves, reachable_lift, weight_torque
 from quadruped_env.robot.corners import corners
+from quadruped_env.robot.motors import MotorConfig
 from quadruped_env.robot.robot import Robot
 from quadruped_env.robot.units import scale_of
 from quadruped_env.utils.arrays import Floats
@@ -29,12 +31,15 @@ _FASTEST: Final = 0.6
 """Fastest forward command, m/s, of a robot as tall as the built-in one."""
 
 
-def fitness(robot: Robot, frequency: float | None = None) -> list[str]:
+def fitness(robot: Robot, frequency: float | None = None, motors: MotorConfig | None = None) -> list[str]:
     """Return what keeps a robot from a trot, one line each with the number that would do; empty if nothing does.
 
-    A robot of the built-in one's shape has its gaits, so its joints' speeds are not checked. `frequency` is the gait
-    clock's in Hz; None: the default.
+    A robot of the built-in one's shape has its gaits, so its joints' speeds are not checked. `frequency` is its gait
+    clock's in Hz, `motors` are its task's (`TaskConfig.motor`); None: the defaults, and the robot's own.
     """
+    if motors not in (None, robot.motors):
+        by_motors: Any = None
+        robot = dataclasses.replace(robot, motors=motors, velocity_limit=by_motors, effort_limit=by_motors)
     if frequency is None:
         frequency = TROTS[SINUSOID].frequency / scale_of("m/s", robot)
     try:
@@ -44,8 +49,9 @@ def fitness(robot: Robot, frequency: float | None = None) -> list[str]:
         lift = reachable_lift(robot, frequency, TROTS[SINUSOID])
     except QuadrupedError as error:
         return [str(error)]
-    rise = lift * robot.stance_height
-    return [*_carrying(robot, rise), *_speed(robot, frequency, rise), *_balance(robot)]
+    slow, rise = _speed(robot, frequency, lift * robot.stance_height)
+    # Feet that slow joints do not lift are no reason for a higher gain.
+    return [*slow, *_carrying(robot, rise, "then " if slow else ""), *_balance(robot)]
 
 
 def _closed_form_rise(robot: Robot, frequency: float) -> float:
@@ -55,7 +61,7 @@ def _closed_form_rise(robot: Robot, frequency: float) -> float:
     return float((top - bottom).min())
 
 
-def _carrying(robot: Robot, rise: float) -> Iterator[str]:
+def _carrying(robot: Robot, rise: float, then: str = "") -> Iterator[str]:
     """Check gains, stall torques and servo errors in the stance on two legs, for feet that rise by a height in m."""
     motors = robot.motors.of_joints(robot.joint_kinds)
     heights, torque = robot.skeleton.foot_jacobians(robot.stance)[:, 2], weight_torque(robot)
@@ -64,7 +70,7 @@ def _carrying(robot: Robot, rise: float) -> Iterator[str]:
     sag, softest = float((heights * -torque / kp).sum(axis=1).max()), float(kp.min())
     if sag > _SAG * rise:
         yield (
-            f"kp {softest:.3g} N m/rad: in a trot the robot sinks by {1e3 * sag:.0f} mm, and its feet rise by "
+            f"kp {softest:.3g} N m/rad: in a trot the robot sinks by {1e3 * sag:.0f} mm, and its feet {then}rise by "
             f"{1e3 * rise:.0f}; {_up(softest * sag / (_SAG * rise))} N m/rad or more"
         )
     joint = int((np.abs(torque) / robot.effort_limit).argmax())
@@ -80,25 +86,31 @@ def _carrying(robot: Robot, rise: float) -> Iterator[str]:
     if height > _ERROR * rise:
         yield (
             f"servo step, backlash and dead band: a foot's height is off by up to {1e3 * height:.0f} mm, and its rise "
-            f"is {1e3 * rise:.0f}; half of step and backlash and the dead band together "
+            f"{then}is {1e3 * rise:.0f}; half of step and backlash and the dead band together "
             f"{math.degrees(errors.max() * _ERROR * rise / height):.2g} degrees or less"
         )
 
 
-def _speed(robot: Robot, frequency: float, rise: float) -> Iterator[str]:
-    """Check the joints' speeds, which limit how far the feet rise, at the fastest forward command."""
+def _speed(robot: Robot, frequency: float, rise: float) -> tuple[list[str], float]:
+    """Check the joints' speeds, which limit how far the feet rise, at the fastest forward command.
+
+    Returns:
+        The finding, if there is one, and the height in m to which the feet rise with the speed that would do.
+    """
     wanted = _RISE * TROTS[SINUSOID].lift
     height, fastest = wanted * robot.stance_height, _FASTEST * scale_of("m/s", robot)
     sine, cosine, _ = joint_waves(robot, frequency, np.array([[fastest, 0.0, 0.0]]), wanted, 1.0)
     needed: Floats = math.tau * frequency * np.hypot(sine, cosine)[0]
     joint = int((needed / robot.velocity_limit).argmax())
     limit, least = float(robot.velocity_limit[joint]), float(needed[joint]) / _OVER
-    if least > limit or rise < height:
-        yield (
-            f"no-load speed {limit:.3g} rad/s: the feet rise by {1e3 * rise:.0f} mm; for {1e3 * height:.0f} mm at "
-            f"{fastest:.2g} m/s {robot.joint_names[joint]} turns at {needed[joint]:.3g} rad/s; "
-            f"{_up(max(least, limit * height / rise))} rad/s or more"
-        )
+    if least <= limit and rise >= height:
+        return [], rise
+    enough = max(least, limit * height / rise)
+    line = (
+        f"no-load speed {limit:.3g} rad/s: the feet rise by {1e3 * rise:.0f} mm; for {1e3 * height:.0f} mm at "
+        f"{fastest:.2g} m/s {robot.joint_names[joint]} turns at {needed[joint]:.3g} rad/s; {_up(enough)} rad/s or more"
+    )
+    return [line], min(rise * enough / limit, TROTS[SINUSOID].lift * robot.stance_height)
 
 
 def _balance(robot: Robot) -> Iterator[str]:

@@ -30,6 +30,8 @@ _MAX_OFFSET: Final = 0.5
 _MIN_GAIN: Final = 0.5
 _MAX_GAIN: Final = 3.0
 """Motion over commanded motion: below the one a servo may hang far from its command, and none reaches the other."""
+_MOTOR_DELAY: Final = 0.05
+"""Longest time by which a motor's torque follows its command, s: later, that of a trot's next step is near."""
 _ECHO_TOLERANCE: Final = 2e-4
 """Difference up to which a position is a target, rad: one may be rounded to four decimals, or to 0.01 degrees."""
 _ECHO_SHARE: Final = 0.9
@@ -176,7 +178,6 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
         delay = delays[int(own.argmax())]
         target, reached = command[: len(command) - delay, i], position[delay:, i]
         gain, offset = float(np.std(reached) / np.std(target)), float(np.mean(reached) - np.mean(target))
-        pull = _correlation(command[:, i] - position[:, i], effort[:, i])
         reasons = []
         if own.max() < 0.5 and own[:early].min() < -0.7:
             reasons.append("moves against its command: its sign is wrong (sign = -1 in a map)")
@@ -194,12 +195,30 @@ def _inconsistent(recorded: Recorded, without: Sequence[str]) -> list[str]:
                 f"{names[i]} is {offset:+.3g} rad from its command on average: the two have different zeros or signs "
                 f"(offset and sign in a map)"
             )
-        if pull < -0.4:
+        if _pulls_away(command[:, i], position[:, i], effort[:, i], step):
             problems.append(
                 f"the effort of {names[i]} pulls away from its command: its sign is wrong (effort_scale = -1 in a "
                 f"map), or leave the efforts out (--ignore effort)"
             )
     return problems
+
+
+def _pulls_away(command: Floats, position: Floats, effort: Floats, step: float) -> bool:
+    """Return True if a motor's torque pulls its joint away from its command, at time steps in s.
+
+    The torque is kp times the distance from an earlier command, less kd times the velocity. On the ground, where the
+    feet carry the joints along, it is often the damping that decides: only at the same velocity (partial correlation)
+    does the distance tell the sign.
+    """
+    velocity, found = np.gradient(position, step), []
+    for delay in range(round(_MOTOR_DELAY / step) + 1):
+        distance, torque, speed = command[: len(command) - delay] - position[delay:], effort[delay:], velocity[delay:]
+        pairs = (distance, torque), (distance, speed), (torque, speed)
+        direct, *by_speed = (_correlation(*pair) for pair in pairs)
+        left = 1.0 - np.square(by_speed)
+        found.append(float((direct - np.prod(by_speed)) / max(np.sqrt(left.prod()), 1e-6)))
+    low, high = min(found), max(found)
+    return low < -0.4 and low + high < -0.1
 
 
 def _correlation(one: Floats, other: Floats) -> float:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.importer.description import Description, Joint, Link, named, poses
 from quadruped_env.importer.legs import Anatomy
 from quadruped_env.importer.shapes import moved
@@ -10,6 +11,8 @@ from quadruped_env.utils.arrays import Floats
 
 _LEAST_MASS = 1e-7
 """Mass of a moving link without one, relative to the robot's."""
+_NO_MASS = 1e-6
+"""Mass of a robot up to which the file has none, kg; MuJoCo gives its bodies 1e-9."""
 _FAR = 0.25
 """Distance of the base's origin from the middle of the hips, relative to the leg or the body, that moves it there."""
 
@@ -72,12 +75,14 @@ def _join(body: Link, link: Link, position: Floats, rotation: Floats) -> None:
 
 def _give_mass(described: Description, bodies: list[Link]) -> None:
     total = sum(body.mass for body in bodies)
+    if total < _NO_MASS:
+        missing = described.meshes_not_read()
+        raise QuadrupedError(f"no link has a mass, or a shape to assume one from; give each its inertia{missing}")
     without = [body for body in bodies if body.mass <= 1e-9 * total]
     for body in without:
         body.mass, body.centre = _LEAST_MASS * total, np.zeros(3)
         body.inertia = body.mass * 1e-4 * np.eye(3)
     if without:
-        text = (
-            f"{named([body.name for body in without])}: moves without a mass, and gets {_LEAST_MASS:g} of the robot's"
-        )
+        names = named([body.name for body in without])
+        text = f"{names}: moves without a mass, and gets {_LEAST_MASS:g} of the robot's; give it its own"
         described.add("repaired", "mass", text)

@@ -108,6 +108,11 @@ class Description:
         count = "1 mesh is" if len(problems) == 1 else f"{len(problems)} meshes are"
         self.add("left out", "collision", f"{count} not read: {problems[0]}; only the other shapes are used")
 
+    def meshes_not_read(self) -> str:
+        """Return the end of an error that missing meshes may have caused; nothing if none is missing."""
+        texts = [finding.text for finding in self.findings if finding.subject == "collision"]
+        return f" ({texts[0]})" if texts else ""
+
 
 def poses(links: Sequence[Link]) -> tuple[Floats, Floats]:
     """Return positions (L, 3) and rotations (L, 3, 3) of all links in their root, with the joints at 0."""

@@ -55,7 +55,7 @@ class Folders:
         Raises:
             QuadrupedError: if there is no such file, or in none of the folders.
         """
-        tail = _PROTOCOL.sub("", name).replace("\0", "")
+        tail = _PROTOCOL.sub("", name).replace("\0", "").replace("\\", "/")  # of Windows
         if not name.startswith(("package://", "model://")):
             for place in [folder / tail for folder in (self.file.parent, *beside)]:  # an absolute name replaces them
                 if os.path.isfile(place):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from quadruped_env.errors import QuadrupedError
-from quadruped_env.importer.description import Description, Link, named
+from quadruped_env.importer.description import Description, Link, named, poses
 from quadruped_env.importer.shapes import bounds
 from quadruped_env.utils.arrays import Floats
 
@@ -18,12 +18,14 @@ _ROUNDING = 1e-3
 
 
 def repair(described: Description) -> None:
-    """Replace inertia that is zero or violates the triangle inequality by a box's; changes the links.
+    """Replace inertia that no link of the robot can have by a box's; changes the links.
 
     Raises:
         QuadrupedError: if a link's inertia has a negative eigenvalue, which no rounding explains.
     """
     repaired: dict[str, list[str]] = {}
+    places, _ = poses(described.links)
+    size = float(np.linalg.norm(np.ptp(places, axis=0))) if len(places) else 0.0
     for link in described.links:
         if link.mass == 0.0:
             link.inertia = np.zeros((3, 3))
@@ -41,6 +43,9 @@ def repair(described: Description) -> None:
         elif 2.0 * moments[2] > moments.sum() * (1.0 + _SLACK) or moments[0] <= 0.0:
             link.inertia = np.diag(_box_inertia(link))
             repaired.setdefault("against the triangle inequality", []).append(link.name)
+        elif moments[2] > link.mass * size**2 > 0.0:
+            link.inertia = np.diag(_box_inertia(link))
+            repaired.setdefault("larger than that of a link of the robot's size", []).append(link.name)
     for cause, names in repaired.items():
         described.add("repaired", "inertia", f"{named(names)}: {cause}; now a box of the link's size and mass")
 

@@ -381,9 +381,8 @@ class _Geometry:
             if forward.lstrip("+-") != name:
                 raise QuadrupedError(f"--forward: expected {name} or -{name}, along the body; found {forward}")
             return -sign if forward.startswith("-") else sign
-        if name != "x" or abs(ahead[axis]) < _SNAP:
-            text = f"{name} of {self.links[self.base].name!r}, along the body; the sign is a convention: or --forward"
-            self.tree.described.add("assumed", "forward", f"{text} -{name}")
+        text = f"{name} of {self.links[self.base].name!r}, along the body; the sign is a convention: or --forward"
+        self.tree.described.add("assumed", "forward", f"{text} -{name}")
         return sign
 
 

@@ -88,8 +88,9 @@ def _load_meshes(spec: mujoco.MjSpec, folders: Folders) -> list[str]:
     missing: dict[str, str] = {}
     assets: dict[str, bytes] = {}
     meshes = {_mesh_name(entry): entry for entry in spec.meshes}
+    for shown in (*spec.geoms, *spec.sites, *spec.tendons):
+        shown.material = ""
     for geom in list(spec.geoms):
-        geom.material = ""
         if geom.type in (_GEOM.mjGEOM_HFIELD, _GEOM.mjGEOM_SDF):
             spec.delete(geom)
         elif geom.meshname:
@@ -200,6 +201,13 @@ def _links(model: mujoco.MjModel, described: Description, given: dict[int, Float
             described.links.append(link)
             poses.append((origin, own))
         last_link[body] = parent
+    for site in range(model.nsite):  # frames, as of feet whose meshes are missing
+        parent = last_link[int(model.site_bodyid[site])]
+        if parent >= 0:
+            place_of, turn = poses[parent]
+            position = turn.T @ (data.site_xpos[site] - place_of)
+            fixed = Joint("", FIXED, np.array([1.0, 0.0, 0.0]))
+            described.links.append(Link(f"site {model.site(site).name}", parent, position, np.eye(3), fixed))
     described.home = _home(model)
 
 

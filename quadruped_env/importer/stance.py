@@ -16,14 +16,15 @@ from quadruped_env.utils.arrays import Floats
 REACH: Final = 0.85
 """Height of the hips over the feet in the stance, relative to the length of the straight leg."""
 _REACHES: Final = sorted(np.arange(0.5, 0.97, 0.01).round(2).tolist(), key=lambda share: abs(share - REACH))
-_ROOM: Final = (0.1, 0.06, 0.0)
-"""Height by which the feet can be lifted from the stance within the limits, relative to the leg, most first."""
 _BENT: Final = (0.45, 2.3)
 """Angles of a knee at which a leg stands, rad."""
 _SURE: Final = 3.0
 """Ratio of a knee's ranges to either side from which on the larger one is meant."""
 _MARGIN: Final = 0.02
 """Distance of the stance from the joints' limits, rad."""
+_ROOM: Final = ((0.1, 0.1), (0.1, _MARGIN), (0.06, _MARGIN), (0.0, _MARGIN))
+"""Height by which the feet can be lifted from the stance, relative to the leg, and the distance in rad of the thighs
+from their limits then, since a stride turns them further; most first."""
 _TURN: Final = 2.0 * math.pi
 
 
@@ -76,7 +77,7 @@ def find_stance(described: Description, anatomy: Anatomy) -> Stance:
         QuadrupedError: if a leg has no length.
     """
     planes = tuple(map(_plane, anatomy.legs))
-    _check_lengths(planes)
+    _check_lengths(described, planes)
     knees, unsure = _knees(described, planes)
     positions = _home(described, planes)
     if positions is not None:
@@ -125,13 +126,14 @@ def _upright(leg: Leg, place: int, left: Floats) -> float:
     return min((_wrapped(angle + turn) for turn in (0.0, math.pi)), key=cost)
 
 
-def _check_lengths(planes: Sequence[LegPlane]) -> None:
+def _check_lengths(described: Description, planes: Sequence[LegPlane]) -> None:
     lengths = np.array([[plane.thigh, plane.shank] for plane in planes])
     if lengths.min() < 0.1 * lengths.max() or lengths.max() < 1e-4:
         found = "; ".join(f"{plane.leg.corner} {plane.thigh:.3g} and {plane.shank:.3g} m" for plane in planes)
         raise QuadrupedError(
             f"thigh and shank of the legs are {found}; expected two links of similar length, with the foot "
             f"at the end of the second: check the joints' origins and the shapes of the last links (a wheel is none)"
+            f"{described.meshes_not_read()}"
         )
 
 
@@ -184,9 +186,9 @@ def _home(described: Description, planes: Sequence[LegPlane]) -> dict[str, float
 
 def _under_hips(planes: Sequence[LegPlane], choices: Sequence[str]) -> tuple[str, dict[str, float], str]:
     """Return the knees, the joint positions with each foot under its hip, and what a finding says about them."""
-    for knees, room, share in itertools.product(dict.fromkeys(choices), _ROOM, _REACHES):
+    for knees, (lift, swing), share in itertools.product(dict.fromkeys(choices), _ROOM, _REACHES):
         positions = _feet_under(planes, knees, share)
-        if positions is not None and _feet_under(planes, knees, share - room) is not None:
+        if positions is not None and _feet_under(planes, knees, share - lift, swing) is not None:
             return knees, positions, f"each foot under its hip, at {share:.2f} of the leg's length"
     middle = {
         joint.name: 0.0 if math.isinf(joint.low) else 0.5 * (joint.low + joint.high)
@@ -196,20 +198,25 @@ def _under_hips(planes: Sequence[LegPlane], choices: Sequence[str]) -> tuple[str
     return choices[0], middle, "the middle of the ranges, since the limits allow no foot under its hip; correct it"
 
 
-def _feet_under(planes: Sequence[LegPlane], knees: str, share: float) -> dict[str, float] | None:
-    """Return joint positions with the feet under the hips at a share of the legs' length; None beyond limits."""
+def _feet_under(
+    planes: Sequence[LegPlane], knees: str, share: float, swing: float = _MARGIN
+) -> dict[str, float] | None:
+    """Return joint positions with the feet under the hips at a share of the legs' length; None beyond limits.
+
+    The thighs are `swing` in rad from theirs or more.
+    """
     heights = np.array([[plane.hip[2], plane.thigh + plane.shank] for plane in planes])
     ground = float((heights[:, 0] - share * heights[:, 1]).mean())
     found: dict[str, float] = {}
     for plane, knee in zip(planes, knees, strict=True):
-        positions = _bent(plane, float(plane.hip[2]) - ground, knee)
+        positions = _bent(plane, float(plane.hip[2]) - ground, knee, swing)
         if positions is None:
             return None
         found.update(zip(plane.leg.names, positions, strict=True))
     return found
 
 
-def _bent(plane: LegPlane, drop: float, knee: str) -> list[float] | None:
+def _bent(plane: LegPlane, drop: float, knee: str, swing: float) -> list[float] | None:
     """Return the leg's joint positions with the foot under the hip by a height in m; None if the limits forbid it."""
     a, b, side = plane.thigh, plane.shank, 1.0 if knee == "<" else -1.0
     if not abs(a - b) < drop < a + b:
@@ -219,9 +226,10 @@ def _bent(plane: LegPlane, drop: float, knee: str) -> list[float] | None:
     wanted = iter([thigh - plane.zero[0], bend - plane.zero[1]])
     positions = []
     for joint, kind, sign in zip(plane.leg.joints, plane.leg.kinds, plane.signs, strict=True):
+        margin = _MARGIN if kind == "roll" or joint is plane.leg.joints[-1] else swing
         position = plane.roll if kind == "roll" else sign * _wrapped(next(wanted))
         turns = [position + turn for turn in (0.0, -_TURN, _TURN)]
-        inside = [x for x in turns if joint.low + _MARGIN < x < joint.high - _MARGIN]
+        inside = [x for x in turns if joint.low + margin < x < joint.high - margin]
         if not inside:
             return None
         positions.append(inside[0])

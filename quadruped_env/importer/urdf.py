@@ -56,6 +56,7 @@ class Urdf:
                 link.position, link.rotation = self._origin(joint)
                 link.joint = self._joint(joint)
             described.links.append(link)
+        _fix_loose(described)
         if not any(link.mass for link in described.links):
             self._assume_density(described)
         self._report(described, links)
@@ -223,7 +224,7 @@ class Urdf:
     def _assume_density(self, described: Description) -> None:
         """Give links a mass by their shapes where the file has no inertial at all."""
         for link in described.links:
-            shapes = [shape for shape in link.shapes if shape.collides]
+            shapes = link.shapes
             link.mass = 1000.0 * sum(shape.volume for shape in shapes)
             if link.mass:
                 link.centre = sum(shape.volume * shape.points.mean(axis=0) for shape in shapes) / link.mass * 1000.0
@@ -242,3 +243,17 @@ class Urdf:
             described.add(
                 "found", "mass", f"{named(bare)}: shapes without <inertial> get no mass (MuJoCo would give 1000 kg/m^3)"
             )
+
+
+def _fix_loose(described: Description) -> None:
+    """Fix links on floating joints below which no joint moves, such as feet that some simulators hold there."""
+    carriers: set[int] = set()
+    loose: list[str] = []
+    for i, link in reversed(list(enumerate(described.links))):
+        if link.joint.kind == "free" and i not in carriers:
+            link.joint.kind = FIXED
+            loose.insert(0, link.joint.name)
+        if link.joint.kind != FIXED or i in carriers:
+            carriers.add(link.parent)
+    if loose:
+        described.add("repaired", "joints", f"{named(loose)}: floating, with nothing that moves below; fixed")

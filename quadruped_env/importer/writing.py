@@ -63,7 +63,7 @@ def mjcf(described: Description, anatomy: Anatomy, stance: Stance, bodies: Seque
     base = _add(SubElement(root, "worldbody"), "body", name=bodies[0].name, pos=[0.0, 0.0, stance.height])
     _add_inertial(base, bodies[0])
     _add(base, "freejoint", name="floating_base")
-    _add_base_shapes(base, bodies[0], anatomy, stance)
+    _add_base_shapes(base, bodies, anatomy, stance)
     elements = [base]
     for body in bodies[1:]:
         place = {"pos": body.position, "quat": _quaternion(body.rotation)}
@@ -107,8 +107,11 @@ def _add_inertial(element: Element, body: Link) -> None:
     _add(element, "inertial", pos=body.centre, quat=_quaternion(axes), mass=body.mass, diaginertia=moments)
 
 
-def _add_base_shapes(element: Element, base: Link, anatomy: Anatomy, stance: Stance) -> None:
-    hips = np.array([plane.hip for plane in stance.planes])
+def _add_base_shapes(element: Element, bodies: Sequence[Link], anatomy: Anatomy, stance: Stance) -> None:
+    base, leg = bodies[0], anatomy.legs[0]
+    first = next(body for body in bodies[1:] if body.joint is leg.joints[0])
+    origin = leg.anchors[0] - first.position  # of the base, in the frame of the stance
+    hips = np.array([plane.hip for plane in stance.planes]) - origin
     lowest = float(hips[:, 2].min()) - 0.7 * stance.height
     found = [bounds([shape]) for shape in [s for s in base.shapes if s.collides] or base.shapes]
     boxes = [(0.5 * (low + high), 0.5 * (high - low)) for low, high in found if low[2] > lowest]

@@ -25,6 +25,10 @@ TENSORS_FILE: Final = "policy.safetensors"
 CARD_FILE: Final = "policy.json"
 _LARGEST: Final = 1e38
 """Bound of the values between layers: a third of float32's largest, for the rounding of sums in any order."""
+_ONE_THREAD: Final = 2**18
+"""Multiplications of a matrix product that OpenBLAS does not share out among threads."""
+_FEWEST_ROWS: Final = 8
+"""Rows of a matrix product from which on it is worth a call of its own."""
 
 
 @dataclass(frozen=True)
@@ -85,8 +89,8 @@ class PolicyData:
             )
         activate = ACTIVATIONS[self.activation]
         for weight, bias in zip(self.weights[:-1], self.biases[:-1], strict=True):
-            x = activate(x @ weight + bias)
-        return OUTPUTS[self.output](x @ self.weights[-1] + self.biases[-1])
+            x = activate(_product(x, weight) + bias)
+        return OUTPUTS[self.output](_product(x, self.weights[-1]) + self.biases[-1])
 
     def check_is_data(self, where: str) -> None:
         """Check that the policy can be used where its file is needed.
@@ -193,3 +197,14 @@ def gait_document(control: ControlConfig, robot: Robot) -> dict[str, Any] | None
     """Return the scripted gait of a residual policy as JSON values; None for other policies."""
     gait = control.action.scripted_gait(robot, control.clock_frequency)
     return None if gait is None else gait.parameters()
+
+
+def _product(x: NDArray[np.float32], weight: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the matrix product, in blocks of rows that are too small for threads.
+
+    After such a product the threads of a BLAS wait for the next one on the cores that the physics needs.
+    """
+    rows = _ONE_THREAD // weight.size
+    if x.ndim != 2 or not _FEWEST_ROWS <= rows < len(x):
+        return x @ weight
+    return np.concatenate([block @ weight for block in np.array_split(x, -(-len(x) // rows))])

@@ -14,6 +14,7 @@ import numpy as np
 from quadruped_env.errors import QuadrupedError, short
 from quadruped_env.robot.mini_quadruped import MINI_QUADRUPED
 from quadruped_env.robot.robot import Robot
+from quadruped_env.utils.arrays import Floats
 from quadruped_env.utils.plain import Plain
 
 _EXPONENTS: Final = {
@@ -47,13 +48,21 @@ def scale_of(unit: str, robot: Robot) -> float:
 
 @functools.lru_cache(maxsize=64)
 def steadiness(robot: Robot) -> float:
-    """Return how far apart a robot's feet are for its height, relative to the built-in robot; at most 1.
+    """Return how steady a robot stands on its feet, relative to the built-in robot; at most 1.
 
-    A rigid robot tips over its feet at a speed of w sqrt(g / L), with half the distance w between its fore and hind or
-    its left and right feet, and under a horizontal force of m g w / L. The direction in which it is less steady counts.
+    A rigid robot whose centre of mass is at a height h, and at a distance w from its outermost feet on one side, tips
+    over them at a speed of w sqrt(g / h), and under a horizontal force of m g w / h. Of w / h on the four sides, the
+    one that is the smallest part of the built-in robot's counts.
     """
-    own, built_in = (np.ptp(r.stance_feet[:, :2], axis=0) / r.stance_height for r in (robot, MINI_QUADRUPED))
+    own, built_in = (_slopes(r) for r in (robot, MINI_QUADRUPED))
     return min(1.0, _rounded(float((own / built_in).min()), 3))
+
+
+def _slopes(robot: Robot) -> Floats:
+    """Return the distances from the centre of mass to the outermost feet of all four sides over its height (4,)."""
+    x, y, z = robot.skeleton.centre_of_mass(robot.stance)
+    feet = robot.stance_feet[:, :2]
+    return np.concatenate([feet.max(axis=0) - (x, y), (x, y) - feet.min(axis=0)]) / (robot.stance_height + z)
 
 
 @functools.lru_cache(maxsize=64)

@@ -5,7 +5,7 @@ import shutil
 import socket
 import time
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import asdict
 from pathlib import Path
 from types import MappingProxyType
@@ -170,7 +170,7 @@ class Recorder(Scheduled):
             for name in (CONFIG_FILE, PROGRESS_FILE, *self._run.kept):
                 if (self._run.directory / name).exists():
                     (part / name).parent.mkdir(parents=True, exist_ok=True)
-                    shutil.copyfile(self._run.directory / name, part / name)
+                    _copy(self._run.directory / name, part / name, changes=name == PROGRESS_FILE)
             for name, content in self._files().items():
                 (part / name).write_bytes(content)
 
@@ -230,6 +230,15 @@ def record(run: Run, model: Any, recorder: Recorder, learning: Callable[[], None
     except (OSError, QuadrupedError) as error:
         cause = error if isinstance(error, QuadrupedError) else unwritable(run.directory, error)
         raise QuadrupedError(f"{cause}; what was saved before is kept in {run.directory}") from error
+
+
+def _copy(source: Path, target: Path, changes: bool) -> None:
+    """Copy a file, without its content where it never changes and the file system knows links: meshes are large."""
+    if not changes:
+        with suppress(OSError):
+            target.hardlink_to(source)
+            return
+    shutil.copyfile(source, target)
 
 
 def error_units(task: Task) -> dict[str, str]:

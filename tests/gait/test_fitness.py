@@ -77,6 +77,23 @@ def test_speed_is_compared_with_the_fastest_command_and_the_rise():
     assert fitness(planar({"no_load_speed": 2.5})[0], frequency=1.0) != []
 
 
+@pytest.mark.parametrize(("kp", "subjects"), [(25.0, ["no-load speed"]), (8.0, ["no-load speed", "kp"])])
+def test_gain_is_not_blamed_for_feet_that_slow_joints_do_not_lift(kp, subjects):
+    """What the lines name does together, and none of it is due to another one."""
+    found = fitness(planar({"no_load_speed": 1.0, "kp": kp})[0])
+    assert [re.split(r" \d", line)[0] for line in found] == subjects
+    cure = {name: numbers(line)[-1] for name, line in zip(("no_load_speed", "kp"), found, strict=False)}
+    assert fitness(planar({"kp": kp, **cure})[0]) == []
+
+
+def test_motors_of_the_task_replace_the_robots():
+    (robot, _), weak = planar(), JointMotor(**STRONG | {"kp": 4.0, "stall_torque": 1.0})
+    assert fitness(robot, motors=robot.motors) == []
+    found = fitness(robot, motors=MotorConfig(weak, weak))
+    assert [line.split(":")[0] for line in found] == ["kp 4 N m/rad", "stall torque 1 N m"]
+    assert found == fitness(planar({"kp": 4.0, "stall_torque": 1.0})[0])
+
+
 def test_servo_errors_are_compared_with_the_rise():
     robot, _ = planar()
     allowed = 0.4 * TROTS["sinusoid"].lift * robot.stance_height / ARM

@@ -218,7 +218,7 @@ class TestRefusals:
             ("q[:, 0] = q[0, 0]", r"positions freeze .* in LF_hip_joint"),
             ("v *= 180 / np.pi", r"velocities .* 5\d.* times"),
             ("e[:] = 0.0", r"efforts .* are 0 in every row"),
-            ("e *= -1", r"the effort of LF_hip_joint pulls away .*effort_scale"),
+            ("e *= -1", r"the effort of LF_knee_joint pulls away .*effort_scale"),
             ("s += 500_000_000", r"come 0\.5\d s after the commands, so .* different clocks"),
             ("v = e = None; q[:, 2] *= -1", r"RF_hip_joint moves against its command: .*sign = -1"),
             ("v = e = None; q[:, :2] = q[:, [1, 0]]", r"LF_hip_joint follows the command of LF_knee_joint: .*swapped"),
@@ -247,6 +247,19 @@ class TestRefusals:
         check(recorded, lying, commands, ["RF_hip_joint"])
         later = commands.slice(0.7)
         check(align(MINI_QUADRUPED, lying, later, 0.5, 0.005), lying, later, [])
+
+    @pytest.mark.parametrize(
+        ("robot", "preset"),
+        [(twelve_joints.ROBOT, "sinusoid"), (twelve_joints.ROBOT, "article"), (MINI_QUADRUPED, "walk")],
+    )
+    def test_efforts_on_the_ground_have_their_sign(self, robot, preset):
+        """Where the ground moves the joints, damping pulls them away from their commands for half of the time."""
+        commands = publish(SinusoidalGait.preset(preset, robot), 4.0, 50.0)
+        walked = play(commands, robot=robot).joints
+        check(align(robot, walked, commands, 0.7, 0.005), walked, commands, [])
+        flipped = changed(walked, efforts=-walked.efforts)
+        with pytest.raises(QuadrupedError, match=r"would spoil the fit.*the effort of \w+ pulls away from its command"):
+            check(align(robot, flipped, commands, 0.7, 0.005), flipped, commands, [])
 
 
 class TestCoordinates:

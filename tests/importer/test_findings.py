@@ -36,7 +36,7 @@ def test_clean_robot_is_read_with_hand_computed_numbers(tmp_path, joints):
     hip, knee = (read.stance.positions[name] for name in read.anatomy.legs[0].names[-2:])
     assert THIGH * math.sin(hip) + SHANK * math.sin(hip + knee) == pytest.approx(0.0, abs=1e-5)  # under the hip
     assert {finding.status for finding in read.findings} == {"assumed"}
-    assert {finding.subject for finding in read.findings} == {"stance", "motors"}
+    assert {finding.subject for finding in read.findings} == {"forward", "stance", "motors"}
 
 
 def test_motors_are_the_files_and_the_rest_is_in_proportion_to_the_robot(tmp_path):
@@ -101,6 +101,18 @@ def test_impossible_inertia_becomes_that_of_a_box_of_the_links_mass(tmp_path, mo
     assert findings(read, "repaired", "inertia") == [
         f"RH_shank, LF_shank, RF_shank, LH_shank: {cause}; now a box of the link's size and mass"
     ]
+    last = next(body for body in read.bodies if body.name == "LF_shank")
+    np.testing.assert_allclose(last.inertia, 0.2 / 12 * 2 * (2 * RADIUS) ** 2 * np.eye(3), rtol=1e-9)
+
+
+def test_inertia_larger_than_that_of_a_link_of_the_robots_size_becomes_that_of_a_box(tmp_path):
+    text = robot(2)
+    at = text.index('<link name="LF_shank">')
+    inertia = re.compile('<inertia ixx="[^"]*" iyy="[^"]*" izz="[^"]*"')
+    text = text[:at] + inertia.sub('<inertia ixx="100" iyy="100" izz="100"', text[at:], count=1)
+    read = imported(text, tmp_path)
+    (found,) = findings(read, "repaired", "inertia")
+    assert found.startswith("LF_shank: larger than that of a link of the robot's size; now a box")
     last = next(body for body in read.bodies if body.name == "LF_shank")
     np.testing.assert_allclose(last.inertia, 0.2 / 12 * 2 * (2 * RADIUS) ** 2 * np.eye(3), rtol=1e-9)
 
@@ -186,6 +198,50 @@ def test_base_joint_under_world_is_removed(tmp_path, kind):
     assert findings(read, "left out", "base") == ["root: joints above it; the robot floats by itself"]
 
 
+def test_foot_on_a_floating_joint_is_fixed(tmp_path):
+    feet = "".join(
+        link(f"{c}_foot", 0.01, collision(f'<sphere radius="{RADIUS}"/>'))
+        + joint(f"{c}_end", f"{c}_shank", f"{c}_foot", f"0 0 {-SHANK}", kind="floating")
+        for c in ("LF", "RF", "LH", "RH")
+    )
+    read = imported(robot(foot="", extra=feet), tmp_path)
+    assert (read.stance.shank, read.anatomy.foot_radius) == pytest.approx((SHANK, RADIUS), abs=1e-12)
+    assert read.mass == pytest.approx(MASS + 0.04, rel=1e-12)
+    ends = "RH_end, LF_end, RF_end, LH_end"
+    assert findings(read, "repaired", "joints") == [f"{ends}: floating, with nothing that moves below; fixed"]
+
+
+def test_file_without_inertial_and_collision_weighs_what_its_visual_shapes_do(tmp_path):
+    text = re.sub("<inertial>.*?</inertial>", "", robot(2)).replace("collision>", "visual>")
+    read = imported(text, tmp_path)
+    balls = 4 * 4.0 / 3.0 * math.pi * RADIUS**3
+    assert read.mass == pytest.approx(1000.0 * (0.4 * 0.2 * 0.1 + balls), rel=1e-5)
+    assert "because no link has an <inertial>" in findings(read, "assumed", "mass")[0]
+
+
+def test_mesh_of_a_windows_path_is_found(tmp_path):
+    (tmp_path / "meshes").mkdir()
+    corners = np.array([[x, y, z] for x in (-0.01, 0.01) for y in (-0.01, 0.01) for z in (-SHANK, 0.0)])
+    lines = "".join(f"v {x} {y} {z}\n" for x, y, z in corners)
+    (tmp_path / "meshes" / "shank.obj").write_text(lines, encoding="utf-8")
+    for name in (r"meshes\shank.obj", r"file://C:\robots\meshes\shank.obj"):
+        read = imported(robot(2, foot=collision(f'<mesh filename="{name}"/>')), tmp_path)
+        assert not findings(read, "left out")
+        assert read.stance.shank == pytest.approx(SHANK - read.anatomy.foot_radius, rel=1e-3)
+
+
+def test_site_is_the_foot_of_an_mjcf_whose_meshes_are_missing(tmp_path):
+    first = imported(robot(2), tmp_path)
+    text = re.sub('<geom [^>]*name="(.._foot)_ball"[^>]*>', '<geom type="mesh" mesh="gone"/>', first.mjcf)
+    text = re.sub('<geom (class="[a-z]*" )?type="capsule"[^>]*>', "", text)
+    assert text.count('mesh="gone"') == 4
+    text = text.replace("<asset>", '<asset><mesh name="gone" file="gone.stl"/>')
+    shown = '<site name="LF_mark" pos="0 0 0.01" material="gray"/>'
+    read = imported(text.replace("<site", shown + "<site", 1), tmp_path, "gone.xml")
+    assert read.stance.shank == pytest.approx(first.stance.shank, rel=1e-6)
+    assert "the last frame of the leg" in findings(read, "assumed", "feet")[0]
+
+
 def test_joints_that_are_no_part_of_a_leg_are_locked_and_named(tmp_path):
     neck = link("head", 0.5) + joint("neck", "base", "head", "0.2 0 0.1", "0 0 1", 'lower="0.2" upper="1"')
     read = imported(robot(extra=neck), tmp_path)
@@ -232,6 +288,17 @@ def test_base_whose_y_is_forward_is_turned_and_its_sign_can_be_chosen(tmp_path):
     assert read.mjcf != other.mjcf
     with pytest.raises(QuadrupedError, match=r"--forward: expected y or -y, along the body; found x"):
         imported(text, tmp_path, forward="x")
+
+
+def test_front_at_the_other_end_of_x_is_a_choice_that_is_said(tmp_path):
+    read = imported(robot(2), tmp_path)
+    assert findings(read, "assumed", "forward") == [
+        "x of 'base', along the body; the sign is a convention: or --forward -x"
+    ]
+    other = imported(robot(2), tmp_path, forward="-x")
+    assert {leg.corner: leg.names[0] for leg in other.anatomy.legs} == {
+        "LF": "RH_hip", "RF": "LH_hip", "LH": "RF_hip", "RH": "LF_hip",
+    }  # fmt: skip
 
 
 def test_home_keyframe_that_stands_is_the_stance(tmp_path):
@@ -310,6 +377,8 @@ def test_base_frame_far_from_the_hips_is_moved_between_them(tmp_path):
     read = imported(robot(base=trunk), tmp_path)
     assert "is 0.64 m off" in findings(read, "assumed", "base")[0]
     np.testing.assert_allclose(read.bodies[0].centre, [-0.5, 0.0, -0.41], atol=1e-12)
+    box = re.search(r'<geom class="visual" type="box" size="[^"]*" pos="([^"]*)"', read.mjcf)
+    np.testing.assert_allclose([float(x) for x in box[1].split()], 0.0, atol=1e-12)  # between the hips
     assert read.robot().stance_height == pytest.approx(read.stance.height, abs=1e-4)
 
 
@@ -327,3 +396,14 @@ def test_stance_leaves_room_to_lift_the_feet(tmp_path):
     read = imported(robot(2, knee='lower="-1.0472" upper="0" effort="20" velocity="15"'), tmp_path)
     height = (read.stance.height - RADIUS) / (THIGH + SHANK)
     assert 0.92 < height < 0.97
+
+
+def test_stance_leaves_the_thighs_room_to_swing(tmp_path):
+    """Its foot lifted by a tenth of the leg, a thigh can still turn by 0.1 rad, if a straighter leg allows it."""
+    read = imported(robot(hip='lower="-1.5" upper="0.65" effort="20" velocity="15"'), tmp_path)
+    lifted = read.stance.height - RADIUS - 0.1 * (THIGH + SHANK)
+    thigh = math.acos((THIGH**2 + lifted**2 - SHANK**2) / (2.0 * THIGH * lifted))
+    assert 0.5 < thigh < 0.65 - 0.1
+    # Where no leg can be that straight the stance has less room.
+    near = imported(robot(hip='lower="-1.5" upper="0.5" effort="20" velocity="15"'), tmp_path)
+    assert near.stance.positions["LF_hip"] < 0.4

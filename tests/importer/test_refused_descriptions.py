@@ -90,6 +90,23 @@ def test_other_robot_is_refused_with_what_was_found_and_what_is_supported(tmp_pa
     assert "supported are" in message or "expected" in message or "must be" in message
 
 
+def test_foot_that_only_a_missing_mesh_shows_is_refused_with_the_mesh(tmp_path):
+    gone = collision('<mesh filename="package://dog/shank.stl"/>')
+    message = refused(re.sub("<inertial>.*?</inertial>", "", robot(2, foot=gone)), tmp_path)
+    assert "LF 0.2 and 0 m" in message
+    assert "(1 mesh is not read: 'package://dog/shank.stl' is not found; name its folder with --folder" in message
+
+
+def test_robot_without_any_mass_is_refused(tmp_path):
+    text = re.sub("<inertial>.*?</inertial>|<collision>.*?</collision>", "", robot(2, foot=""))
+    ends = "".join(
+        link(f"{c}_foot") + joint(f"{c}_end", f"{c}_shank", f"{c}_foot", "0 0 -0.2", "")
+        for c in ("LF", "RF", "LH", "RH")
+    )
+    message = refused(text.replace("</robot>", f"{ends}</robot>"), tmp_path)
+    assert "no link has a mass, or a shape to assume one from" in message
+
+
 def test_loop_of_an_mjcf_is_refused(tmp_path):
     text = imported(robot(2), tmp_path).mjcf
     loop = '<equality><connect body1="LF_shank" body2="base" anchor="0 0 0"/></equality></mujoco>'

@@ -30,7 +30,7 @@ def test_program_writes_a_task_file_that_trains_and_says_what_it_assumed(tmp_pat
     out = capsys.readouterr().out
     assert f"my_dog: {MASS:.4g} kg, four legs of 3 joints (roll, pitch, pitch)" in out
     assert re.search(r"^LF   LF_roll, LF_hip, LF_knee +\+\+\+ +behind$", out, re.MULTILINE)
-    assert "assumed  stance  each foot under its hip, at 0.85 of the leg's length" in out
+    assert "assumed  stance   each foot under its hip, at 0.85 of the leg's length" in out
     assert "written: dog.py, dog.xml; no picture: no OpenGL here" in out
     assert "mini-quadruped train --task dog.py" in out
     lines = (tmp_path / "dog.py").read_text(encoding="utf-8").splitlines()

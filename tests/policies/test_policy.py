@@ -82,6 +82,14 @@ def test_actions_have_the_leading_shape_of_the_observations(shape):
         np.testing.assert_allclose(actions[index], policy.predict(observations(shape)[index]), atol=1e-6)
 
 
+@pytest.mark.parametrize("count", [16, 17, 41, 152])
+def test_actions_of_many_envs_are_those_of_few(count):
+    """Wide layers are computed by blocks of rows."""
+    policy, seen = make_policy(hidden=(128, 128)), observations((count,))
+    few = [policy.predict(seen[i : i + 5]) for i in range(0, count, 5)]
+    np.testing.assert_allclose(policy.predict(seen), np.concatenate(few), rtol=0, atol=1e-5)
+
+
 def test_actions_stay_within_one():
     policy = make_policy()
     actions = policy.predict(50.0 * observations((100,)))

@@ -1,9 +1,11 @@
 """A run and the user's file that made it: without the file, with another version of it, and with the run's copy."""
 
 import argparse
+import errno
 import hashlib
 import json
 import shutil
+from pathlib import Path
 
 import pytest
 from policies import save_policy
@@ -25,7 +27,7 @@ from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import load_task_file
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.resume import Parent
-from quadruped_env.training.run_directory import CONFIG_FILE
+from quadruped_env.training.run_directory import CONFIG_FILE, PROGRESS_FILE
 from quadruped_env.training.train import train
 from quadruped_env.viewer import open_show
 
@@ -125,12 +127,24 @@ def test_run_and_checkpoints_keep_the_model_that_the_file_reads(tmp_path):
     (folder / "parts" / "custom.xml").write_text("<mujocoinclude><custom/></mujocoinclude>")
     run = trained(folder / "my_task.py", tmp_path / "runs", checkpoint_seconds=1e-6)
     robot = load_policy(run, folder / "my_task.py").robot
+    checkpoint = next((run / CHECKPOINTS).iterdir())
+    for name, once in (("dog.xml", True), ("parts/custom.xml", True), (PROGRESS_FILE, False)):
+        assert (checkpoint / name).samefile(run / name) is once, "large meshes take their space once per run"
     shutil.rmtree(folder)
     for kept in (run, *(run / CHECKPOINTS).iterdir()):
         assert load_policy(kept, trust_task=True).robot == robot
     again = trained(run / KEPT_FILE, tmp_path / "again", run)
     shutil.rmtree(run)
     assert load_policy(again, trust_task=True).robot.name == "dog"
+
+
+def test_checkpoints_keep_the_file_where_the_file_system_has_no_links(tmp_path, monkeypatch):
+    def refused(path, target):
+        raise OSError(errno.EPERM, "Operation not permitted")
+
+    monkeypatch.setattr(Path, "hardlink_to", refused)
+    run = trained(edited(tmp_path, REWARDS), tmp_path / "runs", checkpoint_seconds=1e-6)
+    assert {(folder / KEPT_FILE).read_text() for folder in (run / CHECKPOINTS).iterdir()} == {REWARDS}
 
 
 def test_policy_without_the_file_of_its_reward_walks_and_nothing_is_executed(rewarded):

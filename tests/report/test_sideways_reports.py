@@ -15,7 +15,6 @@ from quadruped_env.report.pages.run_comparison import headline
 from quadruped_env.report.pages.tables import metric_tables, summary_table
 from quadruped_env.report.plots import episode, tracking
 from quadruped_env.report.plots.suite_plots import command_map
-from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import TaskConfig
 
 COMMANDS = ((0.3, 0.0, 0.0), (0.0, 0.5, 0.0), (0.0, 0.0, 0.15), (0.3, 0.0, -0.15))
@@ -51,8 +50,9 @@ def test_figures_have_a_panel_of_the_lateral_velocity(standing):
 
 
 def test_page_names_the_three_velocities():
-    assert "commands of forward velocity, yaw rate and lateral velocity." in report._description(ROBOT)
-    assert "commands of forward velocity and yaw rate." in report._description(MINI_QUADRUPED)
+    sideways = report._description(TaskConfig().for_robot(ROBOT))
+    assert "commands of forward velocity, yaw rate and lateral velocity." in sideways
+    assert "commands of forward velocity and yaw rate." in report._description(TaskConfig())
     assert report._velocities(ROBOT, "tilt") == "forward velocity, yaw rate, lateral velocity and tilt"
 
 

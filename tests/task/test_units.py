@@ -2,6 +2,7 @@
 
 import dataclasses
 
+import mujoco
 import numpy as np
 import pytest
 from half_robot import ROBOT, SIZE, TIME
@@ -161,14 +162,23 @@ def test_a_similar_robot_is_as_steady_and_its_motors_heat_as_much(law):
     assert (law(MINI_QUADRUPED), law(ROBOT)) == (1.0, 1.0)
 
 
+def slopes(robot):
+    """Distances of the centre of mass from the outermost feet, fore, left, hind and right, over its height."""
+    model = mujoco.MjSpec.from_string(robot.mjcf).compile()
+    data = mujoco.MjData(model)
+    data.qpos[:] = [0.0, 0.0, robot.stance_height, 1.0, 0.0, 0.0, 0.0, *robot.stance]
+    mujoco.mj_forward(model, data)
+    x, y, z = data.subtree_com[1]
+    feet = np.array([data.site(name).xpos for name in robot.foot_sites])
+    return np.array([feet[:, 0].max() - x, feet[:, 1].max() - y, x - feet[:, 0].min(), y - feet[:, 1].min()]) / z
+
+
 def test_pushes_follow_the_distance_of_the_feet_from_each_other():
-    """What tips a rigid robot over its feet is in proportion to their distance over the height."""
+    """What tips a rigid robot is in proportion to the feet's distance from its centre of mass, over its height."""
     assert steadiness(NARROW) == pytest.approx(0.6, abs=1e-3)
     assert steadiness(WIDE) == 1.0, "no larger pushes than the built-in robot's"
-    assert steadiness(STILTS) == pytest.approx(MINI_QUADRUPED.stance_height / STILTS.stance_height, abs=2e-3)
-    # Feet of the robot with twelve joints: 0.18 m before and behind its middle, of the built-in one 0.15 m.
-    built_in = 0.15 / MINI_QUADRUPED.stance_height
-    assert steadiness(TWELVE) == pytest.approx(0.18 / TWELVE.stance_height / built_in, abs=1e-3)
+    for robot in (NARROW, STILTS, TWELVE):
+        assert steadiness(robot) == pytest.approx((slopes(robot) / slopes(MINI_QUADRUPED)).min(), abs=1e-3)
     for preset in ("moderate", "hard"):
         full, narrow = preset_values(preset), preset_values(preset, NARROW)
         pushes = {"push_velocity", "push_rotation", "push_speed", "push_force"} & full.keys()

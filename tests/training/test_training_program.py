@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import dataclasses
 import io
+import json
 import re
 import runpy
 import shlex
@@ -91,6 +92,13 @@ def test_commands_of_the_final_output_can_be_pasted(final_output, tmp_path):
             with pytest.raises(SystemExit) as ended:
                 main([*words[1:-1], "--help"])
             assert ended.value.code == 0
+
+
+def test_training_says_what_the_motors_of_its_task_lack(final_output):
+    assert not any(line.startswith("note: ") for line in final_output())
+    soft = {"kp": 1.0}
+    lines = final_output("--task", json.dumps({"motor": {"hip": soft, "knee": soft}}))
+    assert lines[0].startswith("note: mini_quadruped: kp 1 N m/rad: in a trot the robot sinks by ")
 
 
 def test_short_training_reports_its_length_and_the_previous_latest_run(final_output, tmp_path):

@@ -18,7 +18,7 @@ from quadruped_env.control.control_config import VELOCITIES
 from quadruped_env.evaluation.conditions import COMMANDS, SIDEWAYS, Command, full_command
 from quadruped_env.evaluation.measures import BOUNCE, CLOSE, ROUGH, SPEED_SHARE, SWING_SHARE
 from quadruped_env.robot import Robot
-from quadruped_env.robot.units import scale_of, scaled
+from quadruped_env.robot.units import scale_of, scaled, steadiness
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST, TERRAINS
 from quadruped_env.simulation.terrain import TILE
 from quadruped_env.task import PRESETS
@@ -334,17 +334,17 @@ _UNITS: Final[Mapping[str, str | tuple[str, ...]]] = {
     **dict.fromkeys(("bounce", "full_clearance"), "m"),
     "unit": ("m/s",) * 3 + ("rad/s",) * 3,
 }
-"""Units of the fields that follow the robot's size. Disturbances and tiles do where they are used; times are the same
-for all."""
+"""Units of the fields that follow the robot's size; pushes follow its steadiness, too. Disturbances and tiles do where
+they are used; times are the same for all."""
 
 
 def for_robot(suite: Suite, robot: Robot) -> Suite:
     """Scale the suite to a robot: commands, tolerances, pushes, and the heights and speeds of the scores."""
 
     def scale(field: str, value: Any) -> Any:
-        unit = _UNITS.get(field)
+        unit, share = _UNITS.get(field), steadiness(robot) if field == "unit" else 1.0
         if isinstance(unit, tuple):
-            return tuple(scaled(v, scale_of(u, robot)) for v, u in zip(value, unit, strict=False))
+            return tuple(scaled(v, scale_of(u, robot) * share) for v, u in zip(value, unit, strict=False))
         return value if unit is None else scaled(value, scale_of(unit, robot))
 
     scaled_suite: Suite = _changed(suite, scale)

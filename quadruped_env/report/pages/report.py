@@ -215,7 +215,7 @@ def _context(policies: Policies, comparison: Comparison, gains: Gains) -> dict[s
     summary, *motions = metric_tables(comparison)
     return {
         "policies": {label(name): {"name": one.name, **_origin(one)} for name, one in policies.items()},
-        "robot": _description(comparison.robot),
+        "robot": _description(comparison.config),
         "learning": gain_tables(gains),
         "learning_note": _gain_note(next(iter(gains.values()))) if gains else "",
         "summary": summary,
@@ -237,9 +237,9 @@ def _velocities(robot: Robot, *more: str) -> str:
     return listed([*(entry.name.replace("_", " ") for entry in velocity_commands(robot)), *more])
 
 
-def _description(robot: Robot) -> str:
-    """Return a sentence that introduces a robot and its task."""
-    weak = "; ".join(fitness(robot))
+def _description(config: TaskConfig) -> str:
+    """Return a sentence that introduces the robot of a task."""
+    robot, weak = config.robot, "; ".join(fitness(config.robot, config.clock_frequency, config.motor))
     return (
         f"A robot with {robot.num_legs} legs and {robot.num_joints} motors, of {robot.total_mass:.3g} kg and with its "
         f"base {100.0 * robot.stance_height:.0f} cm above the ground, walks in a physics simulation (MuJoCo) and "

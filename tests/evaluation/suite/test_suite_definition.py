@@ -12,7 +12,7 @@ from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.evaluation.suite import changing, suite_definition
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
-from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
 from quadruped_env.simulation import TERRAINS
 from quadruped_env.task import PRESETS
 from quadruped_env.training.train import train
@@ -93,6 +93,14 @@ def test_suite_of_another_robot_has_the_same_numbers_in_its_units():
     assert half.regulation.factors == full.regulation.factors
     assert (half.gait.seconds, half.transients.window) == (full.gait.seconds, full.transients.window)
     assert for_robot(full, MINI_QUADRUPED) == full
+
+
+def test_suite_pushes_a_narrow_robot_less():
+    """As in training: what tips a rigid robot over follows the distance of its feet over its height."""
+    full = full_suite()
+    narrow = QuadrupedDesign(name="narrow", base_size=(0.3, 0.07, 0.08), hip_offset=(0.15, 0.06)).robot()  # not 0.1
+    pushes = replace(full.pushes, unit=(0.6, 0.6, 0.3, 1.2, 1.2, 1.2))
+    assert for_robot(full, narrow) == replace(full, pushes=pushes)
 
 
 def test_every_terrain_with_levels_is_crossed():
