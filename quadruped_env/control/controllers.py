@@ -37,10 +37,8 @@ class GaitController:
     """A scripted gait, whose settings can be changed at any time without a jump in its phase.
 
     A gait that follows the command steps with the task's gait clock, as in `residual` mode, if the clock has
-    its frequency. Every other gait has a phase of its own, which begins at 0 with the episode.
-
-    Args:
-        gait: the gait; None: the tuned one of the robot that is controlled, which follows the command.
+    its frequency. Every other gait has a phase of its own, which begins at 0 with the episode. Without a gait it is the
+    tuned one of the robot that is controlled, which follows the command.
     """
 
     action_mode = "position"
@@ -105,11 +103,9 @@ class GaitController:
 
 
 class TrajectoryController:
-    """Plays recorded joint positions back as joint targets.
+    """Plays recorded joint positions back as joint targets; time 0 is the first timestamp.
 
-    Args:
-        trajectory: the recording; time 0 is its first timestamp.
-        loop: begin again at the end, one control step after the last row; otherwise the last positions are held.
+    With `loop` it begins again one control step after the last row; otherwise the last positions are held.
     """
 
     action_mode = "position"

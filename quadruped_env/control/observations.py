@@ -97,9 +97,7 @@ def observation(
 def per_unit(number: float, *units: str) -> Callable[[Robot], Floats]:
     """Scale of a built-in field: a number per unit for the built-in robot, and for another one per unit of its size.
 
-    Args:
-        number: factor from the reading to the scaled value.
-        units: unit of the reading; or one per column.
+    The number is the factor from the reading to the scaled value; there is one unit, or one per column.
     """
     return lambda robot: np.array([number / scale_of(unit, robot) for unit in units])
 

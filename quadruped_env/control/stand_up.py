@@ -31,13 +31,9 @@ class StandUp:
 
     @classmethod
     def plan(cls, robot: Robot, start: Floats, speed: float, min_time: float) -> Self:
-        """Trajectory from the current joint positions.
+        """Trajectory from the current joint positions (J,) in rad.
 
-        Args:
-            robot: robot that stands up.
-            start: joint positions (J,), rad.
-            speed: mean speed of the joint that moves farthest between two waypoints, rad/s.
-            min_time: minimum time between two waypoints, s.
+        Between two waypoints the joint that moves farthest has a mean speed in rad/s, for a minimum time in s.
         """
         points = [start.copy()]
         legs = np.array(robot.leg_joints)

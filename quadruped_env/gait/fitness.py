@@ -34,12 +34,8 @@ _FASTEST: Final = 0.6
 def fitness(robot: Robot, frequency: float | None = None, motors: MotorConfig | None = None) -> list[str]:
     """Return what keeps a robot from a trot, one line each with the number that would do; empty if nothing does.
 
-    A robot of the built-in one's shape has its gaits, so its joints' speeds are not checked.
-
-    Args:
-        robot: robot that is to walk.
-        frequency: frequency of its gait clock, Hz; None: the default.
-        motors: motors of its task (`TaskConfig.motor`); None: the robot's own.
+    A robot of the built-in one's shape has its gaits, so its joints' speeds are not checked. `frequency` is its gait
+    clock's in Hz, `motors` are its task's (`TaskConfig.motor`); None: the defaults, and the robot's own.
     """
     if motors not in (None, robot.motors):
         by_motors: Any = None

@@ -24,9 +24,7 @@ _NO_FORCES: Final = int(_DISABLE.mjDSBL_CONSTRAINT) | int(_DISABLE.mjDSBL_SPRING
 class BatchSimulation:
     """`Simulation` with many envs.
 
-    Args:
-        num_threads: number of threads that step the envs, the calling thread included; 0 uses every core. The results
-            do not depend on it.
+    A number of threads, the calling one included, steps them; 0 uses every core. The results do not depend on it.
     """
 
     def __init__(

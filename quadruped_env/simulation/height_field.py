@@ -41,12 +41,7 @@ class HeightField:
         return cls(model) if is_field else None
 
     def points(self, around: NDArray[np.floating] | None = None, margin: float = 0.0) -> Floats:
-        """Grid points (along y, along x, 3) in the world, m.
-
-        Args:
-            around: positions (N, 2 or 3) whose surroundings the points cover, m; None: all points.
-            margin: distance around these positions that is covered, m.
-        """
+        """Grid points (along y, along x, 3) in the world, m: all, or up to a margin around positions (N, 2 or 3)."""
         rows = columns = slice(None)
         if around is not None:
             place = around[..., :2]

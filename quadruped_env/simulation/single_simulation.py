@@ -21,11 +21,7 @@ from quadruped_env.utils.arrays import Floats
 
 
 class SingleSimulation:
-    """`Simulation` with one env.
-
-    Args:
-        model: model of the robot on its ground, for this simulation alone: steps and randomizations write to it.
-    """
+    """`Simulation` with one env, to which alone the model belongs: steps and randomizations write to it."""
 
     num_envs = 1
 

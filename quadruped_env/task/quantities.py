@@ -18,9 +18,8 @@ Real = NDArray[np.floating]
 def clock_agreement(lift: Real, clock_sine: Real) -> Floats:
     """Return the agreement between foot heights and the gait clock (N,), in [-1, 1].
 
-    Args:
-        lift: 1 for a foot in the air, -1 on the ground, or a value between (N, L).
-        clock_sine: positive while the foot should swing (N, L).
+    The lift (N, L) is 1 for a foot in the air, -1 on the ground, or a value between; the sine of the clock (N, L) is
+    positive while the foot should swing.
     """
     return np.add.reduce(clock_sine * lift, axis=-1) / clock_sine.shape[-1]
 

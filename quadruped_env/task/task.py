@@ -50,12 +50,7 @@ class Transition:
 
 
 class Task:
-    """The episodes of N envs.
-
-    Args:
-        simulation: simulation of N robots.
-        config: config and terms of the task.
-        max_episode_steps: number of control steps after which an episode is truncated; None: never.
+    """The episodes of N envs, truncated after a number of control steps; None: never.
 
     Raises:
         QuadrupedError: if another robot is simulated than the task's, or a term of the task is not valid.

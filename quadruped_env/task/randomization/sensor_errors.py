@@ -47,9 +47,7 @@ class Sensors:
     joint target is shifted, too. A turned IMU gives vectors in its own frame. Readings arrive late by the latency;
     between the readings of two control steps, which are all that is stored, they are interpolated linearly.
 
-    Args:
-        timestep: time between control steps, s.
-        largest: largest value of each quantity that is randomized; the others have no error.
+    `largest` has the largest value of each quantity that is randomized; the others have no error.
     """
 
     def __init__(self, simulation: Simulation, timestep: float, largest: Mapping[Quantity, float]) -> None:

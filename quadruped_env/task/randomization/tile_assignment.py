@@ -78,11 +78,8 @@ class TileAssignment:
     ) -> Floats:
         """Choose the tiles of new episodes in some envs (R,), and return the middles of the tiles (R, 2), m.
 
-        Args:
-            env_ids: indices of the envs.
-            first: mask (R,) of the envs whose episode is the first of their seed.
-            draws: random numbers of the new episodes.
-            tiles: index of the kind and level of each (R, 2); None: as drawn, or as the curriculum says.
+        The mask `first` (R,) is true where the episode is the first of a seed. Without `tiles`, the index of the kind
+        and level of each (R, 2), they are as drawn, or as the curriculum says.
         """
         kind, level = draws.uniform(_PURPOSES, env_ids, np.zeros(len(env_ids), dtype=np.int64)).T
         levels, section = self._centres.shape[1], self._section
