@@ -43,7 +43,7 @@ def repair(described: Description) -> None:
         elif 2.0 * moments[2] > moments.sum() * (1.0 + _SLACK) or moments[0] <= 0.0:
             link.inertia = np.diag(_box_inertia(link))
             repaired.setdefault("against the triangle inequality", []).append(link.name)
-        elif moments[2] > link.mass * size**2 > 0.0:
+        elif moments[2] > link.mass * size**2:
             link.inertia = np.diag(_box_inertia(link))
             repaired.setdefault("larger than that of a link of the robot's size", []).append(link.name)
     for cause, names in repaired.items():

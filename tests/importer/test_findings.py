@@ -105,12 +105,17 @@ def test_impossible_inertia_becomes_that_of_a_box_of_the_links_mass(tmp_path, mo
     np.testing.assert_allclose(last.inertia, 0.2 / 12 * 2 * (2 * RADIUS) ** 2 * np.eye(3), rtol=1e-9)
 
 
-def test_inertia_larger_than_that_of_a_link_of_the_robots_size_becomes_that_of_a_box(tmp_path):
+@pytest.mark.parametrize(("moment", "repaired"), [(0.05, False), (0.07, True)])
+def test_inertia_larger_than_that_of_a_link_of_the_robots_size_becomes_that_of_a_box(tmp_path, moment, repaired):
+    # The frames are 0.4, 0.32 and 0.2 m apart, so 0.2 kg have no more than 0.0605 kg m^2.
     text = robot(2)
     at = text.index('<link name="LF_shank">')
     inertia = re.compile('<inertia ixx="[^"]*" iyy="[^"]*" izz="[^"]*"')
-    text = text[:at] + inertia.sub('<inertia ixx="100" iyy="100" izz="100"', text[at:], count=1)
+    text = text[:at] + inertia.sub(f'<inertia ixx="{moment}" iyy="{moment}" izz="{moment}"', text[at:], count=1)
     read = imported(text, tmp_path)
+    if not repaired:
+        assert not findings(read, "repaired")
+        return
     (found,) = findings(read, "repaired", "inertia")
     assert found.startswith("LF_shank: larger than that of a link of the robot's size; now a box")
     last = next(body for body in read.bodies if body.name == "LF_shank")
@@ -237,9 +242,19 @@ def test_site_is_the_foot_of_an_mjcf_whose_meshes_are_missing(tmp_path):
     assert text.count('mesh="gone"') == 4
     text = text.replace("<asset>", '<asset><mesh name="gone" file="gone.stl"/>')
     shown = '<site name="LF_mark" pos="0 0 0.01" material="gray"/>'
-    read = imported(text.replace("<site", shown + "<site", 1), tmp_path, "gone.xml")
+    text = text.replace("<site", shown + "<site", 1).replace('<body name="base"', '<body name="base" quat="1 1 0 0"')
+    rope = '<tendon><spatial material="gray"><site site="LF_foot"/><site site="RF_foot"/></spatial></tendon>'
+    read = imported(text.replace("</mujoco>", f"{rope}</mujoco>"), tmp_path, "gone.xml")
     assert read.stance.shank == pytest.approx(first.stance.shank, rel=1e-6)
     assert "the last frame of the leg" in findings(read, "assumed", "feet")[0]
+
+
+def test_floating_joint_above_a_fixed_one_carries_the_base(tmp_path):
+    root = link("world") + joint("root", "world", "footprint", "0 0 0.3", "0 0 1", "", "floating")
+    footprint = link("footprint") + joint("trunk", "footprint", "base", "0 0 0", "")
+    read = imported(robot(extra=root + footprint), tmp_path)
+    assert findings(read, "left out", "base") == ["root: joints above it; the robot floats by itself"]
+    assert not findings(read, "repaired")
 
 
 def test_joints_that_are_no_part_of_a_leg_are_locked_and_named(tmp_path):

@@ -105,6 +105,8 @@ def test_robot_without_any_mass_is_refused(tmp_path):
     )
     message = refused(text.replace("</robot>", f"{ends}</robot>"), tmp_path)
     assert "no link has a mass, or a shape to assume one from" in message
+    text = re.sub("<inertial[^>]*>", "", imported(robot(2), tmp_path).mjcf)  # MuJoCo gives 1e-9 kg
+    assert "no link has a mass" in refused(text, tmp_path, "light.xml")
 
 
 def test_loop_of_an_mjcf_is_refused(tmp_path):
