@@ -19,7 +19,7 @@ from quadruped_env.utils.arrays import Floats
 
 _SAG: Final = 0.4
 """Largest sag under the weight in a trot, as a part of the feet's rise."""
-_TORQUE: Final = 1.5
+_TORQUE: Final = 2.0
 """Least stall torque, as a multiple of the torque that holds the weight on two legs."""
 _RISE: Final = 0.4
 """Least rise of the feet of slow joints, as a part of the whole rise."""

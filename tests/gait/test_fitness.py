@@ -61,7 +61,7 @@ def test_gain_is_compared_with_the_sag_of_two_legs_that_carry_the_weight():
 
 def test_torque_is_compared_with_two_legs_that_carry_the_weight():
     _, weight = planar()
-    needed = 1.5 * ARM * weight / 2.0
+    needed = 2.0 * ARM * weight / 2.0
     assert fitness(planar({"stall_torque": 1.01 * needed})[0]) == []
     (line,) = fitness(planar({"stall_torque": 0.9 * needed})[0])
     assert re.search(r"on two legs \w\w_knee_joint carries", line)
