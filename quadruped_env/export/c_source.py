@@ -181,7 +181,7 @@ def _tables(interface: PolicyInterface) -> str:
         macros |= {"GAIT_KNOTS": str(len(gait.speeds)), "LARGEST_YAW_RATE": _number(gait.largest_yaw_rate)}
         steps = zip(("FORWARD", "TURNING", "SIDEWAYS"), gait.whole_steps, strict=False)
         macros |= {f"WHOLE_STEPS_{name}": _number(step) for name, step in steps}
-        waves = np.array([*gait.straight, *gait.turn, *gait.side, *(gait.lateral or ())])
+        waves = np.array([*gait.straight, *gait.turn, *gait.side, *([] if gait.lateral is None else gait.lateral)])
         tables |= {"gait_speeds": gait.speeds, "joint_phases": interface.joint_phases, "gait_waves": waves}
     exported = {
         "stance": robot.stance,

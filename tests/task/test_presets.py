@@ -12,6 +12,7 @@ from tasks import make_task
 from quadruped_env import QuadrupedError
 from quadruped_env.envs import ENV_ID
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
+from quadruped_env.robot.units import steadiness
 from quadruped_env.simulation import BatchSimulation, SingleSimulation, build_model
 from quadruped_env.task import (
     PRESETS,
@@ -85,7 +86,8 @@ def test_numbers_of_a_preset_follow_the_robot():
     values, built_in = preset_values("hard", robot), preset_values("hard")
     np.testing.assert_allclose(values["payload"], mass * np.array(built_in["payload"]), rtol=1e-5)
     # Its feet are as far apart under a body that is higher, so that less tips it.
-    steady = 1.0 / length
+    steady = steadiness(robot)
+    assert steady < 1.0
     np.testing.assert_allclose(values["push_force"], steady * mass * np.array(built_in["push_force"]), rtol=1e-3)
     np.testing.assert_allclose(values["push_speed"], steady * length**0.5 * np.array(built_in["push_speed"]), rtol=1e-3)
     assert values["base_com"] == pytest.approx(length * built_in["base_com"], rel=1e-5)

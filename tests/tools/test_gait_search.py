@@ -245,6 +245,15 @@ def test_program_makes_a_gait_that_another_robot_takes(monkeypatch, tmp_path, ca
         dataclasses.replace(TALL, gaits=3)
 
 
+def test_table_of_a_robot_with_three_joints_per_leg_has_steps_to_the_side(monkeypatch):
+    monkeypatch.setattr(trial, "SECONDS", 3.0)
+    head, _, *rows = gait_search.achieved_table(CommandedGait.preset("tuned", twelve_joints.ROBOT)).splitlines()
+    assert head.startswith("| command m/s, rad/s, m/s to the left | forward m/s")
+    for row in rows[-2:]:
+        wanted, _, _, reached = row.split(" | ")[:4]
+        assert float(reached) / float(wanted.split(",")[2]) == pytest.approx(1.0, abs=0.4)
+
+
 def test_search_and_gaits_of_a_robot_with_three_joints_per_leg_are_refused(capsys):
     assert tune_gait.main(["--task", twelve_joints.__file__]) == 2
     assert "a search of a gait is for legs of two joints, and its legs have 3; leave it out" in capsys.readouterr().err

@@ -252,14 +252,15 @@ def achieved_table(gait: CommandedGait) -> str:
     """Return a Markdown table of commanded and achieved velocities."""
     straight = [(speed, 0.0) for speed in (-0.4, -0.3, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]
     turning = [(speed, rate) for speed in (0.0, 0.3) for rate in (-0.6, -0.3, 0.3, 0.6)]
-    sideways = [(0.0, 0.0, speed) for speed in (-0.15, 0.15)] if gait.lateral else []
+    moves_sideways = gait.lateral is not None
+    sideways = [(0.0, 0.0, speed) for speed in (-0.15, 0.15)] if moves_sideways else []
     scale = Scale(gait.robot)
     wanted = np.array([(*command, 0.0) for command in straight + turning] + sideways)
     commands = np.round(wanted * [scale.velocity, scale.rate, scale.velocity], 2)
-    commands = commands if gait.lateral else commands[:, :2]
+    commands = commands if moves_sideways else commands[:, :2]
     got = measure_commands(gait, commands)
     lines = [
-        f"| command m/s, rad/s{', m/s to the left' if gait.lateral else ''} | forward m/s | yaw rate rad/s | "
+        f"| command m/s, rad/s{', m/s to the left' if moves_sideways else ''} | forward m/s | yaw rate rad/s | "
         "sideways m/s | mechanical power W | least lift mm | touchdown error | fell |",
         "|---|---|---|---|---|---|---|---|",
     ]

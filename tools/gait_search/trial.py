@@ -12,7 +12,7 @@ from gait_search.strides import Strides
 from quadruped_env.gait.gait_presets import TUNED_ON
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of
-from quadruped_env.simulation import BatchSimulation, build_model
+from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import TaskConfig
 from quadruped_env.task.quantities import (
     clock_agreement,
@@ -160,7 +160,7 @@ def measure(
         starts: every gait is tried from each.
     """
     config, n = TaskConfig().for_robot(robot), count * len(starts.clock)
-    simulation = BatchSimulation(build_model(robot=robot), n, robot=robot)
+    simulation = BatchSimulation(config.compiled_model(), n, robot=robot)
     # As in the task's randomization, all geoms are set: the larger friction of the two in contact counts.
     simulation.model_field("geom_friction")[..., 0] = np.repeat(starts.friction, count)[:, None]
     simulation.model_field("geom_solref")[..., 0] *= np.repeat(starts.softness, count)[:, None]
