@@ -207,9 +207,11 @@ def _pulls_away(command: Floats, position: Floats, effort: Floats, step: float) 
     """Return True if a motor's torque pulls its joint away from its command, at time steps in s.
 
     The torque is kp times the distance from an earlier command, less kd times the velocity. On the ground, where the
-    feet carry the joints along, it is often the damping that decides: only at the same velocity (partial correlation)
-    does the distance tell the sign.
+    feet carry the joints along, it is often the damping that decides, so the distance has to tell the sign at the same
+    velocity (partial correlation), too.
     """
+    if _correlation(command - position, effort) > -0.4:
+        return False
     velocity, found = np.gradient(position, step), []
     for delay in range(round(_MOTOR_DELAY / step) + 1):
         distance, torque, speed = command[: len(command) - delay] - position[delay:], effort[delay:], velocity[delay:]
