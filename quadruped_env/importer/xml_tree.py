@@ -7,6 +7,7 @@ from typing import Final
 from xml.parsers import expat
 
 from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.utils import documents
 from quadruped_env.utils.documents import check_regular
 
 MAX_BYTES: Final = 20_000_000
@@ -49,10 +50,7 @@ def read_bytes(path: Path, fix: str = FIX, limit: int = MAX_BYTES) -> bytes:
     size = path.stat().st_size
     if size > limit:
         raise QuadrupedError(f"{path}: has {size / 1e6:.0f} MB; the maximum is {limit / 1e6:.0f} MB; {fix}")
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise QuadrupedError(f"{path}: cannot be read ({error.strerror}); {fix}") from error
+    return documents.read_bytes(path, fix)
 
 
 def parse(content: bytes, where: str = "") -> Node:
