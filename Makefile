@@ -69,8 +69,9 @@ format: $(INSTALLED)  ## format and auto-fix with ruff
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-bench: $(DEV)  ## measure speed and memory
+bench: $(DEV)  ## measure speed, memory and learning
 	$(BIN)/python tools/throughput.py
+	$(BIN)/python tools/learning_speed.py --seeds 0
 
 clean:  ## remove .venv, .ros2, mutants and caches; runs/ and results/ stay
 	rm -rf $(VENV) .ros2 build dist *.egg-info .mypy_cache .pytest_cache .ruff_cache .import_linter_cache

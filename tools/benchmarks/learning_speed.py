@@ -1,138 +1,97 @@
-"""Learning speed: wall-clock time from the start of learning until the policy meets most of its commands.
+"""Learning speed: what a training meets of the suite's commands after some time of learning.
 
-The commands are those that the suite draws, one undisturbed episode of 10 s each, with the suite's tolerance. The time
-of these tests is not counted.
+The commands are those that the suite draws, one undisturbed episode of 10 s each, with the suite's tolerance. The
+policies are checkpoints of one training, whose schedules end with the last time.
 """
 
-import time
-from collections.abc import Callable
-from dataclasses import dataclass
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.evaluation.measures import counted_samples, mean_velocities, meets, stands_still
+from benchmarks.measures import Say
 from quadruped_env.evaluation.suite.candidate import Candidate
-from quadruped_env.evaluation.suite.suite_definition import full_suite
-from quadruped_env.policies import Policy
-from quadruped_env.task import TaskConfig
-from quadruped_env.training.sb3_models import make_model
-from quadruped_env.training.schedules import Scheduled
-from quadruped_env.training.train_config import TrainConfig
+from quadruped_env.evaluation.suite.steady import run_command_map
+from quadruped_env.evaluation.suite.suite_definition import CommandMap, full_suite
+from quadruped_env.policies import Policy, load_policy
+from quadruped_env.policies.files import CHECKPOINTS
+from quadruped_env.robot import MINI_QUADRUPED
+from quadruped_env.training.recipes import with_recipe
+from quadruped_env.training.train import train
 
-MET: Final = 0.8
-"""Share of the commands from which a policy has learned its task."""
+COMMANDS: Final = replace(full_suite().commands, num_seeds=1, axes={})
+_SHARE: Final = 0.05
+"""Time between checkpoints, as a share of the time until the first one that is tested."""
 
 
 @dataclass(frozen=True)
-class CommandTest:
-    """One test of a policy."""
+class Point:
+    """A checkpoint of a training, tested."""
 
+    seed: int
+    seconds: float
+    """Wall clock of learning, s"""
+    timesteps: int
     met: float
     """Share of the commands that it meets"""
+    forward_velocity_error: float
+    """Mean over the commands of the error of the mean velocity, without sign, m/s"""
+    yaw_rate_error: float
+    """The same of the yaw rate, rad/s"""
     falls: float
     """Share of the episodes that end in a fall"""
 
-    @property
-    def passed(self) -> bool:
-        """True if the policy has learned its task, as this module defines it."""
-        return self.met >= MET
-
-
-def command_test(policy: Policy, commands: int | None = None, seconds: float | None = None) -> CommandTest:
-    """Test a policy, at all commands of the suite's map or the first of them."""
-    part = full_suite().commands
-    drawn = list(part.drawn)[:commands]
-    measured = Candidate.of_policy(policy, "policy")
-    rollout = measured.run(drawn, part.seeds[:1], part.seconds if seconds is None else seconds)
-    shape = len(drawn), 1
-    fallen = rollout.fallen.reshape(shape)
-    still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
-    achieved = mean_velocities(rollout).reshape(*shape, 2)
-    kept = meets(achieved, np.array(drawn)[:, None], still, fallen, part.tolerance)
-    return CommandTest(float(kept.mean()), float(fallen.mean()))
-
-
-@dataclass(frozen=True)
-class Learned:
-    """Result of the training with one seed."""
-
-    action_mode: str
-    seed: int
-    seconds: float | None
-    """Wall-clock time of learning until the policy passed the test, s; None if it never did"""
-    timesteps: int
-    """Time steps until then, or in total"""
-    last: CommandTest
-
-
-def time_to_learn(
-    action_mode: str, seed: int, limit: float, interval: float, say: Callable[[str], None], **training: Any
-) -> Learned:
-    """Train until the policy passes the test, or for `limit` s; it is tested every `interval` s of learning."""
-    config = TrainConfig(**{"action_mode": action_mode, "seed": seed, **training})
-    env = make_sb3_vec_env(
-        config.num_envs,
-        seed=seed,
-        action_mode=action_mode,
-        config=config.task,
-        privileged=config.asymmetric_critic,
-    )
-    model = make_model(config, env)
-    watch = _Watch(config, env.task.config, limit, interval, say)
-    model.learn(config.timesteps, callback=watch)
-    env.close()
-    assert watch.last is not None
-    passed = watch.last.passed
-    return Learned(action_mode, seed, watch.learning if passed else None, model.num_timesteps, watch.last)
-
-
-class _Watch(Scheduled):
-    """Callback that tests the policy at intervals and stops when it passes or the time limit is reached."""
-
-    def __init__(
-        self, config: TrainConfig, task: TaskConfig, limit: float, interval: float, say: Callable[[str], None]
-    ) -> None:
-        super().__init__()
-        self._task, self._activation = task, config.activation
-        self._limit, self._interval, self._say = limit, interval, say
-        self.learning = 0.0
-        self.last: CommandTest | None = None
-
-    def _on_training_start(self) -> None:
-        super()._on_training_start()
-        self._resumed = time.perf_counter()
-        self._next = self._interval
-
-    def _on_step(self) -> bool:
-        return not (self.last is not None and (self.last.passed or self.learning >= self._limit))
-
-    def _on_rollout_start(self) -> None:
-        super()._on_rollout_start()
-        now = self.learning + time.perf_counter() - self._resumed
-        if now < self._next:
-            return
-        self.learning = now
-        self._next = now + self._interval
-        self.last = command_test(Policy.from_sb3(self.model, {}))
-        self._say(
-            f"  {self.learning:5.1f} s, {self.num_timesteps:>9,} steps: {self.last.met:.0%} of the commands met, "
-            f"{self.last.falls:.1%} falls"
+    def __str__(self) -> str:
+        return (
+            f"seed {self.seed}, {self.seconds:5.1f} s, {self.timesteps:>9,} steps: {self.met:.0%} of the commands met, "
+            f"errors {self.forward_velocity_error:.3f} m/s and {self.yaw_rate_error:.3f} rad/s, {self.falls:.1%} falls"
         )
-        self._resumed = time.perf_counter()
 
 
-def summary(results: list[Learned]) -> str:
-    """Return a Markdown table of the seeds of each action mode; a seed that never passed counts as infinitely slow."""
-    lines = ["| action mode | seeds that learn | median s | each seed, s | median steps |", "|---|---|---|---|---|"]
-    for mode in dict.fromkeys(result.action_mode for result in results):
-        found = [result for result in results if result.action_mode == mode]
-        seconds = sorted(np.inf if result.seconds is None else result.seconds for result in found)
-        steps = sorted(result.timesteps for result in found)
-        passed = sum(result.seconds is not None for result in found)
-        each = ", ".join("never" if np.isinf(value) else f"{value:.1f}" for value in seconds)
+def results_of(policy: Policy, seed: int, commands: CommandMap = COMMANDS) -> Point:
+    """Return the results of a policy at the suite's commands."""
+    found = run_command_map(commands, Candidate.of_policy(policy, "policy"))
+    means = {name: float(found[name]["mean"]) for name in ("met", "forward_velocity_error", "yaw_rate_error", "falls")}
+    return Point(seed=seed, seconds=policy.card["seconds"], timesteps=policy.card["timesteps"], **means)
+
+
+def learning_curve(
+    times: Sequence[float], settings: Mapping[str, Any], say: Say, commands: CommandMap = COMMANDS
+) -> list[Point]:
+    """Train for the last of `times`, increasing, s, and test a checkpoint at each of them.
+
+    Args:
+        times: wall clock of learning, s. A checkpoint is up to 5 % of the first time, and an update, later.
+        settings: what a user would give of `TrainConfig`.
+        say: called with each result in words.
+        commands: commands to test at.
+    """
+    budget = {"seconds": times[-1], "checkpoint_seconds": _SHARE * times[0]}
+    config = with_recipe({**settings, **budget}, MINI_QUADRUPED)
+    points = []
+    with tempfile.TemporaryDirectory() as runs:
+        run, _ = train(config, Path(runs), "learning speed")
+        checkpoints = [load_policy(path) for path in (run / CHECKPOINTS).iterdir()]
+        checkpoints.sort(key=lambda policy: policy.card["seconds"])
+        policies = [next(one for one in checkpoints if one.card["seconds"] >= time) for time in times[:-1]]
+        for policy in (*policies, load_policy(run)):
+            points.append(results_of(policy, config.seed, commands))
+            say(str(points[-1]))
+    return points
+
+
+def summary(curves: Sequence[Sequence[Point]]) -> str:
+    """Return a Markdown table of curves with the same times: medians over the seeds, and each seed's commands met."""
+    lines = ["| s | steps | commands met | each seed | error, m/s | rad/s | falls |", "|---|---|---|---|---|---|---|"]
+    for points in zip(*curves, strict=True):
+        rows = [asdict(point) for point in points]
+        median = {name: float(np.median([row[name] for row in rows])) for name in rows[0]}
+        each = ", ".join(f"{point.met:.0%}" for point in points)
         lines.append(
-            f"| {mode} | {passed} of {len(found)} | {np.median(seconds):.1f} | {each} | {np.median(steps):,.0f} |"
+            f"| {median['seconds']:.0f} | {median['timesteps']:,.0f} | {median['met']:.0%} | {each} "
+            f"| {median['forward_velocity_error']:.3f} | {median['yaw_rate_error']:.3f} | {median['falls']:.1%} |"
         )
     return "\n".join(lines)

@@ -2,53 +2,13 @@
 
 import tempfile
 from collections.abc import Callable, Sequence
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from mujoco.batch import Batch
 
 from benchmarks import env_speed, terrain_speed
-from benchmarks.env_speed import CHUNKS, NUM_ENVS, ROBOT, joint_targets
+from benchmarks.env_speed import CHUNKS, NUM_ENVS, ROBOT
 from benchmarks.measures import Measure, Say, row, run_python, seconds_of
-
-
-def training_over_bare() -> list[Measure]:
-    """PPO end to end over a bare `Batch.step` on all cores."""
-    from quadruped_env.envs import make_sb3_vec_env
-    from quadruped_env.training.sb3_models import make_model
-    from quadruped_env.training.schedules import Scheduled
-    from quadruped_env.training.train_config import TrainConfig
-
-    config = TrainConfig(action_mode="position")
-    env = make_sb3_vec_env(config.num_envs, seed=0, action_mode="position", privileged=config.asymmetric_critic)
-    model = make_model(config, env)
-    steps = config.n_steps * config.num_envs
-    callback = Scheduled()
-    model.learn(4 * steps, callback)
-    simulation = env.task.simulation
-    batch: Batch = simulation.batch  # type: ignore[attr-defined]
-    bare = Batch(simulation.model, config.num_envs)
-    ctrl = bare.bind("ctrl")
-    rng = np.random.default_rng(0)
-    ratios, rates = [], []
-    for _ in range(CHUNKS):
-        state = batch.state.copy()
-        seconds = seconds_of(lambda: model.learn(4 * steps, callback, reset_num_timesteps=False))
-        bare.state[:] = state
-        shape = 4 * config.n_steps, config.num_envs, ROBOT.num_joints
-        controls = joint_targets(env.task, 0.3 * rng.uniform(-1.0, 1.0, shape))
-
-        def step_bare(controls: Any = controls) -> None:
-            for control in controls:
-                ctrl[:] = control
-                bare.step(nstep=env.task.config.decimation)
-
-        ratios.append(seconds_of(step_bare) / seconds)
-        rates.append(4 * steps / seconds)
-    ratio = float(np.median(ratios))
-    detail = f"{np.median(rates):,.0f} training steps/s"
-    # Three observations at a time and an asymmetric critic take most of the rest: 0.35 to 0.40 on two cores.
-    return [Measure("PPO end to end over bare Batch.step", ratio, "", ">= 0.30", ratio >= 0.30, detail)]
 
 
 def terrain_over_plane(chunks: int = CHUNKS) -> list[Measure]:
@@ -139,7 +99,6 @@ WORKS: Final[dict[str, Callable[[], list[Measure]]]] = {
     "import": import_time,
     "kinematics": kinematics,
     **env_speed.WORKS,
-    "training": training_over_bare,
     "terrain": terrain_over_plane,
     "env-memory": env_memory,
 }
