@@ -50,6 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print and write the results."""
     import quadruped_env.training.train  # noqa: F401  (it names the extra that is missing)
     from benchmarks.learning_speed import learning_curve, summary
+    from quadruped_env.evaluation.confidence import number
 
     def say(line: str) -> None:
         print(line, flush=True)
@@ -63,7 +64,9 @@ def run(arguments: argparse.Namespace) -> int:
         "machine": machine(),
         "versions": versions(),
         "training": arguments.training,
-        "points": [asdict(point) for curve in curves for point in curve],
+        "points": [
+            {name: number(value) for name, value in asdict(point).items()} for curve in curves for point in curve
+        ],
     }
     write_json(arguments.output, document)
     say(f"\nmeasured on {machine()}; written to {arguments.output}")

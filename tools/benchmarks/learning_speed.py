@@ -4,6 +4,7 @@ The commands are those that the suite draws, one undisturbed episode of 10 s eac
 policies are checkpoints of one training, whose schedules end with the last time.
 """
 
+import math
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -54,7 +55,9 @@ class Point:
 def results_of(policy: Policy, seed: int, commands: CommandMap = COMMANDS) -> Point:
     """Return the results of a policy at the suite's commands."""
     found = run_command_map(commands, Candidate.of_policy(policy, "policy"))
-    means = {name: float(found[name]["mean"]) for name in ("met", "forward_velocity_error", "yaw_rate_error", "falls")}
+    # There is no error where every robot falls at once.
+    names = "met", "forward_velocity_error", "yaw_rate_error", "falls"
+    means = {name: math.nan if (mean := found[name]["mean"]) is None else mean for name in names}
     return Point(seed=seed, seconds=policy.card["seconds"], timesteps=policy.card["timesteps"], **means)
 
 
@@ -73,11 +76,14 @@ def learning_curve(
     config = with_recipe({**settings, **budget}, MINI_QUADRUPED)
     points = []
     with tempfile.TemporaryDirectory() as runs:
-        run, _ = train(config, Path(runs), "learning speed")
+        run, whole = train(config, Path(runs), "learning speed")
+        if not whole:
+            raise KeyboardInterrupt
         checkpoints = [load_policy(path) for path in (run / CHECKPOINTS).iterdir()]
         checkpoints.sort(key=lambda policy: policy.card["seconds"])
-        policies = [next(one for one in checkpoints if one.card["seconds"] >= time) for time in times[:-1]]
-        for policy in (*policies, load_policy(run)):
+        checkpoints.append(load_policy(run))
+        for time in times:
+            policy = next(one for one in checkpoints if one.card["seconds"] >= time)
             points.append(results_of(policy, config.seed, commands))
             say(str(points[-1]))
     return points
