@@ -60,11 +60,26 @@ def _progress(context: TaskContext) -> Floats:
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
+@reward(weight=0.0)
+def steady_error(context: TaskContext) -> Floats:
+    """Sum over the velocities of the average error over about 2 s, over 0.1 m/s and 0.2 rad/s: a bias costs."""
+    return np.add.reduce(np.abs(context.steady_error) / context.smallest_command, axis=-1)
+
+
 @reward(weight=8.0)
-def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.012) -> Floats:
-    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / 0.012 m))."""
-    lift = quantities.foot_lift(context.sole_height, foot_lift)
-    return quantities.clock_agreement(lift, context.leg_clock) * context.moving
+def gait_clock(
+    context: TaskContext,
+    foot_lift: Annotated[float, Positive("m")] = 0.012,
+    highest_lift: Annotated[float, Positive("m")] = 0.06,
+) -> Floats:
+    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / lift)).
+
+    The lift is 0.012 m, and up to 0.06 m where the ground on the foot's way rises.
+    """
+    lift = np.minimum(foot_lift + context.rise_ahead(), max(foot_lift, highest_lift))
+    return (
+        quantities.clock_agreement(quantities.foot_lift(context.sole_height, lift), context.leg_clock) * context.moving
+    )
 
 
 @reward(weight=3.0)
@@ -149,6 +164,7 @@ REWARDS: Final = cast(
     (
         tracking,
         progress,
+        steady_error,
         gait_clock,
         contact_clock,
         upright,
