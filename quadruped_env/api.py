@@ -103,7 +103,7 @@ def train(runs: str | Path = "runs", task_file: str | Path | None = None, **sett
     Args:
         runs: parent of the run directory.
         task_file: Python file of terms or of a robot; it is executed.
-        settings: fields of `quadruped_env.training.TrainConfig`, such as `recipe="rough"`, `timesteps=1_000_000` or
+        settings: fields of `quadruped_env.training.TrainConfig`, such as `recipe="walker"`, `timesteps=1_000_000` or
             `seed=1`; the recipe sets the others.
 
     Raises:

@@ -1,7 +1,7 @@
 """Train a walking policy with PPO, or with another algorithm.
 
 mini-quadruped train                          about two minutes, then a policy that walks
-mini-quadruped train --recipe rough           for terrain of all kinds
+mini-quadruped train --recipe walker          one policy for all ground, in an hour or more
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode

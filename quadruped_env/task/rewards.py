@@ -72,14 +72,13 @@ def gait_clock(
     foot_lift: Annotated[float, Positive("m")] = 0.012,
     highest_lift: Annotated[float, Positive("m")] = 0.06,
 ) -> Floats:
-    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / lift)).
+    """Mean over the feet of sin(phase) (1 - 2 min(1, abs(1 - height / lift))^2), lift 0.012 m or more.
 
-    The lift is 0.012 m, and up to 0.06 m where the ground on the foot's way rises.
+    More where the ground on the foot's way rises: up to 0.06 m.
     """
-    lift = np.minimum(foot_lift + context.rise_ahead(), max(foot_lift, highest_lift))
-    return (
-        quantities.clock_agreement(quantities.foot_lift(context.sole_height, lift), context.leg_clock) * context.moving
-    )
+    full = np.minimum(foot_lift + context.rise_ahead(), max(foot_lift, highest_lift))
+    lift = quantities.foot_lift(context.sole_height, full)
+    return quantities.clock_agreement(lift, context.leg_clock) * context.moving
 
 
 @reward(weight=3.0)

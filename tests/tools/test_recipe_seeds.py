@@ -148,7 +148,7 @@ def test_runs_of_a_recipe_differ_in_the_seed_only(trained):
 
 def test_program_prints_tables_and_draws_curves(trained, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(recipe_seeds, "MEASURES", {"length": lambda measured, progress: {"mm": len(measured.name)}})
-    runs = [str(trained(recipe, seed).directory) for recipe in ("flat", "rough") for seed in (0, 1)]
+    runs = [str(trained(recipe, seed).directory) for recipe in ("flat", "walker") for seed in (0, 1)]
     picture = tmp_path / "new" / "curves.svg"
     assert recipe_seeds.run(argparse.Namespace(runs=runs, only=None, picture=picture)) == 0
     printed = capsys.readouterr().out

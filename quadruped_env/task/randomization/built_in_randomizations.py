@@ -89,7 +89,7 @@ RANDOMIZATIONS: Final[tuple[Randomization, ...]] = (
         description="coefficient of sliding friction of the ground and the robot",
         source=f"0.5 to 1.25: {_MINITAUR}; rubber on wet tiles to rubber on dry concrete: 0.3 to 1.2"),
     Randomization("contact_time_constant", ModelField("geom_solref", column=0, mode="set"), None, "s",
-        valid=Parameter("s", 0.01, 0.1),
+        valid=Parameter("s", 0.001, 0.1),
         description="time constant with which a contact gives way; the model file has 0.01 s",
         source="twice the physics time step is the shortest; 0.02 s is MuJoCo's default; soft rubber, carpet"),
     Randomization("contact_damping_ratio", ModelField("geom_solref", column=1, mode="set"), None, valid=_FACTOR,
