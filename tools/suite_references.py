@@ -71,7 +71,10 @@ def main() -> int:
         help="results of shipped policies that an evaluation wrote, instead of running the suite",
     )
     parser.add_argument(
-        "--seed", type=int, metavar="N", help="seed of the suite (default: that of the rows that stay, or a drawn one)"
+        "--seed",
+        type=int,
+        metavar="N",
+        help="seed of the suite (default: the seed of the rows that stay, or a drawn one)",
     )
     parser.add_argument("--quick", action="store_true", help="the quick suite, to try this program")
     parser.add_argument("-o", "--output", type=Path, default=REFERENCE_FILE, help="the file (%(default)s)")

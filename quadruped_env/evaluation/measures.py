@@ -281,7 +281,7 @@ class Reached(NamedTuple):
 
 
 def reached(rollout: Rollout, command: ArrayLike, tolerance: Tolerance, counted: Bools | None = None) -> Reached:
-    """Judge episodes by their mean velocities over the counted samples (T, N); None: those of `counted_samples`.
+    """Judge episodes by their mean velocities over the counted samples (T, N); None: `counted_samples`.
 
     This is the law of commands that are met: see `meets`. `command` is (N, V), `tolerance` in the robot's units.
     """

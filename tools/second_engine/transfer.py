@@ -167,8 +167,8 @@ class Transfer:
     def to_dict(self) -> dict[str, Any]:
         """Return the results of the policy as plain values, for the suite's results.
 
-        `largest_change` is that of a commanded velocity, straight ahead and on turns, relative to the one here; None
-        without one.
+        `largest_change` is how much a commanded velocity changes at most, straight ahead and on turns, relative to the
+        velocity here; None without a command.
         """
         changes: dict[str, list[float]] = {"straight": [], "turning": []}
         commands: list[dict[str, Any]] = []

@@ -193,7 +193,7 @@ class Transients(Part):
     final: float = 1.0
     """Time at the end whose mean is the final value, s."""
     band: float = 0.1
-    """Half width of the band around the final value, relative to the commanded change; at least that of `met`."""
+    """Half width of the band around the final value, relative to the commanded change; at least `tolerance.met`."""
     followed_share: float = 0.5
     """Share of the commanded change from which it was followed."""
 
@@ -242,7 +242,7 @@ class Regulation(Part):
     standing: float = 0.5
     """Time from the start until the command, s."""
     share: float = 0.2
-    """Error up to which an episode keeps a velocity that is commanded, relative to it; that of `met` where it is 0."""
+    """Error up to which an episode keeps a velocity, relative to its command; `tolerance.met` where that is 0."""
     together: Disturbance = field(default_factory=lambda: Disturbance("hard", dict(PRESETS["hard"])))
     together_seeds: int = 32
     """Episodes per command with all disturbances together."""
