@@ -1,7 +1,7 @@
 """Gain of a policy over its zero action: in the policy's own task, and under the commands of an evaluation."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -10,8 +10,11 @@ from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.comparison import NUM_SEEDS, Comparison, error_of, rank, run
 from quadruped_env.evaluation.conditions import commands_for, evaluation_task, without_curriculum
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number, proportion
-from quadruped_env.evaluation.measures import CLOSE, METRICS, START_UP, WINDOW, commands_met, tolerances
+from quadruped_env.evaluation.measures import CLOSE, METRICS, START_UP, WINDOW, own_commands_met, tolerances
 from quadruped_env.evaluation.rollout import DEFAULT_SECONDS, FIRST_SEED, Rollout, roll_out
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.steady import run_command_map
+from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, with_velocities
 from quadruped_env.policies import Agent, Controller, Policy, PolicyController, ZeroController, as_policy
 from quadruped_env.utils.progress import Progress, part_of
 from quadruped_env.utils.text_table import text_table
@@ -32,8 +35,8 @@ class Performance:
 
     return_per_second: Estimate
     """Reward per second"""
-    commands_met: Estimate
-    """Share of the commands that were met; see `measures.commands_met`"""
+    own_commands_met: Estimate
+    """Share of the task's own commands that were met; see `measures.own_commands_met`"""
     falls: Estimate
     """Share of the robots that fell within the time of one episode"""
     electrical_power: Estimate
@@ -55,6 +58,8 @@ class LearningGain:
     """Difference of the return per second, policy minus zero action, over pairs of episodes"""
     comparison: Comparison | None = None
     """The policy (`policy`) and the zero action (`zero`), undisturbed; None: not measured"""
+    commands: Mapping[str, Mapping[str, Any]] | None = None
+    """`policy` and `zero` under the suite's commands: shares that are `met`, and `falls`; None: not measured"""
 
     @property
     def is_better(self) -> bool:
@@ -99,6 +104,7 @@ class LearningGain:
             "policy": {name: value.to_dict() for name, value in vars(self.policy).items()},
             "zero": {name: value.to_dict() for name, value in vars(self.zero).items()},
             "condition": None if self.comparison is None else self.comparison.condition,
+            "commands": self.commands,
             "motions": [] if self.comparison is None else _motions(self.comparison),
         }
 
@@ -127,13 +133,25 @@ def gain_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
         (gain["motion"], *_motion_cells(gain["policy"]), *_motion_cells(gain["zero"]), gain["result"])
         for gain in document.get("motions", ())
     ]
+    if commands := document.get("commands"):
+        both = (
+            (
+                f"{100.0 * commands[one]['met']['mean']:.0f} % met",
+                f"{100.0 * commands[one]['falls']['mean']:.1f} %",
+                "-",
+            )
+            for one in ("policy", "zero")
+        )
+        rows.append(("random commands", *next(both), *next(both), ""))
     own = [
         (
-            f"{100.0 * one['commands_met']['mean']:.0f} % met" if one["commands_met"]["count"] else "-",
+            f"{100.0 * met['mean']:.0f} % of own" if met["count"] else "-",
             f"{100.0 * one['falls']['mean']:.1f} %",
             f"{one['electrical_power']['mean']:.1f} W",
         )
         for one in (document["policy"], document["zero"])
+        # Before there were the commands of the suite, it had their name.
+        for met in [one.get("own_commands_met") or one["commands_met"]]
     ]
     return [*rows, ("own task", *own[0], *own[1], "")]
 
@@ -147,8 +165,9 @@ def table_note(document: Mapping[str, Any]) -> str:
         else ", or on turns of the yaw rate"
     )
     return (
-        f"The rows of motions have the error of the forward velocity{errors}. The last row is in the policy's own "
-        f"task, with its commands, randomization and terrain."
+        f"The rows of motions have the error of the forward velocity{errors}. Random commands are met as in the suite "
+        f"mq-eval: drawn evenly, 10 s each, undisturbed. The last row is in the policy's own task: the share of its "
+        f"own commands that are met, with its randomization and terrain."
     )
 
 
@@ -242,7 +261,27 @@ def learning_gain(
         _performance(zeros),
         bootstrap_mean(_return_per_second(ours) - _return_per_second(zeros)),
         comparison,
+        None if comparison is None else commands_met(policy, episodes // 2),
     )
+
+
+def commands_met(policy: Policy, count: int) -> dict[str, dict[str, Any]] | None:
+    """Return the shares of the first commands of the suite that a policy and its zero action meet, and their falls.
+
+    One undisturbed episode per command, by the suite's law. None for a task that the suite cannot run.
+    """
+    part = for_robot(with_velocities(full_suite(), policy.config.robot), policy.config.robot).commands
+    standing = max(1, count // 32)
+    part = replace(part, num_seeds=1, points=max(1, count - standing), standing=standing, axes={})
+    candidate = Candidate.of_policy(policy, "policy")
+    try:
+        found = [run_command_map(part, one) for one in (candidate, candidate.zero_action())]
+    except QuadrupedError:
+        return None
+    return {
+        name: {field: result[field] for field in ("met", "falls")}
+        for name, result in zip(("policy", "zero"), found, strict=True)
+    }
 
 
 def _return_per_second(rollout: Rollout) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -253,7 +292,7 @@ def _return_per_second(rollout: Rollout) -> np.ndarray[Any, np.dtype[np.float64]
 def _performance(rollout: Rollout) -> Performance:
     return Performance(
         return_per_second=bootstrap_mean(_return_per_second(rollout)),
-        commands_met=proportion(commands_met(rollout, tolerances(CLOSE, rollout.robot))),
+        own_commands_met=proportion(own_commands_met(rollout, tolerances(CLOSE, rollout.robot))),
         falls=proportion(rollout.fallen),
         electrical_power=bootstrap_mean(rollout.electrical_power.mean(axis=0, dtype=np.float64)),
     )

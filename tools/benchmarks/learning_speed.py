@@ -12,7 +12,7 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.envs import make_sb3_vec_env
-from quadruped_env.evaluation.measures import counted_samples, mean_velocities, meets, stands_still
+from quadruped_env.evaluation.measures import reached
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import Policy
@@ -46,12 +46,8 @@ def command_test(policy: Policy, commands: int | None = None, seconds: float | N
     drawn = list(part.drawn)[:commands]
     measured = Candidate.of_policy(policy, "policy")
     rollout = measured.run(drawn, part.seeds[:1], part.seconds if seconds is None else seconds)
-    shape = len(drawn), 1
-    fallen = rollout.fallen.reshape(shape)
-    still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
-    achieved = mean_velocities(rollout).reshape(*shape, 2)
-    kept = meets(achieved, np.array(drawn)[:, None], still, fallen, part.tolerance)
-    return CommandTest(float(kept.mean()), float(fallen.mean()))
+    met = reached(rollout, drawn, part.tolerance).met
+    return CommandTest(float(met.mean()), float(rollout.fallen.mean()))
 
 
 @dataclass(frozen=True)
