@@ -125,6 +125,7 @@ METRICS: Final[dict[str, Metric]] = {
     "clearance": Metric(
         "Foot clearance", "m", "height that 95 % of a foot's swings reach; of the foot that is lifted least", 3
     ),
+    "apex": Metric("Rise of the feet", "m", "median height that a foot reaches in a swing; mean of the feet", 3),
     "swings_per_stride": Metric("Swings per stride", "", "of the foot that swings most"),
     "bounces_per_stride": Metric("Bounces per stride", "", "short times in the air within a stance; of the worst foot"),
     "landing_speed": Metric("Landing speed", "m/s", "downward speed of the sole at touchdown; of the worst foot"),
@@ -132,6 +133,7 @@ METRICS: Final[dict[str, Metric]] = {
     "duty_factor": Metric("Duty factor", "", "share of time that a foot is on the ground, mean of the feet"),
     "peak_force": Metric("Peak force on a foot", "body weights", "largest normal force", 1),
     "torque_rate": Metric("Change of torque", "N m/s", "RMS over joints and time between physics steps", 0),
+    "base_height": Metric("Height of the base", "m", "mean height of its centre over the ground", 3),
     "roll": Metric("Roll", "rad", "RMS over time", 3),
     "pitch": Metric("Pitch", "rad", "RMS over time", 3),
 }
@@ -157,6 +159,7 @@ def tolerances(errors: Mapping[str, float], robot: Robot) -> tuple[float, ...]:
 
 OF_FEET: Final[dict[str, Callable[[Floats], Floats]]] = {
     "clearance": lambda feet: feet.min(axis=-1),
+    "apex": lambda feet: feet.mean(axis=-1),
     "swings_per_stride": lambda feet: feet.max(axis=-1),
     "bounces_per_stride": lambda feet: feet.max(axis=-1),
     "landing_speed": lambda feet: feet.max(axis=-1),
@@ -186,6 +189,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "mechanical_cost_of_transport": cost_of_transport(mechanical, speed, r.robot.total_mass),
         "electrical_power": electrical,
         "mechanical_power": mechanical,
+        "base_height": masked_mean(r.base_height, counted),
         "peak_torque": peak(r.joint_torque, counted),
         "peak_joint_speed": peak(r.joint_velocity, counted),
         "joint_acceleration": rms_rate(r.joint_velocity, counted, dt),
@@ -424,20 +428,20 @@ def flights_of(height: NDArray[Any], rise: NDArray[Any], contact: Bools, shortes
 def feet(
     physics: PhysicsSamples, contact: Bools, counted: Bools, frequency: Floats, dt: float, bounce: float
 ) -> dict[str, Floats]:
-    """Return the clearance, swings and bounces per stride, and landing speed of each foot: name -> (N, L).
+    """Return the clearance, apex, swings and bounces per stride, and landing speed of each foot: name -> (N, L).
 
-    The clearance is the quantile `CLEARANCE_QUANTILE` of the apexes. A stride in which a foot does not swing counts as
-    an apex of 0; at both ends of an episode one stride may be cut. For a robot that does not stride, whose frequency
-    (N,) is NaN, it is 0, and the others are NaN; all are NaN for an episode without counted samples. `bounce` is the
-    height of a bounce, m.
+    The clearance is the quantile `CLEARANCE_QUANTILE` of the apexes, and the apex their median. A stride in which a
+    foot does not swing counts as an apex of 0; at both ends of an episode one stride may be cut. For a robot that does
+    not stride, whose frequency (N,) is NaN, both are 0, and the others are NaN; all are NaN for an episode without
+    counted samples. `bounce` is the height of a bounce, m.
     """
-    names = ("clearance", "swings_per_stride", "bounces_per_stride", "landing_speed")
+    names = ("clearance", "apex", "swings_per_stride", "bounces_per_stride", "landing_speed")
     result = {name: np.full(contact.shape[1:], np.nan) for name in names}
     for episode, foot in np.ndindex(*contact.shape[1:]):
         samples, hertz = counted[:, episode], float(frequency[episode])
         if not samples.any():
             continue
-        result["clearance"][episode, foot] = 0.0
+        result["clearance"][episode, foot] = result["apex"][episode, foot] = 0.0
         if not np.isfinite(hertz):
             continue
         height, rise = (values[samples, episode, foot] for values in (physics.height, physics.rise))
@@ -448,6 +452,7 @@ def feet(
         padded = np.concatenate([np.maximum(found.apexes, 0.0), np.zeros(missing)])
         if len(padded):
             result["clearance"][episode, foot] = np.quantile(padded, CLEARANCE_QUANTILE)
+            result["apex"][episode, foot] = np.median(padded)
         result["swings_per_stride"][episode, foot] = len(found.apexes) / strides
         result["bounces_per_stride"][episode, foot] = found.bounces / strides
         if len(found.landings):

@@ -50,6 +50,16 @@ class StoredMotion(TypedDict):
     zero: dict[str, float | None]
 
 
+class StoredMeasure(TypedDict):
+    """A measure of the policy and of the zero action."""
+
+    name: str
+    metric: str
+    policy: float | None
+    zero: float | None
+    difference: StoredEstimate
+
+
 class StoredGain(TypedDict):
     """`LearningGain.to_dict`."""
 
@@ -61,6 +71,7 @@ class StoredGain(TypedDict):
     policy: dict[str, StoredEstimate]
     zero: dict[str, StoredEstimate]
     motions: NotRequired[list[StoredMotion]]
+    measures: NotRequired[list[StoredMeasure]]
 
 
 class StoredSuiteName(TypedDict):

@@ -85,10 +85,16 @@ def test_policy_with_zero_weights_equals_the_zero_action():
     assert gain.zero.electrical_power.mean > 2.0 * standing.electrical_power.mean
     document = json.loads(json.dumps(gain.to_dict(), allow_nan=False))
     rows = gain_rows(document)
-    assert [row[0] for row in rows] == ["forwards", "standing", "backwards", "turning", "own task"]
+    motions, shape = ["forwards", "standing", "backwards", "turning"], ["height of the base", "rise of the feet"]
+    top = ["landing speed", "at 0.6 m/s", "at 0.8 rad/s"]
+    assert [row[0] for row in rows] == [*motions, *shape, *top, "own task"]
     for _, *cells, result in rows:
         assert cells[:3] == cells[3:]
         assert result in ("not comparable", ""), "one start gives no interval"
+    measures = {one["name"]: one for one in document["measures"]}
+    assert measures["height of the base"]["zero"] == pytest.approx(0.182, abs=0.002)
+    assert 0.0 < measures["rise of the feet"]["zero"] < 0.01
+    assert measures["at 0.8 rad/s"]["policy"] == pytest.approx(0.4, abs=0.1), "the scripted gait hardly turns"
 
 
 def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
