@@ -66,7 +66,7 @@ def test_row_of_a_term_computed_by_hand(definition, tmp_path):
     progress = tmp_path / "progress.csv"
     progress.write_text("timesteps,reward_height\n100,-0.04\n200,-0.01\n")
     ours, zeros = (
-        dataclasses.replace(one, term_names=("height", "upright"), reward_terms=np.repeat(one.reward_terms, 2, axis=2))
+        dataclasses.replace(one, term_names=("height", "upright"), reward_terms=one.reward_terms * [1.0, 0.0])
         for one in (rewards([0.01, 0.02, 0.03], -0.5), rewards([0.04, 0.06, 0.08], -0.5))
     )
     upright, height = term_gains(policy, ours, zeros, progress)
@@ -76,7 +76,9 @@ def test_row_of_a_term_computed_by_hand(definition, tmp_path):
     assert (height.difference.low, height.difference.high) == pytest.approx((-0.05, -0.03), abs=0.003)
     row = ("height (m)", "-0.5", "0.08", "0.02", "0.06", "-0.01", "better by 67 %")
     assert term_rows({"terms": [height.to_dict()]}) == [row]
-    assert upright.first is None, "progress.csv has no such column"
+    assert (upright.first, upright.policy.mean, upright.zero.mean) == (None, 0.0, 0.0), (
+        "progress.csv has no such column"
+    )
     assert term_rows({"terms": [upright.to_dict()]})[0][2] == "-"
 
 
