@@ -16,7 +16,9 @@ from trainings import ENDLESS, TINY, assert_complete, command, progress, running
 from waiting import output_of
 
 import quadruped_env
+from quadruped_env.api import Evaluation
 from quadruped_env.cli.main import main
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, reward_in_words
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.policy_data import TENSORS_FILE
@@ -70,6 +72,8 @@ def test_closing_table_has_a_row_for_a_changed_weight(tmp_path):
     assert term["first"] > 0.0, "from progress.csv"
     (row,) = (line for line in output.getvalue().splitlines() if line.startswith("landing (m^2/s^3)"))
     assert row.split()[2:4] == ["-5", f"{term['first']:.3g}"]
+    evaluation = Evaluation.measure(find_policy(str(tmp_path / "latest")), "", 1, 2.0, None, "none")
+    assert [one.first for one in evaluation.gain.terms] == [term["first"]]
 
 
 def test_run_records_its_settings_and_versions(directory):
