@@ -2,13 +2,13 @@
 
 import csv
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
 
-from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, number
+from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.policies import Policy
 from quadruped_env.task import TaskConfig
@@ -47,20 +47,16 @@ class TermGain:
     @property
     def result(self) -> str:
         """Return what became of the term: `not learned` unless the whole interval of the gain is above 0."""
-        gain, away = sorted(np.sign(self.weight) * np.array([self.difference.low, self.difference.high]))
-        if not self.weight or gain <= 0.0 <= away:
+        low, high = sorted(np.sign(self.weight) * np.array([self.difference.low, self.difference.high]))
+        if low <= 0.0 <= high:
             return "not learned" if self.weight else "not counted"
         share = abs(self.difference.mean / self.zero.mean) if self.zero.mean else np.inf
-        amount = "" if share > 10.0 else f" by {100.0 * share:.0f} %"
-        if gain < 0.0:
-            return f"worse{amount}"
-        return f"{'hardly learned' if share < _LITTLE else 'better'}{amount}"
+        word = "worse" if low < 0.0 else "hardly learned" if share < _LITTLE else "better"
+        return word if share > 10.0 else f"{word} by {100.0 * share:.0f} %"
 
     def to_dict(self) -> dict[str, Any]:
         """Return the result as JSON-serializable values."""
-        estimates = {name: getattr(self, name).to_dict() for name in ("policy", "zero", "difference")}
-        given = {"name": self.name, "unit": self.unit, "weight": self.weight, "first": self.first}
-        return {**given, **estimates, "result": self.result}
+        return {**asdict(self), "result": self.result}
 
 
 def term_gains(policy: Policy, ours: Rollout, zeros: Rollout, progress_file: Path | None) -> tuple[TermGain, ...]:
@@ -68,25 +64,16 @@ def term_gains(policy: Policy, ours: Rollout, zeros: Rollout, progress_file: Pat
 
     `progress_file` is the progress.csv of the training; None: there is none.
     """
-    config, found = policy.config, []
-    names = changed_terms(config, str(policy.card.get("recipe", "")))
-    first = _first(progress_file) if names else {}
-    for name, unit in names.items():
-        weight, column = config.reward.weights[name], ours.term_names.index(name)
-        policy_values, zero_values = (
-            one.reward_terms[..., column].mean(axis=0, dtype=np.float64) / ((weight or 1.0) * one.timestep)
+    found, first = [], _first(progress_file)
+    for name, unit in changed_terms(policy.config, str(policy.card.get("recipe", ""))).items():
+        weight, column = policy.config.reward.weights[name], ours.term_names.index(name)
+        scale = weight or 1.0
+        own, zero = (
+            one.reward_terms[..., column].mean(axis=0, dtype=np.float64) / (scale * one.timestep)
             for one in (ours, zeros)
         )
-        begun = first.get(name)
-        found.append(
-            TermGain(
-                name,
-                unit,
-                weight,
-                number(begun / weight) if weight and begun is not None else None,
-                *map(bootstrap_mean, (policy_values, zero_values, policy_values - zero_values)),
-            )
-        )
+        estimates = map(bootstrap_mean, (own, zero, own - zero))
+        found.append(TermGain(name, unit, weight, first[name] / scale if name in first else None, *estimates))
     return tuple(found)
 
 
@@ -121,9 +108,9 @@ def term_rows(document: Mapping[str, Any]) -> list[tuple[str, ...]]:
     """Return the rows of `TermGain.to_dict`s below the header `TERM_HEADER`."""
     rows = []
     for term in document.get("terms", ()):
-        unit = "" if term["unit"] == "1" else f" ({term['unit']})"
-        values = (term["first"], term["policy"]["mean"], term["zero"]["mean"]) if term["weight"] else (None,) * 3
+        unit, weight = "" if term["unit"] == "1" else f" ({term['unit']})", term["weight"]
+        last = term["policy"]["mean"]
+        values = (term["first"], last, term["zero"]["mean"]) if weight else (None,) * 3
         cells = ["-" if value is None else f"{value:z.3g}" for value in values]
-        per_second = f"{term['weight'] * (term['policy']['mean'] or 0.0):+z.2f}"
-        rows.append((f"{term['name']}{unit}", f"{term['weight']:g}", *cells, per_second, term["result"]))
+        rows.append((f"{term['name']}{unit}", f"{weight:g}", *cells, f"{weight * last:+z.2f}", term["result"]))
     return rows
