@@ -71,7 +71,8 @@ class Evaluation:
         comparison = compare(
             policy, seeds, seconds, progress=progress("running"), terrain=terrain, randomization=randomization
         )
-        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"), comparison)
+        measuring, file = progress("measuring what it learned"), evaluated.progress_file
+        gain = gain_beside(policy, seeds, seconds, measuring, comparison, file)
         results = None if suite is None else suite()
         document = write_numbers(evaluated, comparison, command_line, results, gain)
         return cls(evaluated, comparison, gain, results, document)

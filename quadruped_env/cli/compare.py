@@ -62,7 +62,13 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         randomization=arguments.randomization or "none",
     )
     gains = {
-        name: gain_beside(evaluated.policy, arguments.seeds, arguments.seconds, ProgressLine(f"measuring {name}"))
+        name: gain_beside(
+            evaluated.policy,
+            arguments.seeds,
+            arguments.seconds,
+            ProgressLine(f"measuring {name}"),
+            progress_file=evaluated.progress_file,
+        )
         for name, evaluated in policies.items()
     }
     command = f"{invocation.program} {sources} {options.evaluation_options(arguments)}"

@@ -165,6 +165,7 @@ METRICS: Final[dict[str, Metric]] = {
     "duty_factor": Metric("Duty factor", "", "share of time that a foot is on the ground, mean of the feet"),
     "peak_force": Metric("Peak force on a foot", "body weights", "largest normal force; of the worst foot", 1),
     "torque_rate": Metric("Change of torque", "N m/s", "RMS over joints and time between physics steps", 0),
+    "base_height": Metric("Height of the base", "m", "mean height of its centre over the ground", 3),
     "roll": Metric("Roll", "rad", "RMS over time", 3),
     "pitch": Metric("Pitch", "rad", "RMS over time", 3),
 }
@@ -222,6 +223,7 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "mechanical_cost_of_transport": cost_of_transport(mechanical, speed, r.robot.total_mass),
         "electrical_power": electrical,
         "mechanical_power": mechanical,
+        "base_height": masked_mean(r.base_height, counted),
         "peak_torque": peak(r.joint_torque, counted),
         "peak_joint_speed": peak(r.joint_velocity, counted),
         "joint_acceleration": rms_rate(r.joint_velocity, counted, dt),

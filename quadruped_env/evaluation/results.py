@@ -60,6 +60,16 @@ class StoredMotion(TypedDict):
     zero: dict[str, float | None]
 
 
+class StoredMeasure(TypedDict):
+    """A measure of the policy and of the zero action."""
+
+    name: str
+    metric: str
+    policy: float | None
+    zero: float | None
+    difference: StoredEstimate
+
+
 class StoredGain(TypedDict):
     """`LearningGain.to_dict`."""
 
@@ -72,6 +82,7 @@ class StoredGain(TypedDict):
     zero: dict[str, StoredEstimate]
     commands: NotRequired[dict[str, dict[str, StoredEstimate]] | None]
     motions: NotRequired[list[StoredMotion]]
+    measures: NotRequired[list[StoredMeasure]]
 
 
 class StoredSuiteName(TypedDict):

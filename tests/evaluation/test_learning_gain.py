@@ -15,11 +15,11 @@ from quadruped_env.evaluation.comparison import Comparison, compare
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.learning_gain import NO_GAIN, gain_beside, gain_rows, learning_gain
 from quadruped_env.evaluation.measures import CLOSE, own_commands_met, tolerances
-from quadruped_env.evaluation.rollout import FIRST_SEED
+from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.steady import run_command_map
 from quadruped_env.evaluation.suite.suite_definition import full_suite
-from quadruped_env.policies import as_policy
+from quadruped_env.policies import ZeroController, as_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import BUILT_IN, ActionConfig, CommandConfig, TaskConfig, TerminationConfig
 
@@ -89,10 +89,16 @@ def test_policy_with_zero_weights_equals_the_zero_action():
     assert gain.zero.electrical_power.mean > 2.0 * standing.electrical_power.mean
     document = json.loads(json.dumps(gain.to_dict(), allow_nan=False))
     rows = gain_rows(document)
-    assert [row[0] for row in rows] == ["forwards", "standing", "backwards", "turning", "random commands", "own task"]
+    motions, shape = ["forwards", "standing", "backwards", "turning"], ["height of the base", "rise of the feet"]
+    top = ["landing speed", "at 0.6 m/s", "at 0.8 rad/s"]
+    assert [row[0] for row in rows] == [*motions, *shape, *top, "random commands", "own task"]
     for _, *cells, result in rows:
         assert cells[:3] == cells[3:]
         assert result in ("not comparable", ""), "one start gives no interval"
+    measures = {one["name"]: one for one in document["measures"]}
+    assert measures["height of the base"]["zero"] == pytest.approx(0.182, abs=0.002)
+    assert 0.0 < measures["rise of the feet"]["zero"] < 0.01
+    assert measures["at 0.8 rad/s"]["policy"] == pytest.approx(0.4, abs=0.1), "the scripted gait hardly turns"
 
 
 def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
@@ -113,6 +119,29 @@ def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
     work = gain.comparison.estimate("zero", "mechanical_power", "standing").mean
     assert standing["electrical_power"] > 3.0 * work
     assert f"{gain.zero.electrical_power.mean:.1f} W" in gain.table()
+
+
+def test_terms_and_measures_are_those_of_the_rollouts(tmp_path):
+    progress = tmp_path / "progress.csv"
+    progress.write_text("timesteps,reward_action_rate\n100,-3.0\n")
+    policy = with_action(0.1, reward={"weights": {"action_rate": -0.5}})
+    gain = learning_gain(policy, ROBOTS, SECONDS, motion_seeds=2, progress_file=progress)
+    (term,) = gain.terms
+    assert (term.name, term.first, term.zero.mean) == ("action_rate", 6.0, 0.0)
+    assert term.policy.mean > 0.0
+    assert term.result == "worse"
+    height, *_ = gain.to_dict()["measures"]
+    assert height["policy"] > height["zero"]
+    assert height["difference"]["mean"] > 0.0
+    _, turn = gain.fastest.commands
+    assert turn == (0.0, 0.8)
+
+
+def test_height_is_measured_from_the_ground():
+    config = TaskConfig(action=ActionConfig("residual")).on_terrain("wave")
+    rollout = roll_out(ZeroController("residual"), [(0.5, 0.0)], range(2), 3.0, config)
+    ground = rollout.base_position[..., 2] - rollout.base_height
+    assert 0.005 < np.ptp(ground) < 0.041, "waves of 20 mm"
 
 
 def test_verdict_needs_the_whole_interval_above_zero():
