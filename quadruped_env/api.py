@@ -71,7 +71,8 @@ class Evaluation:
         comparison = compare(
             policy, seeds, seconds, progress=progress("running"), terrain=terrain, randomization=randomization
         )
-        gain = gain_beside(policy, seeds, seconds, progress("measuring what it learned"), comparison)
+        measuring, file = progress("measuring what it learned"), evaluated.progress_file
+        gain = gain_beside(policy, seeds, seconds, measuring, comparison, file)
         results = None if suite is None else suite()
         document = write_numbers(evaluated, comparison, command_line, results, gain)
         return cls(evaluated, comparison, gain, results, document)
@@ -103,7 +104,7 @@ def train(runs: str | Path = "runs", task_file: str | Path | None = None, **sett
     Args:
         runs: parent of the run directory.
         task_file: Python file of terms or of a robot; it is executed.
-        settings: fields of `quadruped_env.training.TrainConfig`, such as `recipe="rough"`, `timesteps=1_000_000` or
+        settings: fields of `quadruped_env.training.TrainConfig`, such as `recipe="walker"`, `timesteps=1_000_000` or
             `seed=1`; the recipe sets the others.
 
     Raises:

@@ -78,8 +78,8 @@ def learning(measured: Candidate, progress: Progress) -> Row:
         "return per second": policy.return_per_second.mean,
         "zero action": zero.return_per_second.mean,
         "gain, 95 % from": gain.difference.low,
-        "commands met, %": 100.0 * policy.commands_met.mean,
-        "zero action, %": 100.0 * zero.commands_met.mean,
+        "own commands met, %": 100.0 * policy.own_commands_met.mean,
+        "zero action, %": 100.0 * zero.own_commands_met.mean,
         "falls, %": 100.0 * policy.falls.mean,
         "power, W": policy.electrical_power.mean,
     }
@@ -96,7 +96,7 @@ def commands(measured: Candidate, progress: Progress) -> Row:
 def joystick_hours(measured: Candidate, progress: Progress, part: Joystick = TEN_HOURS) -> Row:
     """Falls per hour of joystick commands, and the upper end of their 95 % interval."""
     row: Row = {}
-    for name, law in run_joystick(part, measured, progress).items():
+    for name, law in run_joystick(part, measured, progress)["laws"].items():
         share = law["falls_per_hour"]
         row |= {f"falls per hour, {name}": share["mean"], f"95 % to, {name}": share["high"]}
     return row
@@ -107,8 +107,11 @@ def regulation(measured: Candidate, progress: Progress) -> Row:
     part = full_suite().regulation
     policy = run_regulation(part, measured, part_of(progress, 0.0, 0.5))
     zero = run_regulation(part, measured.zero_action(), part_of(progress, 0.5, 1.0))
-    row = {name: 100.0 * result["kept"]["mean"] for name, result in policy.items()}
-    return row | {f"{name}, zero action": 100.0 * result["kept"]["mean"] for name, result in zero.items()}
+    return {
+        f"{name}{whose}": 100.0 * entry["kept"]["mean"]
+        for whose, result in (("", policy), (", zero action", zero))
+        for name, entry in result["disturbances"].items()
+    }
 
 
 def errors(measured: Candidate, progress: Progress, episodes: int = 8) -> Row:
@@ -190,7 +193,7 @@ def terrain(measured: Candidate, progress: Progress) -> Row:
     part = full_suite().terrain
     results = run_terrain(part, measured, progress)
     row = {}
-    for kind, result in results.items():
+    for kind, result in results["kinds"].items():
         unit, hardest = ("degrees", math.degrees(STEEPEST)) if kind == "slope" else ("mm", HIGHEST * 1e3)
         row[f"{kind}, {unit}"] = hardest * result["highest_level"] / part.levels
     return row

@@ -6,6 +6,7 @@ starts in MuJoCo and in Drake, and the stance where standing is commanded.
     pip install -c constraints.txt -r tools/second_engine/requirements.txt
     python tools/sim2sim.py                      the latest run in runs/, or the shipped policy flat
     python tools/sim2sim.py flat --command 0.3 0.5 --command 0 0.5
+    python tools/sim2sim.py flat --suite         also put the results into suite.json of 'evaluate flat --suite'
 """
 
 import argparse
@@ -19,7 +20,11 @@ import quadruped_env  # noqa: F401  (first, since it checks this Python)
 
 # isort: split
 from quadruped_env.cli.common_options import add_task_file
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import find_policy
+from quadruped_env.evaluation.results import RESULTS_FILE, SECOND_ENGINE
+from quadruped_env.report.pages.suite_section import stored_results
+from quadruped_env.utils.files import write_json
 from quadruped_env.utils.program import run_program
 from quadruped_env.utils.progress import ProgressLine
 from second_engine.engines import Approximation, Drake, check_drake
@@ -58,6 +63,12 @@ def main(argv: list[str] | None = None) -> int:
         metavar="MU",
         help="coefficient of friction in Drake (default: the feet's in MuJoCo)",
     )
+    parser.add_argument(
+        "--suite",
+        action="store_true",
+        help="put the results into suite.json of 'mini-quadruped evaluate RUN --suite', which keeps them and shows "
+        "them on its page when it runs again; they are not part of the score",
+    )
     arguments = parser.parse_args(argv)
     return run_program(parser.prog, lambda: run(arguments))
 
@@ -67,6 +78,12 @@ def run(arguments: argparse.Namespace) -> int:
     evaluated = find_policy(arguments.run, None, arguments.task, arguments.trust_task)
     evaluated.policy.check_is_data("sim2sim")
     check_drake()
+    path = evaluated.evaluation / RESULTS_FILE
+    if arguments.suite and (suite := stored_results(evaluated)) is None:
+        raise QuadrupedError(
+            f"{path}: has no results of the suite for {evaluated.name}; run mini-quadruped evaluate "
+            f"{evaluated.source} --suite"
+        )
     there = Drake(arguments.contact, friction=arguments.friction)
     transfer = run_transfer(
         evaluated.policy,
@@ -78,6 +95,9 @@ def run(arguments: argparse.Namespace) -> int:
     )
     print("\n\n".join(transfer.tables()))
     print("\n" + "\n".join([*transfer.conditions(), "", *transfer.verdict()]))
+    if arguments.suite:
+        write_json(path, {**suite, SECOND_ENGINE: transfer.to_dict()})
+        print(f"written: {path}")
     return 0
 
 

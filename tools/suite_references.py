@@ -30,7 +30,7 @@ from quadruped_env.evaluation.results import (
 )
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import run_suite
-from quadruped_env.evaluation.suite.suite_definition import Suite, full_suite, quick_suite
+from quadruped_env.evaluation.suite.suite_definition import Suite, draw_seed, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait, SinusoidalGait
 from quadruped_env.policies import (
     GaitController,
@@ -69,6 +69,12 @@ def main() -> int:
         default=[],
         metavar="FILE",
         help="results of shipped policies that an evaluation wrote, instead of running the suite",
+    )
+    parser.add_argument(
+        "--seed",
+        type=int,
+        metavar="N",
+        help="seed of the suite (default: the seed of the rows that stay, or a drawn one)",
     )
     parser.add_argument("--quick", action="store_true", help="the quick suite, to try this program")
     parser.add_argument("-o", "--output", type=Path, default=REFERENCE_FILE, help="the file (%(default)s)")
@@ -130,13 +136,15 @@ def reference_controllers(policies: Mapping[str, Policy]) -> list[Candidate]:
 
 def run(arguments: argparse.Namespace) -> int:
     """Do the work, and print the scores."""
-    suite = quick_suite() if arguments.quick else full_suite()
     measured_controllers = reference_controllers(named_policies(arguments.policy))
     names = [measured.name for measured in measured_controllers]
     wanted = arguments.only or names
     if not set(wanted) <= set(names):
         raise QuadrupedError(f"--only: expected some of {', '.join(names)}; found {', '.join(wanted)}")
     rows = {row["name"]: row for row in read_references(arguments.output)} if arguments.only else {}
+    seeds = [arguments.seed, *(row["seed"] for name, row in rows.items() if name not in wanted), draw_seed()]
+    seed = next(seed for seed in seeds if seed is not None)
+    suite = quick_suite(seed) if arguments.quick else full_suite(seed)
     shipped = set(wanted) & set(SHIPPED) - {entry.partition("=")[0] for entry in arguments.policy}
     known = finished_results(arguments.result, suite, shipped)
     origin = {"versions": versions(), "commit": git_commit()}
@@ -156,7 +164,10 @@ def run(arguments: argparse.Namespace) -> int:
     listed = [row for measured in measured_controllers for row in (measured.name, measured.zero_action().name)]
     ordered: list[Mapping[str, Any]] = [rows[name] for name in listed if name in rows]
     write_json(arguments.output, {"rows": ordered})
-    print(f"{score_table(ordered)}\nwritten: {arguments.output}")
+    print(
+        f"{score_table(ordered)}\nwritten: {arguments.output}\nseed {seed}; these rows are the table of mq-eval in "
+        f"docs/measurements.md, and the figures of commands met there and in the READMEs are `met` on the cards"
+    )
     return 0
 
 

@@ -156,10 +156,37 @@ def evaluation_options(arguments: argparse.Namespace) -> str:
     terrain = "" if arguments.terrain is None else f"--terrain {shlex.quote(arguments.terrain)} "
     level = "" if arguments.level is None else f"--level {arguments.level} "
     preset = "" if arguments.randomization is None else f"--randomization {arguments.randomization} "
-    suite = "--suite " if arguments.suite else ""
-    quick = "--quick " if getattr(arguments, "quick", False) else ""
+    seed = "" if arguments.seed is None else f"--seed {arguments.seed} "
+    suite = f"--suite {'--quick ' if arguments.quick else ''}{seed}" if arguments.suite else ""
     episodes = f"--seeds {arguments.seeds} --seconds {arguments.seconds:g}"
-    return f"{task_option(arguments)}{terrain}{level}{preset}{suite}{quick}{episodes}"
+    return f"{task_option(arguments)}{terrain}{level}{preset}{suite}{episodes}"
+
+
+def add_suite(parser: argparse.ArgumentParser, does: str) -> None:
+    """Add `--suite`, which `does` something in words, and its options."""
+    parser.add_argument("--suite", action="store_true", help=f"{does} (docs/suite.md)")
+    parser.add_argument(
+        "--quick",
+        action="store_true",
+        help="with --suite: few episodes, to see whether it works; never comparable with the full suite",
+    )
+    parser.add_argument(
+        "--seed",
+        type=int,
+        metavar="N",
+        help="with --suite: the seed of its episodes, which suite.json notes, to repeat or pair them (default: drawn)",
+    )
+
+
+def check_suite(arguments: argparse.Namespace) -> None:
+    """Raise a QuadrupedError for options of the suite without it, or a seed that it does not have."""
+    for option, given in (("--quick", arguments.quick), ("--seed", arguments.seed is not None)):
+        if given and not arguments.suite:
+            raise QuadrupedError(f"{option}: found without --suite, whose episodes it changes; give both")
+    if arguments.seed is not None:
+        from quadruped_env.evaluation.suite.suite_definition import full_suite
+
+        full_suite().seeded(arguments.seed)
 
 
 def add_evaluation_options(parser: argparse.ArgumentParser, default_output: str) -> None:

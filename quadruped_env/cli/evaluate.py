@@ -15,13 +15,15 @@ from quadruped_env.cli.common_options import (
     add_evaluation_options,
     add_overwrite,
     add_run,
+    add_suite,
     add_video,
+    check_suite,
     evaluation_options,
     named_terrain,
     save_video,
 )
 from quadruped_env.cli.invocation import Invocation
-from quadruped_env.errors import QuadrupedError, short
+from quadruped_env.errors import short
 from quadruped_env.utils.program import Extras
 from quadruped_env.utils.progress import ProgressLine
 
@@ -36,16 +38,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-video", action="store_true", help="write the report without a video")
     add_video(parser)
     add_overwrite(parser, "replace files that exist, such as the video")
-    parser.add_argument(
-        "--suite",
-        action="store_true",
-        help="also run the suite mq-eval, and write suite.json: fixed commands, seeds and disturbances, on its own "
-        "terrains, whatever --seeds, --seconds, --terrain and --randomization say (docs/suite.md)",
-    )
-    parser.add_argument(
-        "--quick",
-        action="store_true",
-        help="with --suite: few episodes, to see whether it works; never comparable with the full suite",
+    add_suite(
+        parser,
+        "also run the suite mq-eval, and write suite.json: its own commands, disturbances and terrains, whatever "
+        "--seeds, --seconds, --terrain and --randomization say",
     )
     parser.add_argument(
         "--joints",
@@ -61,13 +57,15 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     from quadruped_env.api import Evaluation
     from quadruped_env.evaluation.evaluated_policy import find_policy
     from quadruped_env.evaluation.results import ranked, read_references, references_for, score_table, with_zero_action
+    from quadruped_env.evaluation.suite.suite_definition import draw_seed
     from quadruped_env.report.films.video import prepare_video
     from quadruped_env.report.pages.clips import filmed, recorded
     from quadruped_env.report.report_directory import prepare_output
     from quadruped_env.trajectory import saving
 
-    if arguments.quick and not arguments.suite:
-        raise QuadrupedError("--quick: found without --suite; it makes the suite shorter, so give both")
+    check_suite(arguments)
+    if arguments.suite and arguments.seed is None:
+        arguments.seed = draw_seed()
     evaluated = find_policy(arguments.run, arguments.output, arguments.task, arguments.trust_task)
     prepare_output(evaluated.output)
     if arguments.joints:
@@ -82,7 +80,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         arguments.seconds,
         named_terrain(arguments),
         arguments.randomization or "none",
-        (lambda: _suite(evaluated, arguments.quick)) if arguments.suite else None,
+        (lambda: _suite(evaluated, arguments.quick, arguments.seed)) if arguments.suite else None,
         ProgressLine,
     )
     print(f"\n{found}\n")
@@ -91,7 +89,7 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
         ranking = ranked(
             (row["name"], row) for row in (*with_zero_action(suite), *references_for(suite, read_references()))
         )
-        print(f"{score_table([row for _, row in ranking])}\n")
+        print(f"{score_table([row for _, row in ranking])}\nsuite seed: {suite['seed']}\n")
     print(f"numbers: {found.numbers}")
     extras = Extras()
     if arguments.joints:
@@ -103,12 +101,16 @@ def run(arguments: argparse.Namespace, invocation: Invocation) -> int:
     return extras.status
 
 
-def _suite(evaluated: "EvaluatedPolicy", quick: bool) -> dict[str, Any]:
-    """Run the suite."""
+def _suite(evaluated: "EvaluatedPolicy", quick: bool, seed: int) -> dict[str, Any]:
+    """Run the suite; what `tools/sim2sim.py` measured of the same policy stays."""
+    from quadruped_env.evaluation.results import SECOND_ENGINE
     from quadruped_env.evaluation.suite.candidate import Candidate
     from quadruped_env.evaluation.suite.suite import run_suite
     from quadruped_env.evaluation.suite.suite_definition import full_suite, quick_suite
+    from quadruped_env.report.pages.suite_section import stored_results
 
-    suite = quick_suite() if quick else full_suite()
+    suite = quick_suite(seed) if quick else full_suite(seed)
     candidate = Candidate.of_policy(evaluated.policy, evaluated.name)
-    return run_suite(candidate, suite, ProgressLine(suite.label), zero_action=True)
+    result = run_suite(candidate, suite, ProgressLine(suite.label), zero_action=True)
+    before = stored_results(evaluated, result["suite"])
+    return result if before is None else {**result, SECOND_ENGINE: before[SECOND_ENGINE]}

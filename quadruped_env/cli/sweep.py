@@ -1,7 +1,7 @@
 """Train many policies at once: seeds of one config, or a search over its settings.
 
 mini-quadruped sweep --seeds 8                       eight seeds of one config, side by side on all cores
-mini-quadruped sweep --seeds 8 --recipe rough        with any option of 'train'
+mini-quadruped sweep --seeds 8 --recipe walker       with any option of 'train'
 mini-quadruped sweep --vary learning_rate=1e-4..1e-2:log --vary hidden=64x64,128x128 --trials 20
 mini-quadruped sweep --vary task.reward.weights.foot_slip=-1..0 --trials 20 --seeds 3
 mini-quadruped sweep --work sweeps/<name>            do its trials until none is left, on any machine that sees it

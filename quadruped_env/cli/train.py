@@ -1,7 +1,7 @@
 """Train a walking policy with PPO, or with another algorithm.
 
 mini-quadruped train                          about two minutes, then a policy that walks
-mini-quadruped train --recipe rough           for terrain of all kinds
+mini-quadruped train --recipe walker          one policy for all ground, in an hour or more
 mini-quadruped train --action-mode position   without the scripted gait underneath
 mini-quadruped train --terrain rough          on uneven ground
 mini-quadruped train --randomization hard     with other masses, motors, latency and pushes in each episode
@@ -40,6 +40,7 @@ from quadruped_env.robot.description import check_no_description
 from quadruped_env.task import BUILT_IN, TaskConfig, TaskDefinition, load_task_file, preset_values
 from quadruped_env.training import TrainConfig
 from quadruped_env.training.recipes import RECIPES, with_recipe
+from quadruped_env.training.run_directory import PROGRESS_FILE
 from quadruped_env.utils.documents import parse_json, read_json
 from quadruped_env.utils.fields import hints_of
 from quadruped_env.utils.files import write_whole
@@ -194,7 +195,8 @@ def measure_learning(directory: Path, task_file: Path | None, timesteps: int) ->
     episodes = min(EPISODES, max(2, timesteps // MAX_EPISODE_STEPS))
     seeds = min(MOTION_SEEDS, timesteps // (2 * len(COMMANDS) * MAX_EPISODE_STEPS))
     progress = ProgressLine("measuring what it learned")
-    gain = learning_gain(load_policy(directory, task_file), episodes, progress=progress, motion_seeds=seeds)
+    policy, file = load_policy(directory, task_file), directory / PROGRESS_FILE
+    gain = learning_gain(policy, episodes, progress=progress, motion_seeds=seeds, progress_file=file)
     path = directory / CARD_FILE
     document = read_json(path)
     document["card"]["learning"] = gain.to_dict()

@@ -154,9 +154,9 @@ class ControlInterface:
             return self.stance
         return wave_positions(self.phase, self._joint_phases, self._sine, self._cosine, self._offset)
 
-    def leg_clock(self) -> Floats:
-        """Sine of each leg's phase, (N, L); positive while the foot should swing."""
-        return np.sin(self.phase[:, None] + self._leg_phases)
+    def leg_clock(self, lag: Floats | float = 0.0) -> Floats:
+        """Sine of each leg's phase, (N, L); positive while the foot should swing. The clock lags by (N, 1) rad."""
+        return np.sin(self.phase[:, None] + self._leg_phases - lag)
 
     @property
     def clock(self) -> Floats:

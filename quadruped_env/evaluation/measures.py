@@ -21,7 +21,7 @@ from quadruped_env.evaluation.rollout import PhysicsSamples, Rollout
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled
 from quadruped_env.utils.arrays import Bools, Floats
-from quadruped_env.utils.rotations import up_in_body
+from quadruped_env.utils.rotations import up_in_body, yaw
 
 GRAVITY: Final = 9.81
 START_UP: Final = 1.0
@@ -39,7 +39,7 @@ STANDING_SWING: Final = 0.01
 CLOSE: Final = {"m/s": 0.05, "rad/s": 0.1}
 """Unit of a mean velocity -> its maximum error under a command that is met, for the built-in robot."""
 ROUGH: Final = {"m/s": 0.1, "rad/s": 0.2}
-"""The same where the command is followed roughly: with disturbances, and before a measure of the gait counts."""
+"""The same where the command is followed, and not missed."""
 CLEARANCE_QUANTILE: Final = 0.05
 """Quantile of the apexes of a foot's swings that is its clearance."""
 SWING_SHARE: Final = 0.2
@@ -48,10 +48,40 @@ BOUNCE: Final = 0.002
 """Height over the ground from which a shorter time in the air is a bounce, for the built-in robot, m."""
 SPEED_SHARE: Final = 0.95
 """Share of a joint's velocity limit from which it counts as being at the limit."""
+DRIFT_TIME: Final = 10.0
+"""Time in which a heading drifts, s."""
 _CONTACT: Final = 1.0
 """Normal force over which a foot of the built-in robot is on the ground, N."""
 _STILL: Final = 0.2
 """RMS joint velocity below which the built-in robot stands, rad/s."""
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Errors of the mean velocities that count as small, for each velocity of the built-in robot, m/s and rad/s."""
+
+    met: tuple[float, ...] = tuple(CLOSE.values())
+    """Maximum errors under a command that is met."""
+    share: float = 0.1
+    """Maximum error under a command that is met closely, relative to the command ..."""
+    least: tuple[float, ...] = (0.02, 0.05)
+    """... or these, if they are larger; at most `met`."""
+    missed: tuple[float, ...] = tuple(ROUGH.values())
+    """Errors from which a command is missed."""
+
+    def closely(self, command: ArrayLike) -> Floats:
+        """Return the maximum errors under commands (..., V) that are met closely, (..., V)."""
+        return np.minimum(np.maximum(self.share * np.abs(command), self.least), self.met)
+
+    def accuracy(self, error: ArrayLike, command: ArrayLike) -> Floats:
+        """Return the accuracy of errors (..., V) under commands (..., V), in [0, 1], (...).
+
+        1 for a command that is met closely, from there linearly to 0 for one that is missed; of the worst velocity.
+        Unknown errors, NaN, have an accuracy of 0.
+        """
+        missed, closely = np.asarray(self.missed), self.closely(command)
+        score = (missed - np.abs(error)) / (missed - closely)
+        return np.nan_to_num(np.clip(score, 0.0, 1.0).min(axis=-1))
 
 
 @dataclass(frozen=True)
@@ -93,6 +123,8 @@ METRICS: Final[dict[str, Metric]] = {
     "forward_velocity": Metric("Forward velocity", "m/s", "mean, in the robot's own frame", 3),
     "yaw_rate": Metric("Yaw rate", "rad/s", "mean; positive turns left", 3),
     "lateral_velocity": Metric("Lateral velocity", "m/s", "mean, in the robot's own frame; positive to the left", 3),
+    "sideways_drift": Metric("Sideways drift", "m/s", "mean velocity to the side minus its command, without sign", 3),
+    "heading_drift": Metric("Heading drift", "rad", "heading after 10 s minus the commanded one, without sign", 2),
     "distance": Metric("Distance", "m", "travelled forwards by the end of the episode, or by the fall"),
     "electrical_cost_of_transport": Metric(
         "Electrical cost of transport", "", "electrical power / (weight x speed); undefined for a robot that stands"
@@ -125,13 +157,15 @@ METRICS: Final[dict[str, Metric]] = {
     "clearance": Metric(
         "Foot clearance", "m", "height that 95 % of a foot's swings reach; of the foot that is lifted least", 3
     ),
-    "swings_per_stride": Metric("Swings per stride", "", "of the foot that swings most"),
+    "apex": Metric("Rise of the feet", "m", "median height that a foot reaches in a swing; mean of the feet", 3),
+    "touchdowns_per_stride": Metric("Touchdowns per stride", "", "of the foot that touches down most"),
     "bounces_per_stride": Metric("Bounces per stride", "", "short times in the air within a stance; of the worst foot"),
     "landing_speed": Metric("Landing speed", "m/s", "downward speed of the sole at touchdown; of the worst foot"),
     "slip": Metric("Foot slip", "m/s", "mean sliding speed of a sole on the ground; of the worst foot", 3),
     "duty_factor": Metric("Duty factor", "", "share of time that a foot is on the ground, mean of the feet"),
-    "peak_force": Metric("Peak force on a foot", "body weights", "largest normal force", 1),
+    "peak_force": Metric("Peak force on a foot", "body weights", "largest normal force; of the worst foot", 1),
     "torque_rate": Metric("Change of torque", "N m/s", "RMS over joints and time between physics steps", 0),
+    "base_height": Metric("Height of the base", "m", "mean height of its centre over the ground", 3),
     "roll": Metric("Roll", "rad", "RMS over time", 3),
     "pitch": Metric("Pitch", "rad", "RMS over time", 3),
 }
@@ -157,11 +191,13 @@ def tolerances(errors: Mapping[str, float], robot: Robot) -> tuple[float, ...]:
 
 OF_FEET: Final[dict[str, Callable[[Floats], Floats]]] = {
     "clearance": lambda feet: feet.min(axis=-1),
-    "swings_per_stride": lambda feet: feet.max(axis=-1),
+    "apex": lambda feet: feet.mean(axis=-1),
+    "touchdowns_per_stride": lambda feet: feet.max(axis=-1),
     "bounces_per_stride": lambda feet: feet.max(axis=-1),
     "landing_speed": lambda feet: feet.max(axis=-1),
     "slip": lambda feet: feet.max(axis=-1),
     "duty_factor": lambda feet: feet.mean(axis=-1),
+    "peak_force": lambda feet: feet.max(axis=-1),
 }
 """Measure with one value per foot -> value of all feet, (..., L) to (...)."""
 
@@ -181,11 +217,13 @@ def measure(rollout: Rollout) -> dict[str, Floats]:
         "fall_rate": r.fallen.astype(np.float64),
         **{f"{name}_error": tracking_error(v, commands[name], counted, dt) for name, v in velocities.items()},
         **{name: masked_mean(v, counted) for name, v in velocities.items()},
+        **drifts(r, counted),
         "distance": distance(r.velocity[..., 0], r.valid, dt),
         "electrical_cost_of_transport": cost_of_transport(electrical, speed, r.robot.total_mass),
         "mechanical_cost_of_transport": cost_of_transport(mechanical, speed, r.robot.total_mass),
         "electrical_power": electrical,
         "mechanical_power": mechanical,
+        "base_height": masked_mean(r.base_height, counted),
         "peak_torque": peak(r.joint_torque, counted),
         "peak_joint_speed": peak(r.joint_velocity, counted),
         "joint_acceleration": rms_rate(r.joint_velocity, counted, dt),
@@ -213,28 +251,54 @@ def gait_measures(rollout: Rollout) -> dict[str, Floats]:
         **feet(physics, contact, fine, frequency, step, BOUNCE * scale_of("m", r.robot)),
         "slip": slip_of_feet(physics.slip, contact, fine),
         "duty_factor": masked_mean(contact, fine),
-        "peak_force": peak(physics.force, fine) / (r.robot.total_mass * GRAVITY),
+        "peak_force": peak(physics.force[..., None], fine[..., None]) / (r.robot.total_mass * GRAVITY),
         "torque_rate": rms_rate(physics.torque, fine, step),
         "roll": root_mean_square(np.arctan2(y, z), counted),
         "pitch": root_mean_square(np.arctan2(-x, np.hypot(y, z)), counted),
     }
 
 
-def meets(
-    achieved: ArrayLike, command: ArrayLike, still: ArrayLike, fallen: ArrayLike, tolerance: Sequence[float]
-) -> Bools:
+def meets(achieved: ArrayLike, command: ArrayLike, still: ArrayLike, fallen: ArrayLike, tolerance: ArrayLike) -> Bools:
     """Return True for each episode, or stretch of one, that meets its command (...).
 
-    Without a fall, the mean velocities (..., V) must be within `tolerance` (V,) of the command (..., V), m/s and rad/s,
-    and a robot whose command is to stand must stand `still`. Unknown velocities, NaN, do not meet a command.
+    Without a fall, the mean velocities (..., V) must be within `tolerance` (..., V) of the command (..., V), m/s and
+    rad/s, and a robot whose command is to stand must stand `still`. Unknown velocities, NaN, do not meet a command.
     """
     command = np.asarray(command, dtype=np.float64)
-    close = (np.abs(np.asarray(achieved) - command) <= tolerance).all(axis=-1)
+    # Decimal commands are not exact in binary.
+    close = (np.abs(np.asarray(achieved) - command) <= np.asarray(tolerance) + 1e-9).all(axis=-1)
     return np.asarray(close & ~np.asarray(fallen) & (np.asarray(still) | command.any(axis=-1)))
 
 
-def commands_met(rollout: Rollout, tolerance: Sequence[float]) -> Bools:
-    """Return True for each command that was met, robot by robot, (S,).
+class Reached(NamedTuple):
+    """What episodes (N,) reach of their commands."""
+
+    velocity: Floats
+    """Mean velocities, m/s and rad/s (N, V)."""
+    met: Bools
+    closely: Bools
+    """True for a command that is met closely."""
+    accuracy: Floats
+    """`Tolerance.accuracy`; 0 after a fall, or where a robot whose command is to stand does not stand still."""
+
+
+def reached(rollout: Rollout, command: ArrayLike, tolerance: Tolerance, counted: Bools | None = None) -> Reached:
+    """Judge episodes by their mean velocities over the counted samples (T, N); None: `counted_samples`.
+
+    This is the law of commands that are met: see `meets`. `command` is (N, V), `tolerance` in the robot's units.
+    """
+    counted, wanted = counted_samples(rollout) if counted is None else counted, np.asarray(command, dtype=np.float64)
+    velocity, still = masked_mean(rollout.velocity, counted), stands_still(rollout, counted)
+    met, closely = (
+        meets(velocity, wanted, still, rollout.fallen, allowed)
+        for allowed in (tolerance.met, tolerance.closely(wanted))
+    )
+    allowed = ~rollout.fallen & (still | wanted.any(axis=-1))
+    return Reached(velocity, met, closely, allowed * tolerance.accuracy(velocity - wanted, wanted))
+
+
+def own_commands_met(rollout: Rollout, tolerance: Sequence[float]) -> Bools:
+    """Return True for each command of a task's own law of commands that was met, robot by robot, (S,).
 
     A command holds until it changes, the robot falls or the time is over, and counts from `START_UP` after its
     beginning; see `meets`. One under which the robot falls is not met. Others that hold for less than `START_UP` +
@@ -317,6 +381,23 @@ def tracking_error(velocity: NDArray[Any], command: Floats, counted: Bools, dt: 
     """
     means, whole = window_means(velocity, counted, dt)
     return np.sqrt(masked_mean((means - command) ** 2, whole))
+
+
+def drifts(rollout: Rollout, counted: Bools) -> dict[str, Floats]:
+    """Return the drift to the side (m/s) and of the heading (rad in `DRIFT_TIME`), without sign: name -> (N,).
+
+    From the base's position and heading in the world, so that they are known for every robot. The commands of the
+    first sample hold for the whole episode.
+    """
+    command = np.pad(rollout.command[0].astype(np.float64), [(0, 0), (0, 1)])
+    heading = np.unwrap(yaw(rollout.orientation), axis=0)
+    x, y, _ = np.moveaxis(np.diff(rollout.base_position.astype(np.float64), axis=0) / rollout.timestep, -1, 0)
+    way, whole = 0.5 * (heading[1:] + heading[:-1]), counted[1:] & counted[:-1]
+    turning = masked_mean(np.diff(heading, axis=0) / rollout.timestep, whole)
+    return {
+        "sideways_drift": np.abs(masked_mean(np.cos(way) * y - np.sin(way) * x, whole) - command[:, 2]),
+        "heading_drift": DRIFT_TIME * np.abs(turning - command[:, 1]),
+    }
 
 
 def distance(forward_velocity: NDArray[Any], valid: Bools, dt: float) -> Floats:
@@ -424,20 +505,20 @@ def flights_of(height: NDArray[Any], rise: NDArray[Any], contact: Bools, shortes
 def feet(
     physics: PhysicsSamples, contact: Bools, counted: Bools, frequency: Floats, dt: float, bounce: float
 ) -> dict[str, Floats]:
-    """Return the clearance, swings and bounces per stride, and landing speed of each foot: name -> (N, L).
+    """Return the clearance, apex, touchdowns and bounces per stride, and landing speed of each foot: name -> (N, L).
 
-    The clearance is the quantile `CLEARANCE_QUANTILE` of the apexes. A stride in which a foot does not swing counts as
-    an apex of 0; at both ends of an episode one stride may be cut. For a robot that does not stride, whose frequency
-    (N,) is NaN, it is 0, and the others are NaN; all are NaN for an episode without counted samples. `bounce` is the
-    height of a bounce, m.
+    The clearance is the quantile `CLEARANCE_QUANTILE` of the apexes, the apex their median. A stride in which a foot
+    does not swing counts as an apex of 0; at both ends of an episode one stride may be cut. A swing and a bounce end
+    with a touchdown. For a robot that does not stride, whose frequency (N,) is NaN, clearance and apex are 0, and the
+    others are NaN; all are NaN for an episode without counted samples. `bounce` is the height of a bounce, m.
     """
-    names = ("clearance", "swings_per_stride", "bounces_per_stride", "landing_speed")
+    names = ("clearance", "apex", "touchdowns_per_stride", "bounces_per_stride", "landing_speed")
     result = {name: np.full(contact.shape[1:], np.nan) for name in names}
     for episode, foot in np.ndindex(*contact.shape[1:]):
         samples, hertz = counted[:, episode], float(frequency[episode])
         if not samples.any():
             continue
-        result["clearance"][episode, foot] = 0.0
+        result["clearance"][episode, foot] = result["apex"][episode, foot] = 0.0
         if not np.isfinite(hertz):
             continue
         height, rise = (values[samples, episode, foot] for values in (physics.height, physics.rise))
@@ -448,7 +529,8 @@ def feet(
         padded = np.concatenate([np.maximum(found.apexes, 0.0), np.zeros(missing)])
         if len(padded):
             result["clearance"][episode, foot] = np.quantile(padded, CLEARANCE_QUANTILE)
-        result["swings_per_stride"][episode, foot] = len(found.apexes) / strides
+            result["apex"][episode, foot] = np.median(padded)
+        result["touchdowns_per_stride"][episode, foot] = (len(found.apexes) + found.bounces) / strides
         result["bounces_per_stride"][episode, foot] = found.bounces / strides
         if len(found.landings):
             result["landing_speed"][episode, foot] = found.landings.mean()

@@ -4,13 +4,16 @@ Fields that a form lacks are left out when a file is read (`utils.documents.fitt
 can be read as long as they have these.
 """
 
+import math
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, NotRequired, TypedDict
 
+import numpy as np
+
 from quadruped_env.errors import QuadrupedError, QuadrupedWarning, short
-from quadruped_env.evaluation.confidence import student_mean
+from quadruped_env.evaluation.confidence import Estimate, student_mean
 from quadruped_env.utils.documents import fitted, read_json
 from quadruped_env.utils.text_table import text_table
 
@@ -18,15 +21,22 @@ RESULTS_FILE: Final = "suite.json"
 REFERENCE_FILE: Final = Path(__file__).parent / "suite" / "references.json"
 """Written by `tools/suite_references.py`; a package without it has no reference rows."""
 COMPONENTS: Final = {
-    "commands": "share of the commands drawn over the rectangle that are met; less a fifth if it never stands still",
-    "joystick": "share of 5 s of changing commands without a fall and with small errors",
-    "gait": "clearance, soft landings, no bounces and little slip, where the command is followed",
-    "transients": "1 - settling time / 5 s after steps of the command",
-    "pushes": "share of the pushes after which it follows its command; less a fifth if it never stands still",
-    "regulation": "share of the episodes that keep their speed: one disturbance at a time, and all together",
-    "terrain": "highest level over 10, mean over the kinds",
+    "commands": "accuracy under commands drawn over the rectangle; less a fifth if it never stands still",
+    "joystick": "accuracy over 5 s of changing commands, over 1 + falls per hour / 10",
+    "gait": "clearance, one soft touchdown per stride and little slip, times the accuracy",
+    "transients": "1 - settling time / 5 s after steps of the command, times the accuracy at the end",
+    "pushes": "accuracy after pushes; less a fifth if it never stands still",
+    "regulation": "share of the episodes that keep their speed under one disturbance, and accuracy under all",
+    "terrain": "share of the ten levels that are crossed, mean over the kinds",
 }
 """Component of the suite's score, which is a part of the suite -> meaning."""
+ACCURACY: Final = (
+    "The accuracy is 1 for a command that is met closely, within 10 % of it or 0.02 m/s and 0.05 rad/s, and from there "
+    "falls to 0 for errors of 0.1 m/s or 0.2 rad/s"
+)
+"""What the components have in common."""
+SECOND_ENGINE: Final = "second_engine"
+"""Field of a policy's suite results that holds `Transfer.to_dict` of `tools/sim2sim.py`; None: not measured."""
 ZERO_ACTION: Final = "zero_action"
 """Field of a policy's suite results that holds the results of the zero action in the same task."""
 _AGAIN: Final = "evaluate the policy with --suite"
@@ -50,6 +60,16 @@ class StoredMotion(TypedDict):
     zero: dict[str, float | None]
 
 
+class StoredMeasure(TypedDict):
+    """A measure of the policy and of the zero action."""
+
+    name: str
+    metric: str
+    policy: float | None
+    zero: float | None
+    difference: StoredEstimate
+
+
 class StoredGain(TypedDict):
     """`LearningGain.to_dict`."""
 
@@ -60,7 +80,9 @@ class StoredGain(TypedDict):
     condition: NotRequired[str | None]
     policy: dict[str, StoredEstimate]
     zero: dict[str, StoredEstimate]
+    commands: NotRequired[dict[str, dict[str, StoredEstimate]] | None]
     motions: NotRequired[list[StoredMotion]]
+    measures: NotRequired[list[StoredMeasure]]
 
 
 class StoredSuiteName(TypedDict):
@@ -76,8 +98,10 @@ class StoredSuite(TypedDict):
     """Results of the suite on a card."""
 
     suite: StoredSuiteName
+    seed: NotRequired[int]
     score: NotRequired[Any]
     met: NotRequired[Any]
+    met_closely: NotRequired[Any]
     envelope: NotRequired[Any]
     falls_per_hour: NotRequired[Any]
     terrain: NotRequired[Any]
@@ -170,6 +194,26 @@ def check_comparable(documents: Mapping[str, Mapping[str, Any]]) -> None:
                     )
 
 
+def paired_differences(one: Mapping[str, Any], other: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Return the difference of the scores of two results, first minus second, over pairs of episodes: plain values.
+
+    Returns:
+        `score`, whose components are taken as independent, and `components`, with 95 % intervals; None for results of
+        different seeds, whose episodes are not paired.
+    """
+    if one["seed"] != other["seed"]:
+        return None
+    components = {
+        name: student_mean(np.subtract(one[name]["contributions"], other[name]["contributions"]).tolist())
+        for name in COMPONENTS
+    }
+    mean = one["score"]["total"] - other["score"]["total"]
+    half = math.hypot(*(found.high - found.mean for found in components.values())) / len(components)
+    count = sum(found.count for found in components.values())
+    total = Estimate(mean, mean - half, mean + half, count)
+    return {"score": total.to_dict(), "components": {name: found.to_dict() for name, found in components.items()}}
+
+
 def ranked(documents: Iterable[tuple[str, Mapping[str, Any]]]) -> list[tuple[str, Mapping[str, Any]]]:
     """Return the results by their score, the best first; equal scores keep their order."""
     return sorted(documents, key=lambda entry: -entry[1]["score"]["total"])
@@ -228,7 +272,7 @@ def aggregate(documents: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         "runs": [{"name": document["name"], **document["score"]} for document in documents],
         **seed_means([document["score"] for document in documents]),
         "terrain": {
-            kind: min(document["terrain"][kind]["highest_level"] for document in documents)
-            for kind in documents[0]["terrain"]
+            kind: min(document["terrain"]["kinds"][kind]["highest_level"] for document in documents)
+            for kind in documents[0]["terrain"]["kinds"]
         },
     }

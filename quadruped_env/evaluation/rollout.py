@@ -74,6 +74,8 @@ class Rollout(CommandedTrace):
     """Mechanical power of the motors and heat in their windings, mean over the control step, W (T, N)"""
     mechanical_power: Array
     """Positive mechanical power of the motors, mean over the control step, W (T, N)"""
+    base_height: Array
+    """Height of the base's centre over the ground below it, m (T, N)"""
     reward_terms: Array
     """Weighted terms of the task's reward (T, N, K)"""
     term_names: tuple[str, ...]
@@ -191,6 +193,7 @@ def roll_out(
             contact=task.context.foot_contact,
             electrical_power=mean_over_steps(electrical_power(torque, speed, coefficient)),
             mechanical_power=mean_over_steps(mechanical_power(torque, speed)),
+            base_height=task.context.base_height,
             reward_terms=transition.terms,
         )
         if progress is not None:

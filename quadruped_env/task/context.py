@@ -15,9 +15,13 @@ from quadruped_env.robot.readings import Readings
 from quadruped_env.robot.units import scale_of
 from quadruped_env.simulation.height_field import HeightField
 from quadruped_env.task import quantities
-from quadruped_env.utils.arrays import Floats
+from quadruped_env.utils.arrays import EnvIds, Floats
 
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2, 0.1])
+_STEADY_TIME_CONSTANT: Final = 2.0
+"""Time constant of `steady_error`, s: several strides, so that only what persists counts."""
+_LOOK_AHEAD: Final = (0.04, 0.08, 0.12)
+"""Times at which a foot's way is looked at, s: up to three quarters of a swing."""
 
 
 class TaskContext:
@@ -41,7 +45,8 @@ class TaskContext:
     sole_height: Floats
     """Height of each foot's lowest point over the ground below it (N, L), m."""
     leg_clock: Floats
-    """Sine of each leg's phase, (N, L); positive while the foot should swing."""
+    """Sine of each leg's phase, (N, L); positive while the foot should swing. It lags by the latency of the actions:
+    the motion follows a clock that the robot saw that much earlier."""
     substeps: Readings
     """Readings at the beginning of each physics step of the latest control step, (S, N, ...); before the first one, the
     present readings."""
@@ -69,12 +74,15 @@ class TaskContext:
         """Average of `velocity` over about one gait cycle, (N, V)."""
         self.tracking_error: Floats = np.zeros(control.command.shape)
         """`smooth_velocity` minus the command in force during the step, (N, V)."""
+        self.steady_error: Floats = self.memory.zeros("steady_error", control.config.num_velocities)
+        """Average of `velocity` minus the command over about two seconds, (N, V)."""
         self.fallen: Floats = np.zeros(n)
         """1.0 where the episode ends in a fall in this step, else 0.0, (N,)."""
         self.landing_speed: Floats = np.zeros((n, self.robot.num_legs))
         """Downward speed at which each foot has touched down in this control step, else 0, (N, L), m/s."""
         self.slip: Floats = np.zeros((n, self.robot.num_legs))
         """Squared sliding speed of each sole while it is on the ground, mean over the step, (N, L), m^2/s^2."""
+        self._clock_lag: Floats = self.memory.zeros("clock_lag", 1)
         self._airborne: Floats = self.memory.zeros("airborne", self.robot.num_legs)
         self.contact_threshold = contact_threshold
         """Normal force above which a foot is in contact, N."""
@@ -83,6 +91,7 @@ class TaskContext:
         """Command below which progress is reduced in proportion (V,), m/s, rad/s and m/s."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
+        self._slow_smoothing = 1.0 - math.exp(-self.timestep / _STEADY_TIME_CONSTANT)
         self.readings = readings
         """Readings of the simulation; see `Readings`."""
         self.control = control
@@ -97,6 +106,13 @@ class TaskContext:
         self.substeps = Readings(**{field.name: getattr(readings, field.name)[None] for field in fields(Readings)})
         self.read()
 
+    def begin_episodes(self, env_ids: EnvIds, latency: Floats) -> None:
+        """Clear the memory of some envs (R,), and compute everything; the latency of the actions (R, J) is in s."""
+        self.memory.clear(env_ids)
+        lag = math.tau * self.control.config.clock_frequency * np.add.reduce(latency, axis=-1) / latency.shape[-1]
+        self._clock_lag[env_ids, 0] = lag
+        self.read()
+
     def update(self, substeps: Readings) -> None:
         """Update everything after a control step, whose readings at the physics' rate are given."""
         self.substeps = substeps
@@ -107,6 +123,7 @@ class TaskContext:
             self.velocity[:, 2] = self.readings.linear_velocity_b[:, 1]
         self.smooth_velocity += self._smoothing * (self.velocity - self.smooth_velocity)
         np.subtract(self.smooth_velocity, self.command, out=self.tracking_error)
+        self.steady_error += self._slow_smoothing * (self.velocity - self.command - self.steady_error)
         self.read()
 
     def read(self) -> None:
@@ -120,7 +137,7 @@ class TaskContext:
         if self._height_field is not None:
             self.base_height = self.base_height - self._height_field.at(readings.base_position)
             self.sole_height = self.sole_height - self._height_field.at(readings.foot_position)
-        self.leg_clock = self.control.leg_clock()
+        self.leg_clock = self.control.leg_clock(self._clock_lag)
 
     def _contacts(self) -> None:
         """Compute landings and slip from the readings of each physics step."""
@@ -140,6 +157,19 @@ class TaskContext:
         if self._height_field is None:
             return np.zeros_like(positions[..., 0])
         return self._height_field.at(positions)
+
+    def rise_ahead(self) -> Floats:
+        """Return how far the ground on each foot's way rises over the ground below it (N, L), m; 0 on a plane.
+
+        The way is straight on, at the foot's present velocity.
+        """
+        if self._height_field is None:
+            return np.zeros_like(self.sole_height)
+        place, velocity = self.readings.foot_position[..., :2], self.readings.foot_velocity[..., :2]
+        below = top = self._height_field.at(place)
+        for seconds in _LOOK_AHEAD:
+            top = np.maximum(top, self._height_field.at(place + seconds * velocity))
+        return top - below
 
     def command_of(self, name: str) -> Floats:
         """Return one component of the command by name, (N,)."""

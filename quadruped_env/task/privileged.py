@@ -74,6 +74,12 @@ def smooth_velocity(state: TrueState) -> Floats:
     return state.context.smooth_velocity
 
 
+@privileged(unit="m/s, rad/s", mirror="velocities", scale=per_velocity(10.0), bound=4.0)
+def steady_error(state: TrueState) -> Floats:
+    """Errors of forward velocity and yaw rate, averaged as for the reward `steady_error`."""
+    return state.context.steady_error
+
+
 @privileged(unit="m", mirror=(1.0,), scale=per_unit(10.0, "m"), bound=2.0)
 def base_height(state: TrueState) -> Floats:
     """Height of the base's centre over the ground below it, relative to the stance."""
@@ -123,6 +129,7 @@ def observation_latency(state: TrueState) -> Floats:
 PRIVILEGED: Final = (
     base_velocity,
     smooth_velocity,
+    steady_error,
     base_height,
     foot_contact,
     foot_height,

@@ -24,7 +24,7 @@ def clock_agreement(lift: Real, clock_sine: Real) -> Floats:
     return np.add.reduce(clock_sine * lift, axis=-1) / clock_sine.shape[-1]
 
 
-def foot_lift(sole_height: Floats, full: float) -> Floats:
+def foot_lift(sole_height: Floats, full: float | Floats) -> Floats:
     """Return the lift of each foot (N, L): 1 - 2 (1 - height / full)^2, at least -1; 1 at the full height.
 
     Unlike contact it is continuous, so a small increase in height already increases the reward. The slope is largest

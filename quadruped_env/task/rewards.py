@@ -60,10 +60,24 @@ def _progress(context: TaskContext) -> Floats:
     return np.maximum(share - 2.0 * np.maximum(share - whole, 0.0), -1.0)
 
 
+@reward(weight=0.0)
+def steady_error(context: TaskContext) -> Floats:
+    """Sum over the velocities of the average error over about 2 s, over 0.1 m/s and 0.2 rad/s: a bias costs."""
+    return np.add.reduce(np.abs(context.steady_error) / context.smallest_command, axis=-1)
+
+
 @reward(weight=8.0)
-def gait_clock(context: TaskContext, foot_lift: Annotated[float, Positive("m")] = 0.012) -> Floats:
-    """Mean over the feet of sin(phase) (1 - 2 missing^2), missing = min(1, abs(1 - sole height / 0.012 m))."""
-    lift = quantities.foot_lift(context.sole_height, foot_lift)
+def gait_clock(
+    context: TaskContext,
+    foot_lift: Annotated[float, Positive("m")] = 0.012,
+    highest_lift: Annotated[float, Positive("m")] = 0.06,
+) -> Floats:
+    """Mean over the feet of sin(phase) (1 - 2 min(1, abs(1 - height / lift))^2), lift 0.012 m or more.
+
+    More where the ground on the foot's way rises: up to 0.06 m.
+    """
+    full = np.minimum(foot_lift + context.rise_ahead(), max(foot_lift, highest_lift))
+    lift = quantities.foot_lift(context.sole_height, full)
     return quantities.clock_agreement(lift, context.leg_clock) * context.moving
 
 
@@ -149,6 +163,7 @@ REWARDS: Final = cast(
     (
         tracking,
         progress,
+        steady_error,
         gait_clock,
         contact_clock,
         upright,

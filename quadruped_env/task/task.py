@@ -158,13 +158,13 @@ class Task:
                 first[i] = True
         self.draws.begin_episode(env_ids)
         self._memory.clear(env_ids)
-        self.context.memory.clear(env_ids)
         place = None if self.tiles is None else self.tiles.begin_episodes(env_ids, first, self.draws, tiles)
         fixed = None if command is None else np.tile(command, (len(env_ids), 1))
         self._randomizer.begin_episodes(env_ids, place, fixed)
         self._started[env_ids] = True
         self._fixed[env_ids] = fixed is not None
-        self.context.read()
+        latency = self.simulation.field_values("actuator_delay")
+        self.context.begin_episodes(env_ids, latency[env_ids] if len(latency) > 1 else latency)
 
     def place(self, env_ids: EnvIds, qpos: Floats, qvel: Floats) -> None:
         """Set the positions (R, 7 + J) and velocities (R, 6 + J) of some envs (R,), in MuJoCo's order."""

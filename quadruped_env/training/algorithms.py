@@ -55,7 +55,7 @@ ALGORITHMS: Final[Mapping[str, Algorithm]] = MappingProxyType(
         "ppo": Algorithm(
             "stable_baselines3.ppo",
             "PPO",
-            _ON_POLICY | {"batch_size", "n_epochs", "clip_range", "ent_coef", "max_grad_norm"},
+            _ON_POLICY | {"batch_size", "n_epochs", "desired_kl", "clip_range", "ent_coef", "max_grad_norm"},
         ),
         "a2c": Algorithm(
             "stable_baselines3.a2c",

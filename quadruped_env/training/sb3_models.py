@@ -33,7 +33,9 @@ except ImportError as error:  # pragma: no cover
     raise MissingExtraError("training", "train") from error
 
 _ACTIVATIONS = {BY_CLASS[name.lower()]: getattr(torch.nn, name) for name in dir(torch.nn) if name.lower() in BY_CLASS}
-_OTHERWISE: Final = frozenset({"learning_rate", "log_std_init", "final_log_std", "symmetric", "action_noise"})
+_OTHERWISE: Final = frozenset(
+    {"learning_rate", "desired_kl", "log_std_init", "final_log_std", "symmetric", "action_noise"}
+)
 """Settings that are not arguments of an algorithm's class as they are."""
 
 

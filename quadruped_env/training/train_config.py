@@ -55,7 +55,7 @@ class TrainConfig(Fields, path="training"):
         QuadrupedError: if a value is not valid; the message begins with the field.
     """
 
-    recipe: Literal["flat", "rough"] = "flat"
+    recipe: Literal["flat", "walker"] = "flat"
     """Named settings of the training and its task, which other options change"""
     algo: Literal["ppo", "a2c", "trpo", "sac", "td3", "ddpg", "tqc", "crossq"] = "ppo"
     """Algorithm: ppo, a2c, sac, td3 or ddpg of Stable-Baselines3; trpo, tqc or crossq of sb3-contrib"""
@@ -83,6 +83,8 @@ class TrainConfig(Fields, path="training"):
     """Passes over the samples of an update"""
     learning_rate: Annotated[float, _share(1.0)] = 1e-3
     """Adam's initial step size; it decreases linearly to a tenth"""
+    desired_kl: Annotated[float | None, Parameter.positive("1")] = None
+    """Divergence of the policies before and after an update to which the learning rate adapts; null: it does not"""
     gamma: Annotated[float, _share(1.0)] = 0.985
     """Discount per step of 0.02 s"""
     gae_lambda: Annotated[float, Parameter("1", 0.0, 1.0)] = 0.95

@@ -123,7 +123,7 @@ def test_no_command_prints_the_help_with_the_list(arguments, capsys):
         ("live cotroller", r"mini-quadruped live: error: .*'cotroller'.*; did you mean controller\?"),
         ("train --sedd 3", r"mini-quadruped train: error: unrecognized arguments: --sedd 3; did you mean --seed\?"),
         ("live sim --pickup=3", r"mini-quadruped live sim: error: .*--pickup=3; did you mean --pick-up\?"),
-        ("train --recipe rogh", r"mini-quadruped train: error: .*; did you mean rough\?"),
+        ("train --recipe walkr", r"mini-quadruped train: error: .*; did you mean walker\?"),
         ("train --algo sacc", r"mini-quadruped train: error: .*; did you mean sac\?"),
         ("baseline --preset tort", r"mini-quadruped baseline: error: .*; did you mean trot\?"),
         ("evaluate rogh", r"mini-quadruped evaluate: error: .*; did you mean rough\?"),
@@ -286,7 +286,7 @@ def test_completion_completes_commands_options_values_runs_and_files(complete):
     for line, completed in (
         ("basel", "baseline"),
         ("train --final", "--final-log-std"),
-        ("train --recipe rou", "rough"),
+        ("train --recipe wal", "walker"),
         ("evaluate rou", "rough"),
         ("train --resume runs/20", "runs/20260101-000000-ppo"),
         ("live controller tun", "tuned"),
@@ -300,7 +300,7 @@ def test_completion_completes_commands_options_values_runs_and_files(complete):
 def test_completion_lists_all_that_fits(complete):
     assert set(complete("mini-quadruped ")) == set(SUMMARIES)
     assert set(complete("mini-quadruped live ")) == set(NODES)
-    assert set(complete("mini-quadruped train --recipe ")) == {"flat", "rough"}
+    assert set(complete("mini-quadruped train --recipe ")) == {"flat", "walker"}
     assert len(complete("mini-quadruped evaluate ")) >= 4, "policies, and runs also of odd names"
     assert not set(complete("mini-quadruped train --seed ")) - {""}
 

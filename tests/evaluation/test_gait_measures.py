@@ -85,7 +85,8 @@ def test_clearance_is_the_fifth_percentile_of_the_apexes():
     apexes = np.arange(1, 42) / 1000.0  # the 5th percentile of 1, 2, ..., 41 mm is 3 mm
     found = feet(stride(apexes))
     assert found["clearance"] == pytest.approx(0.003)
-    assert found["swings_per_stride"] == pytest.approx(1.0)
+    assert found["apex"] == pytest.approx(0.021)
+    assert found["touchdowns_per_stride"] == pytest.approx(1.0)
     assert found["bounces_per_stride"] == 0.0
     assert found["landing_speed"] == pytest.approx(0.3)
 
@@ -97,12 +98,13 @@ def test_clearance_counts_strides_without_a_swing_as_an_apex_of_zero():
     contact |= np.repeat(dragged, STRIDE)
     found = feet((height, rise, contact))
     assert found["clearance"] == 0.0
-    assert found["swings_per_stride"] == pytest.approx(0.75)
+    assert found["apex"] == pytest.approx(0.02)
+    assert found["touchdowns_per_stride"] == pytest.approx(0.75)
 
 
 def test_feet_without_a_stride_are_not_lifted_and_without_samples_unknown():
     found = feet(stride([0.02] * 4), frequency=math.nan)
-    assert found["clearance"] == 0.0
+    assert found["clearance"] == found["apex"] == 0.0
     assert math.isnan(found["landing_speed"])
     nothing = feet(stride([0.02] * 4), counted=np.zeros((4 * STRIDE, 1), dtype=bool))
     assert all(math.isnan(value) for value in nothing.values())
@@ -160,31 +162,42 @@ def test_measures_of_a_synthetic_gait():
     assert (every["bounces_per_stride"], every["duty_factor"]) == pytest.approx((1.0, 0.585), abs=0.06)
     np.testing.assert_allclose(values["stride_frequency"], 2.0, rtol=2e-3)
     np.testing.assert_allclose(values["clearance"], 0.02)
-    np.testing.assert_allclose(values["swings_per_stride"], 1.0, atol=0.06)
+    np.testing.assert_allclose(values["apex"], 0.02)
+    np.testing.assert_allclose(values["touchdowns_per_stride"], [[1.0, 2.0, 1.0, 1.0]], atol=0.06)
     np.testing.assert_allclose(values["bounces_per_stride"], [[0.0, 1.0, 0.0, 0.0]], atol=0.06)
     np.testing.assert_allclose(values["landing_speed"], 0.3, rtol=1e-6)
     np.testing.assert_allclose(values["slip"], 0.04)
     np.testing.assert_allclose(values["duty_factor"], [[0.6, 0.54, 0.6, 0.6]], atol=0.01)
-    np.testing.assert_allclose(values["peak_force"], 3.0)
+    weight = MINI_QUADRUPED.total_mass * 9.81
+    np.testing.assert_allclose(values["peak_force"], [[10.0 / weight, 10.0 / weight, 3.0, 10.0 / weight]], rtol=1e-6)
     np.testing.assert_allclose(values["torque_rate"], 0.0)
     np.testing.assert_allclose(values["roll"], 0.05)
     np.testing.assert_allclose(values["pitch"], 0.02, rtol=1e-2)
     assert every["joint_limit_share"] == every["speed_limit_share"] == 0.0
 
 
-def test_gait_of_an_episode_with_a_fall_or_at_another_speed_is_not_followed():
+def test_gait_of_an_episode_with_a_fall_or_at_another_speed_earns_nothing():
     part, walked = replace(PART, commands=((0.3, 0.0),), num_seeds=1), walking()
     late_fall = np.zeros_like(walked.fell)
     late_fall[-1] = True
-    for changes, followed in ({}, 1.0), ({"fell": late_fall}, 0.0), ({"velocity": 1.5 * walked.velocity}, 0.0):
+    slow = np.array([1.0 - 0.065 / 0.3, 1.0], np.float32) * walked.velocity  # half way from 0.03 to 0.1 m/s
+    for changes, accuracy in (
+        ({}, 1.0),
+        ({"velocity": slow}, 0.5),
+        ({"fell": late_fall}, 0.0),
+        ({"velocity": 1.5 * walked.velocity}, 0.0),
+    ):
         measured = SimpleNamespace(robot=MINI_QUADRUPED, run=lambda *_, **__: replace(walked, **changes))  # noqa: B023
-        assert steady.run_gait(part, measured)["commands"][0]["followed"] == followed
+        found = steady.run_gait(part, measured)
+        assert found["commands"][0]["accuracy"] == pytest.approx(accuracy, abs=1e-5)
+        quality = (1.0 + 0.5 + 0.2 / 0.3 + 1.0) / 4.0  # the second foot touches down twice, and all land at 0.3 m/s
+        assert found["contributions"] == pytest.approx([accuracy * quality], abs=0.01)
 
 
-def test_measure_of_all_feet_is_that_of_the_worst_one_but_for_the_duty_factor():
+def test_measure_of_all_feet_is_the_one_of_the_worst_foot_or_a_mean():
     feet = np.array([[1.0, 3.0, 2.0]])
     found = {name: float(of_feet(feet)[0]) for name, of_feet in measures.OF_FEET.items()}
-    assert (found.pop("clearance"), found.pop("duty_factor")) == (1.0, 2.0)
+    assert (found.pop("clearance"), found.pop("apex"), found.pop("duty_factor")) == (1.0, 2.0, 2.0)
     assert set(found.values()) == {3.0}
 
 
@@ -206,33 +219,59 @@ def test_physics_samples_hold_every_physics_step():
     np.testing.assert_array_equal(rollout.select([1]).physics.force[:, 0], physics.force[:, 1])
 
 
-def entry(**changes):
-    return {
-        "followed": 1.0,
-        "clearance": [0.02, 0.02, 0.02, 0.02],
-        "swings_per_stride": [1.0, 1.0, 1.0, 1.0],
-        "bounces_per_stride": [0.0, 0.0, 0.0, 0.0],
-        "landing_speed": [0.1, 0.2, 0.0, 0.1],
-        "slip": [0.01, 0.0, 0.0, 0.05],
-        **changes,
-    }
-
-
 @pytest.mark.parametrize(
     ("changes", "expected"),
     [
         ({}, 1.0),
-        ({"clearance": [0.02, 0.004, 0.02, 0.02]}, (0.4 + 4.0) / 5.0),
-        ({"swings_per_stride": [1.0, 0.5, 1.2, 1.0]}, (0.5 + 4.0) / 5.0),
-        ({"bounces_per_stride": [0.3, 0.0, 0.0, 0.1]}, (0.7 + 4.0) / 5.0),
-        ({"bounces_per_stride": [1.3, 0.0, 0.0, 0.1]}, 4.0 / 5.0),
-        ({"landing_speed": [0.4, 0.2, 0.2, 0.2]}, (0.5 + 4.0) / 5.0),
-        ({"slip": [0.1, 0.0, 0.0, 0.0]}, (0.5 + 4.0) / 5.0),
-        ({"followed": 0.25}, 0.25),  # a gait at another speed than that asked for
-        ({"landing_speed": [0.1, None, 0.1, 0.1]}, 0.0),
-        ({"clearance": [None] * 4}, 0.0),
+        ({"clearance": [0.02, 0.004, 0.02, 0.02]}, (0.4 + 3.0) / 4.0),
+        ({"touchdowns_per_stride": [1.0, 0.5, 1.2, 1.0]}, (0.5 + 3.0) / 4.0),
+        ({"touchdowns_per_stride": [1.0, 1.0, 2.5, 1.0]}, (0.4 + 3.0) / 4.0),
+        ({"landing_speed": [0.4, 0.2, 0.2, 0.2]}, (0.5 + 3.0) / 4.0),
+        ({"slip": [0.1, 0.0, 0.0, 0.0]}, (0.5 + 3.0) / 4.0),
+        ({"landing_speed": [0.1, math.nan, 0.1, 0.1]}, 0.0),
+        ({"clearance": [math.nan] * 4}, 0.0),
     ],
 )
 def test_score_of_a_gait(changes, expected):
-    result = {"feet": ["RF", "LF", "RH", "LH"], "commands": [entry(**changes), entry()]}
-    assert steady.gait_score(result, PART) == pytest.approx(0.5 * (expected + 1.0))
+    good = {
+        "clearance": [0.02, 0.02, 0.02, 0.02],
+        "touchdowns_per_stride": [1.0, 1.0, 1.0, 1.0],
+        "landing_speed": [0.1, 0.2, 0.0, 0.1],
+        "slip": [0.01, 0.0, 0.0, 0.05],
+    }
+    values = {name: np.array([{**good, **changes}[name], value]) for name, value in good.items()}
+    np.testing.assert_allclose(steady.gait_scores(values, PART), [expected, 1.0])
+
+
+def on_a_line(sideways, turning, heading=0.7, command=(0.3, 0.0), steps=550):
+    """A robot that walks ahead at 0.3 m/s, and to its left and about the vertical at constant rates, from a heading."""
+    t = np.arange(1, steps + 1) * DT
+    way = heading + turning * t
+    velocity = 0.3 * np.stack([np.cos(way), np.sin(way)], axis=-1)
+    velocity += sideways * np.stack([-np.sin(way), np.cos(way)], axis=-1)
+    base = np.tile([0.0, 0.0, 0.184, 1.0, 0.0, 0.0, 0.0], (steps, 1, 1))
+    base[:, 0, :2] = np.cumsum(velocity, axis=0) * DT
+    base[:, 0, 3:] = from_roll_pitch_yaw(np.stack([0 * t, 0 * t, way], axis=-1))
+    return synthetic_rollout(steps, base_pose=base, command=np.tile(command, (steps, 1, 1)))
+
+
+@pytest.mark.parametrize(
+    ("walked", "sideways", "heading"),
+    [
+        (on_a_line(0.0, 0.0), 0.0, 0.0),
+        (on_a_line(-0.04, 0.0), 0.04, 0.0),
+        (on_a_line(0.0, -0.03), 0.0, 0.3),  # a known angle: 0.3 rad to the right after 10 s
+        (on_a_line(0.02, 0.4, heading=2.0, command=(0.3, 0.5)), 0.02, 1.0),  # through the jump from pi to -pi
+    ],
+)
+def test_drifts_are_those_of_the_path_in_the_world(walked, sideways, heading):
+    found = measures.measure(walked)
+    assert found["sideways_drift"] == pytest.approx(sideways, abs=2e-3)
+    assert found["heading_drift"] == pytest.approx(heading, abs=1e-4)
+    # What happens in the first second or after a fall does not count.
+    fell, pose = walked.fell.copy(), walked.base_pose.copy()
+    fell[300, 0] = True
+    pose[301:], pose[:25] = np.nan, 0.5
+    again = measures.measure(replace(walked, fell=fell, base_pose=pose))
+    assert again["sideways_drift"] == pytest.approx(sideways, abs=2e-3)
+    assert again["heading_drift"] == pytest.approx(heading, abs=1e-4)

@@ -14,8 +14,12 @@ from quadruped_env.evaluation import learning_gain as learning_gain_module
 from quadruped_env.evaluation.comparison import Comparison, compare
 from quadruped_env.evaluation.confidence import Estimate, bootstrap_mean, proportion
 from quadruped_env.evaluation.learning_gain import NO_GAIN, gain_beside, gain_rows, learning_gain
-from quadruped_env.evaluation.measures import CLOSE, commands_met, tolerances
-from quadruped_env.evaluation.rollout import FIRST_SEED
+from quadruped_env.evaluation.measures import CLOSE, own_commands_met, tolerances
+from quadruped_env.evaluation.rollout import FIRST_SEED, roll_out
+from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.steady import run_command_map
+from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.policies import ZeroController, as_policy
 from quadruped_env.robot import MINI_QUADRUPED
 from quadruped_env.task import BUILT_IN, ActionConfig, CommandConfig, TaskConfig, TerminationConfig
 
@@ -85,10 +89,16 @@ def test_policy_with_zero_weights_equals_the_zero_action():
     assert gain.zero.electrical_power.mean > 2.0 * standing.electrical_power.mean
     document = json.loads(json.dumps(gain.to_dict(), allow_nan=False))
     rows = gain_rows(document)
-    assert [row[0] for row in rows] == ["forwards", "standing", "backwards", "turning", "own task"]
+    motions, shape = ["forwards", "standing", "backwards", "turning"], ["height of the base", "rise of the feet"]
+    top = ["landing speed", "at 0.6 m/s", "at 0.8 rad/s"]
+    assert [row[0] for row in rows] == [*motions, *shape, *top, "random commands", "own task"]
     for _, *cells, result in rows:
         assert cells[:3] == cells[3:]
         assert result in ("not comparable", ""), "one start gives no interval"
+    measures = {one["name"]: one for one in document["measures"]}
+    assert measures["height of the base"]["zero"] == pytest.approx(0.182, abs=0.002)
+    assert 0.0 < measures["rise of the feet"]["zero"] < 0.01
+    assert measures["at 0.8 rad/s"]["policy"] == pytest.approx(0.4, abs=0.1), "the scripted gait hardly turns"
 
 
 def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
@@ -109,6 +119,29 @@ def test_power_in_the_table_includes_the_heat_of_a_robot_that_stands():
     work = gain.comparison.estimate("zero", "mechanical_power", "standing").mean
     assert standing["electrical_power"] > 3.0 * work
     assert f"{gain.zero.electrical_power.mean:.1f} W" in gain.table()
+
+
+def test_terms_and_measures_are_those_of_the_rollouts(tmp_path):
+    progress = tmp_path / "progress.csv"
+    progress.write_text("timesteps,reward_action_rate\n100,-3.0\n")
+    policy = with_action(0.1, reward={"weights": {"action_rate": -0.5}})
+    gain = learning_gain(policy, ROBOTS, SECONDS, motion_seeds=2, progress_file=progress)
+    (term,) = gain.terms
+    assert (term.name, term.first, term.zero.mean) == ("action_rate", 6.0, 0.0)
+    assert term.policy.mean > 0.0
+    assert term.result == "worse"
+    height, *_ = gain.to_dict()["measures"]
+    assert height["policy"] > height["zero"]
+    assert height["difference"]["mean"] > 0.0
+    _, turn = gain.fastest.commands
+    assert turn == (0.0, 0.8)
+
+
+def test_height_is_measured_from_the_ground():
+    config = TaskConfig(action=ActionConfig("residual")).on_terrain("wave")
+    rollout = roll_out(ZeroController("residual"), [(0.5, 0.0)], range(2), 3.0, config)
+    ground = rollout.base_position[..., 2] - rollout.base_height
+    assert 0.005 < np.ptp(ground) < 0.041, "waves of 20 mm"
 
 
 def test_verdict_needs_the_whole_interval_above_zero():
@@ -146,7 +179,7 @@ def test_rows_of_motions_are_those_of_the_evaluation():
     policy = random_policy("residual")
     gain, comparison = learning_gain(policy, 2, 2.5, motion_seeds=1), compare(policy, 1, 2.5)
     assert gain.to_dict() == gain_beside(policy, 1, 2.5, None, comparison).to_dict() | {"episodes": 2} | {
-        name: gain.to_dict()[name] for name in ("verdict", "difference", "policy", "zero")
+        name: gain.to_dict()[name] for name in ("verdict", "difference", "policy", "zero", "commands")
     }
     assert gain.comparison.condition == "undisturbed, on the task's own ground"
     # The zero action of mode `residual` is the gait, which walks.
@@ -178,6 +211,27 @@ def test_result_of_a_motion_counts_falls_first(policy, zero, result):
     assert (motion["motion"], motion["result"]) == ("forwards", result)
 
 
+def test_random_commands_are_met_by_the_law_of_the_suite_and_own_ones_have_another_name():
+    """Both in one table: the same share as the suite's part gives of the same commands, in a task that falls itself."""
+    policy = as_policy(
+        with_action(0.0, command=CommandConfig(standing_fraction=1.0, straight_fraction=0.0, turning_fraction=0.0))
+    )
+    gain = learning_gain(policy, 12, 2.5, motion_seeds=1).to_dict()
+    part = dataclasses.replace(full_suite().commands, num_seeds=1, points=5, standing=1, axes={})
+    expected = run_command_map(part, Candidate.of_policy(policy, "the gait"))
+    assert gain["commands"]["policy"] == gain["commands"]["zero"] == {name: expected[name] for name in ("met", "falls")}
+    assert expected["met"]["count"] == 6
+    *_, random, own = gain_rows(gain)
+    share = f"{100.0 * expected['met']['mean']:.0f} % met"
+    assert random == ("random commands", share, "0.0 %", "-", share, "0.0 %", "-", "")
+    assert own[1].endswith(" % of own")
+    # Cards of earlier versions call the own commands so.
+    old = {name: {**gain[name], "commands_met": gain[name]["own_commands_met"]} for name in ("policy", "zero")}
+    for one in old.values():
+        del one["own_commands_met"]
+    assert gain_rows(old) == [own]
+
+
 def test_commands_are_met_by_their_means_after_a_second_and_without_a_fall():
     command, velocity, fell = np.zeros((600, 2, 2)), np.zeros((600, 2, 2)), np.zeros((600, 2), bool)
     # Met: far off in the first second, then a swing around a mean with errors of 0.04 m/s and 0.09 rad/s.
@@ -194,12 +248,12 @@ def test_commands_are_met_by_their_means_after_a_second_and_without_a_fall():
     velocity[:, 1, 1] = 0.11
     rollout = synthetic_rollout(600, 2, command=command, velocity=velocity, fell=fell)
     np.testing.assert_array_equal(
-        commands_met(rollout, tolerances(CLOSE, MINI_QUADRUPED)), [True, False, False, True, False]
+        own_commands_met(rollout, tolerances(CLOSE, MINI_QUADRUPED)), [True, False, False, True, False]
     )
-    np.testing.assert_array_equal(commands_met(rollout, (0.07, 0.12)), [True, True, False, True, True])
+    np.testing.assert_array_equal(own_commands_met(rollout, (0.07, 0.12)), [True, True, False, True, True])
     # The command to stand of the other robot is met by standing still alone.
     marching = dataclasses.replace(rollout, joint_velocity=np.ones((600, 2, 8)))
-    np.testing.assert_array_equal(commands_met(marching, (0.07, 0.12)), [True, True, False, True, False])
+    np.testing.assert_array_equal(own_commands_met(marching, (0.07, 0.12)), [True, True, False, True, False])
 
 
 @pytest.mark.parametrize(
@@ -221,7 +275,7 @@ def test_a_robot_that_stands_meets_the_commands_to_stand_and_no_others():
             resample_interval=(2.5, 2.5),
         )
         policy = random_policy("position", command=command)
-        met[share] = learning_gain(policy, ROBOTS, 7.5, motion_seeds=0).zero.commands_met
+        met[share] = learning_gain(policy, ROBOTS, 7.5, motion_seeds=0).zero.own_commands_met
     assert [(share, found.mean, found.count) for share, found in met.items()] == [(0.0, 0.0, 12), (1.0, 1.0, 4)]
 
 
@@ -234,4 +288,4 @@ def test_the_tolerance_follows_the_robots_size():
         policy = random_policy("position", definition=BUILT_IN.with_robot(robot), command=command)
         gain = learning_gain(policy, ROBOTS, SECONDS, motion_seeds=0)
         assert gain.tolerance == tolerance
-        assert gain.zero.commands_met.mean == met
+        assert gain.zero.own_commands_met.mean == met

@@ -13,6 +13,7 @@ REWARD_WEIGHTS: Final = {
     "track_yaw_rate": 9.0,
     "forward_progress": 9.0,
     "turn_progress": 9.0,
+    "steady_error": 0.0,
     "gait_clock": 8.0,
     "contact_clock": 3.0,
     "upright": -10.0,
@@ -31,6 +32,7 @@ REWARD_PARAMETERS: Final = {
     "forward_velocity_std": 0.07,  # m/s
     "yaw_rate_std": 0.15,  # rad/s
     "foot_lift": 0.012,  # m
+    "highest_lift": 0.06,  # m
     "base_arm": 0.2,  # m
 }
 """Parameters of the built-in reward terms."""

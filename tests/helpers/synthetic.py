@@ -29,6 +29,7 @@ def synthetic_rollout(steps=250, envs=1, robot=MINI_QUADRUPED, **changes):
         "fell": np.zeros(shape, dtype=bool),
         "electrical_power": np.zeros(shape),
         "mechanical_power": np.zeros(shape),
+        "base_height": np.full(shape, 0.184),
         "reward_terms": np.zeros((*shape, 1)),
         **changes,
     }

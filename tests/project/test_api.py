@@ -16,7 +16,7 @@ def test_names_are_functions():
     assert all(callable(getattr(quadruped_env, function.__name__)) for function in (compare, evaluate, page, train))
 
 
-@pytest.mark.parametrize("recipe", ["flat", "rough"])
+@pytest.mark.parametrize("recipe", ["flat", "walker"])
 def test_training_has_the_settings_of_the_recipe_as_on_the_command_line(recipe, tmp_path):
     run = train(tmp_path, recipe=recipe, **SMALL)
     config = json.loads((run / "config.json").read_text(encoding="utf-8"))

@@ -1,5 +1,6 @@
 """The gain of a training: on the pages of reports, in the learning curve and in the film."""
 
+import dataclasses
 import json
 import shutil
 
@@ -8,8 +9,10 @@ import pytest
 from comparisons import random_policy, write_comparison
 from report_page import Page
 
+from quadruped_env.evaluation.confidence import Estimate
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import gain_rows, learning_gain, reward_in_words
+from quadruped_env.evaluation.term_gain import TermGain
 from quadruped_env.policies.files import CHECKPOINTS
 from quadruped_env.report.pages.clips import half_way, learning_clips
 from quadruped_env.report.pages.report import zero_return
@@ -44,18 +47,23 @@ def test_report_holds_the_table_above_the_numbers(written):
     place = text.index("What learning added")
     assert place < text.index("In numbers")
     for row in gain_rows(gain.to_dict()):
-        assert " ".join(row).strip() in text[place:]
+        assert " ".join(" ".join(row).split()) in text[place:]
     assert "The dashed line is the return of the zero action" in text
 
 
 def test_comparison_holds_the_gain_of_each_policy(run_directory, comparison, gain, tmp_path, without_figures):
     policies = {"policy": find_policy(str(run_directory), tmp_path)}
+    estimates = {"policy": Estimate(0.3, 0.2, 0.4, 3), "zero": Estimate(0.4, 0.4, 0.4, 3)}
+    term = TermGain("hip_usage", "rad^2", -0.5, 0.9, **estimates, difference=Estimate(-0.1, -0.2, 0.0, 3))
+    gain = dataclasses.replace(gain, terms=(term,))
     page, numbers = write_comparison(policies, comparison, tmp_path, gains={"policy": gain})
     assert json.loads(numbers.read_text())["policies"]["policy"]["learning"]["verdict"] == gain.verdict()
     text = text_of(page.read_text())
     assert f"In its own task, it {gain.verdict()}." in text
     assert " ".join(gain_rows(gain.to_dict())[0]) in text
     assert reward_in_words(gain.to_dict()) in text
+    assert "hip_usage (rad^2) -0.5 0.9 0.3 0.4 -0.15 not learned" in text
+    assert "hip_usage (rad^2)    -0.5    0.9   0.3          0.4" in gain.table()
 
 
 def test_line_of_the_curve_is_the_zero_actions_return_of_a_whole_episode(gain):

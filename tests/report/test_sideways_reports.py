@@ -94,8 +94,8 @@ def test_map_of_commands_has_a_strip_of_the_lateral_velocity():
 
 def test_suite_names_lateral_commands_and_errors():
     known = {"mean": 0.5, "low": 0.4, "high": 0.6}
-    law = {"robot_hours": 1.0, "falls_per_hour": known, "mean_error": [0.1, 0.2, 0.05], "windows_met": known}
-    table = suite_section._joystick({"joystick": {"undisturbed": law}})
+    law = {"robot_hours": 1.0, "falls_per_hour": known, "mean_error": [0.1, 0.2, 0.05], "accuracy": known}
+    table = suite_section._joystick({"joystick": {"laws": {"undisturbed": law}}})
     assert list(zip(table.head, table.rows[0], strict=True))[3:6] == [
         ("speed error (m/s)", "0.100"), ("yaw error (rad/s)", "0.200"), ("sideways error (m/s)", "0.050"),
     ]  # fmt: skip
@@ -104,6 +104,7 @@ def test_suite_names_lateral_commands_and_errors():
         "forwards 0.5 m/s, left 0.8 rad/s, sideways to the left 0.2 m/s"
     )
     entry = {"command": [0.0, 0.0, 0.15], "share": [None, None, 0.9]}
-    table = suite_section._regulation({"regulation": {"nominal": {"kept": known, "falls": known, "commands": [entry]}}})
+    one = {"kept": known, "falls": known, "commands": [entry]}
+    table = suite_section._regulation({"regulation": {"disturbances": {"nominal": one}}})
     assert (table.head[-1], table.rows[0][-1]) == ("0 m/s, 0 rad/s, 0.15 m/s", "90")
     assert "commanded speed, yaw rate and lateral velocity that are kept" in table.note

@@ -1,5 +1,6 @@
 """The suite in the reports: sections, files, ranking, and the programs' options."""
 
+import argparse
 import copy
 import json
 import re
@@ -12,12 +13,13 @@ from suites import tiny_suite
 
 from benchmarks.shipping import reference_row
 from quadruped_env import QuadrupedError
+from quadruped_env.cli import compare
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import run_suite
-from quadruped_env.evaluation.suite.suite_definition import full_suite
+from quadruped_env.evaluation.suite.suite_definition import SEEDS, full_suite, quick_suite
 from quadruped_env.report.pages import suite_section
 from quadruped_env.report.plots import suite_plots as plots
 
@@ -44,10 +46,12 @@ def test_report_holds_the_suite_and_its_numbers(
     page, numbers, _ = write_evaluation(evaluated, comparison, "the command", suite_result)
     text = text_of(page)
     for words in (
-        "mq-eval 2 (quick)",
+        "mq-eval 3 (quick)",
         "never comparable with the numbers of the full suite",
         "Every command",
         "Gait at every speed",
+        "Every foot",
+        "Heading drift",
         "Changes of the command",
         "emergency stop",
         "Pushes",
@@ -58,6 +62,8 @@ def test_report_holds_the_suite_and_its_numbers(
         "zero action",
         "Terrain",
         "reference 0.987",
+        "Seed 1500000",
+        "A second physics engine is not part of the score, and was not measured",
     ):
         assert words in text
     # The reference has the better score and comes first.
@@ -79,7 +85,7 @@ def test_figures_are_svg_and_survive_unknown_values(suite_result):
     for entry in unknown["gait"]["commands"]:
         entry["landing_speed"] = [None] * 4
         entry["clearance"] = [None] * 4
-    unknown["regulation"]["nominal"]["commands"][0]["share"] = [None, None]
+    unknown["regulation"]["disturbances"]["nominal"]["commands"][0]["share"] = [None, None]
     for draw in (plots.command_map, plots.pushes, plots.crossings):
         assert ElementTree.fromstring(draw(unknown)).tag.endswith("svg")  # noqa: S314
     gait = {row[0].partition("\n")[0]: row[1:] for row in suite_section.section(unknown)["tables"][1].rows}
@@ -110,39 +116,84 @@ def policies(*names):
     return {name: find_policy(name, None) for name in names}
 
 
+def results_of(found):
+    return {name: suite_section.stored_results(evaluated) for name, evaluated in found.items()}
+
+
+def ranked(*names):
+    found = policies(*names)
+    return suite_section.ranking(found, results_of(found))
+
+
 def test_policies_are_ranked_by_their_score_and_training_seeds_aggregated(two_runs):
-    found = suite_section.ranking(policies("one", "two"))
+    found = ranked("one", "two")
     assert [(entry["name"], entry["total"]) for entry in found["policies"]] == [("two", 0.5), ("one", 0.25)]
     (recipe,) = found["recipes"]
     assert [run["name"] for run in recipe["runs"]] == ["one", "two"]
     assert recipe["score"]["mean"] == pytest.approx(0.375)
+    best, other = found["policies"]
+    assert best["difference"] is None
+    assert other["difference"]["score"]["mean"] == -0.25
+    # A part with a single episode leaves no interval.
     assert suite_section.ranking_in_words(found) == (
-        "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250."
+        "Score in mq-eval 3 (quick) with the seed 1500000, the best first: two 0.500, one 0.250 (-0.250)."
     )
+    assert [row[-1] for row in suite_section.ranking_table(found).rows] == ["", "-0.250", ""]
 
 
 def test_the_zero_action_has_a_row_of_its_own_in_rankings(two_runs):
     path = two_runs / "one" / "evaluation" / "suite.json"
     stored = json.loads(path.read_text())
     total = {"total": 0.3, "components": dict.fromkeys(COMPONENTS, 0.3)}
-    zero = {**{name: stored[name] for name in ("suite", "conditions")}, "name": "one, zero action", "score": total}
+    zero = {**stored, "name": "one, zero action", "score": total}
     path.write_text(json.dumps({**stored, "zero_action": zero}))
-    order = [entry["name"] for entry in suite_section.ranking(policies("one", "two"))["policies"]]
-    assert order == ["two", "one, zero action", "one"]
+    assert [entry["name"] for entry in ranked("one", "two")["policies"]] == ["two", "one, zero action", "one"]
 
 
-def test_ranking_needs_comparable_results_of_these_policies(two_runs):
+def test_results_of_another_suite_or_policy_are_not_those_of_a_policy(two_runs):
     path = two_runs / "two" / "evaluation" / "suite.json"
     stored = json.loads(path.read_text())
+    (two,) = policies("two").values()
+    assert suite_section.stored_results(two, stored["suite"]) == stored
     path.write_text(json.dumps({**stored, "suite": full_suite().identity}))
+    assert suite_section.stored_results(two, stored["suite"]) is None
     with pytest.raises(QuadrupedError, match=r"one and two cannot be compared: suite\.quick"):
-        suite_section.ranking(policies("one", "two"))
+        ranked("one", "two")
     path.write_text(json.dumps({**stored, "policy": {"name": "two", "card": {"seed": 7}}}))
-    with pytest.raises(QuadrupedError, match=r"results of another policy than two; evaluate it first: .*runs/two"):
-        suite_section.ranking(policies("one", "two"))
+    assert suite_section.stored_results(two) is None
+    path.write_text("{}")
+    with pytest.raises(QuadrupedError, match=r"suite.json: suite is missing; evaluate the policy with --suite"):
+        suite_section.stored_results(two)
     path.unlink()
-    with pytest.raises(QuadrupedError, match=r"no results of the suite for two; evaluate it first"):
-        suite_section.ranking(policies("one", "two"))
+    assert suite_section.stored_results(two) is None
+
+
+def test_comparing_measures_what_is_not_stored_with_the_seed(two_runs, suite_result, monkeypatch):
+    """The seed is the option's, or the one of the first results; what has it is not measured again."""
+    asked = []
+
+    def run(candidate, suite, progress):
+        asked.append((candidate.name, suite.seed))
+        return {**suite_result, "seed": suite.seed, "suite": suite.identity}
+
+    monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)
+    for name, seed in ("one", 1_600_000), ("two", 1_700_000):
+        path = two_runs / name / "evaluation" / "suite.json"
+        path.write_text(json.dumps({**json.loads(path.read_text()), "seed": seed, "suite": quick_suite().identity}))
+    found = policies("one", "two")
+    for seed, quick, expected in (
+        (None, True, [("two", 1_600_000)]),
+        (1_700_000, True, [("one", 1_700_000)]),
+        (1_800_000, False, [("one", 1_800_000), ("two", 1_800_000)]),
+    ):
+        asked.clear()
+        arguments = argparse.Namespace(quick=quick, seed=seed)
+        results = compare._suite_results(found, arguments)
+        assert asked == expected
+        assert {result["seed"] for result in results.values()} == {arguments.seed}
+    arguments = argparse.Namespace(quick=False, seed=None)
+    assert len({result["seed"] for result in compare._suite_results(found, arguments).values()}) == 1
+    assert arguments.seed in SEEDS
 
 
 def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path, without_figures):
@@ -151,12 +202,35 @@ def test_comparison_page_has_the_ranking(two_runs, comparison, tmp_path, without
     several = comparison.seen_as("policy")
     for name in names:
         several.rollouts[name], several.values[name] = several.rollouts["policy"], several.values["policy"]
-    page, numbers = write_comparison(found, several, tmp_path / "out", ranked=suite_section.ranking(found))
+    page, numbers = write_comparison(found, several, tmp_path / "out", ranked=ranked(*names))
     text = text_of(page)
-    assert "Score in mq-eval 2 (quick), the best first: two 0.500, one 0.250." in text
+    assert "the best first: two 0.500, one 0.250 (-0.250)." in text
     row = text.partition("2 training seeds of one recipe (one and two): mean 0.375")[2][:300]
     assert row.count("0.38") == len(COMPONENTS)
     assert json.loads(numbers.read_text())["suite"]["policies"][0]["name"] == "two"
+
+
+def test_page_has_the_second_engine_where_it_was_measured(suite_result):
+    assert not suite_section.section(suite_result)["second_engine"]
+    engine = {
+        "engines": [{"name": "MuJoCo"}, {"name": "Drake"}],
+        "commands": [
+            {"command": [0.3, 0.5], "here": [0.29, 0.5], "there": [0.3, None], "falls_here": 0, "falls_there": 2}
+        ],
+        "largest_change": {"straight": None, "turning": -0.17},
+    }
+    found = suite_section.section({**suite_result, "second_engine": engine})
+    table = found["tables"][-1]
+    assert found["second_engine"]
+    assert table.rows == [["0.3 m/s, 0.5 rad/s", "0.290 / 0.500", "0.300 / -", "0", "2"]]
+    assert table.note.endswith("Largest change of a commanded velocity: straight -, turning -17 %")
+
+
+@pytest.mark.parametrize("options", [["--quick"], ["--seed", "1600000"]])
+@pytest.mark.parametrize("program", [["evaluate", "flat"], ["compare", "flat", "rough"]])
+def test_options_of_the_suite_need_it(program, options, capsys):
+    assert main([*program, *options]) == 2
+    assert f"{options[0]}: found without --suite" in capsys.readouterr().err
 
 
 @pytest.mark.slow
@@ -168,7 +242,7 @@ def test_evaluate_prints_scores_and_writes_results(
 
     def run(measured, suite, progress, zero_action):
         asked.append((measured.name, suite.quick, zero_action))
-        return suite_result
+        return {**suite_result, "seed": suite.seed}
 
     monkeypatch.setattr("quadruped_env.evaluation.suite.suite.run_suite", run)
     monkeypatch.setattr("quadruped_env.api.compare", lambda *_, **__: comparison)
@@ -179,4 +253,8 @@ def test_evaluate_prints_scores_and_writes_results(
     assert re.search(r"score +commands +joystick +gait", out)
     assert f"{suite_result['score']['total']:.3f}" in out
     stored = json.loads((tmp_path / "out" / "suite.json").read_text())
-    assert "--suite --quick" in stored["command_line"]
+    assert stored["seed"] in SEEDS
+    assert f"--suite --quick --seed {stored['seed']}" in stored["command_line"]
+    assert f"suite seed: {stored['seed']}" in out
+    assert main([*arguments, "--seed", "1612345"]) == 0
+    assert json.loads((tmp_path / "out" / "suite.json").read_text())["seed"] == 1612345

@@ -52,7 +52,7 @@ def test_command_makes_a_sweep_of_all_choices_or_of_20_trials(tmp_path, capsys):
     assert f"sweep --work {sweep.path}\n" in capsys.readouterr().out
     assert made(tmp_path / "b", "--vary", "gamma=0.9..1").settings == 20
     assert made(tmp_path / "c", "--vary", "gamma=0.9..1", "--trials", "3").settings == 3
-    assert made(tmp_path / "d", "--recipe", "rough", "--terrain", "slope").whole == ("terrain",)
+    assert made(tmp_path / "d", "--recipe", "walker", "--terrain", "slope").whole == ("terrain",)
 
 
 def test_sweeps_of_one_second_have_directories_of_their_own(tmp_path, monkeypatch):

@@ -31,6 +31,8 @@ FACTORS = (
 RANGES = {
     **dict.fromkeys(FACTORS, FACTOR),
     "friction": [0.2, 1.4],
+    "contact_time_constant": [0.01, 0.04],
+    "contact_damping_ratio": [0.3, 1.5],
     "base_com": 0.03,
     "joint_friction": [0.1, 0.4],
     "encoder_offset": 0.05,
@@ -54,6 +56,8 @@ def model_values(model, plain):
     voltage = model.actuator_gainprm[:1, 7] / plain.actuator_gainprm[:1, 7]
     return {
         "friction": model.geom_friction[:1, 0],
+        "contact_time_constant": model.geom_solref[:1, 0],
+        "contact_damping_ratio": model.geom_solref[:1, 1],
         "link_mass": mass,
         "link_inertia": model.body_inertia[LINKS, 0] / plain.body_inertia[LINKS, 0] / mass,
         "base_com": model.body_ipos[BASE] - plain.body_ipos[BASE],
@@ -115,7 +119,7 @@ def starts():
 
 
 def test_starts_every_quantity_follows_its_law_over_its_whole_range(starts):
-    assert len(starts) == 83 + 17
+    assert len(starts) == 85 + 17
     assert_uniform(starts)
 
 

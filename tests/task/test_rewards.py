@@ -9,7 +9,15 @@ from tasks import Terms, make_task, random_readings
 from quadruped_env.robot.motors import JointMotor, MotorConfig
 from quadruped_env.robot.readings import Readings
 from quadruped_env.simulation import BatchSimulation, build_model
-from quadruped_env.task import RewardConfig, Task, TaskConfig, load_task_file, quantities
+from quadruped_env.task import (
+    RandomizationConfig,
+    RewardConfig,
+    Task,
+    TaskConfig,
+    TerrainConfig,
+    load_task_file,
+    quantities,
+)
 
 # --- rewards, by hand ---
 
@@ -66,6 +74,31 @@ def test_foot_lift_rises_from_the_ground_to_a_full_lift_and_falls_beyond():
     height = np.array([[-0.001, 0.0, 0.005, 0.02], [0.01, 0.015, 0.03, 0.04], [0.025, 0.035, 0.041, 1.0]])
     expected = [[-1, -1, -0.125, 1], [0.5, 0.875, 0.5, -1], [0.875, -0.125, -1, -1]]
     np.testing.assert_allclose(quantities.foot_lift(height, 0.02), expected, atol=1e-12)
+
+
+def test_feet_are_to_rise_above_the_step_on_their_way():
+    task = make_task(2, terrain=TerrainConfig(name="steps", height=0.03))
+    context, ground = task.context, task.simulation.height_field
+    place, velocity = np.zeros((2, 4, 3)), np.zeros((2, 4, 3))
+    along = np.linspace(-1.0, 1.0, 201)
+    heights = ground.at(np.stack([along, np.zeros_like(along), np.zeros_like(along)], axis=-1))
+    edge = int(np.flatnonzero(heights > 0.029)[0])  # the first full height, from below
+    x = along[edge] - 0.1
+    low = float(ground.at(np.array([x, 0.0, 0.0])))
+    place[..., 0], place[..., 2] = x, low + task.config.robot.foot_radius
+    # Towards the step at 1 m/s, away from it, along it, and still.
+    velocity[0, :, :2] = [[1.0, 0.0], [-1e-3, 0.0], [0.0, 1e-3], [0.0, 0.0]]
+    context.readings = dataclasses.replace(context.readings, foot_position=place, foot_velocity=velocity)
+    np.testing.assert_allclose(context.rise_ahead()[0], [heights[edge] - low, 0.0, 0.0, 0.0], atol=2e-4)
+
+
+def test_clock_of_the_feet_lags_by_the_latency_of_the_actions():
+    task = make_task(3, randomization=RandomizationConfig(action_latency=(0.04, 0.04)))
+    late = task.context.leg_clock.copy()
+    turn = 2.0 * np.pi * task.config.clock_frequency * 0.04
+    np.testing.assert_allclose(late, np.sin(task.control.phase[:, None] + np.array([0, 1, 1, 0]) * np.pi - turn))
+    task.set_state(0, task.get_state(0))
+    np.testing.assert_array_equal(task.context.leg_clock, late, err_msg="the lag is part of the state")
 
 
 # --- rewards, for any batch ---

@@ -37,6 +37,8 @@ CONFIG = {
         "start_tilt": 0.05,
         "start_heading": math.pi,
         "friction": None,
+        "contact_time_constant": None,
+        "contact_damping_ratio": None,
         "link_mass": None,
         "link_inertia": None,
         "base_com": 0.0,

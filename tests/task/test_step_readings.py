@@ -26,6 +26,8 @@ CLOCK_RATE = math.tau * CLOCK_FREQUENCY
 MOVING = 0.02
 """Threshold of moving, m/s and rad/s; a command below both stands still."""
 
+WEIGHTS = REWARD_WEIGHTS | {"steady_error": -4.0}
+"""Every term counts."""
 LEG_LENGTH, HALF_TRACK = 0.03 * math.cos(0.6) + 0.14 * math.cos(0.12) + RADIUS, 0.1
 
 
@@ -43,6 +45,8 @@ class Memory:
     last_action: np.ndarray = field(default_factory=lambda: np.zeros(8))
     average: list[float] = field(default_factory=lambda: [0.0, 0.0])
     """Forward velocity and yaw rate over about a gait cycle."""
+    bias: list[float] = field(default_factory=lambda: [0.0, 0.0])
+    """Their errors over about two seconds."""
     airborne: np.ndarray = field(default_factory=lambda: np.zeros(4, dtype=bool))
     """Feet that were in the air in the physics step before."""
 
@@ -124,6 +128,7 @@ def reward_terms(robot, action, memory, fallen):
         "track_yaw_rate": kernel(memory.average[1] - yaw_rate, "yaw_rate_std"),
         "forward_progress": share(memory.average[0], forward, 0.1),
         "turn_progress": share(memory.average[1], yaw_rate, 0.2),
+        "steady_error": abs(memory.bias[0]) / 0.1 + abs(memory.bias[1]) / 0.2,
         "gait_clock": clock,
         "contact_clock": contact,
         "upright": robot.up[0] ** 2 + robot.up[1] ** 2,
@@ -234,7 +239,7 @@ class Step:
 
 
 def play(episode):
-    config = settings(**episode.config)
+    config = settings(**episode.config) | {"reward": {"weights": {"steady_error": WEIGHTS["steady_error"]}}}
     env = gymnasium.make(ENV_ID, action_mode=episode.mode, config=config)
     options = None if episode.command is None else {"command": episode.command}
     observation, info = env.reset(seed=episode.seed, options=options)
@@ -255,6 +260,7 @@ def play(episode):
         robot.step(before, target)
         for i, value in enumerate((robot.velocity[0], robot.rates[2])):
             memory.average[i] += filtered * (value - memory.average[i])
+            memory.bias[i] += (1.0 - math.exp(-DT / 2.0)) * (value - memory.command[i] - memory.bias[i])
         fallen = math.acos(robot.up[2]) > (episode.config.get("max_tilt") or 1.0) or max(robot.trunk_force()) > 1.0
         steps.append(
             Step(
@@ -316,7 +322,7 @@ def test_episodes_cover_falls_commands_and_contacts(played):
 
 def test_reward_terms_are_their_formulas_on_mujocos_readings(played):
     steps = all_steps(played)
-    for term, weight in REWARD_WEIGHTS.items():
+    for term, weight in WEIGHTS.items():
         values = np.array([step.terms[term] for _, step in steps])
         found = [step.info[f"reward_{term}"] for _, step in steps]
         np.testing.assert_allclose(found, weight * DT * values, rtol=1e-5, atol=1e-7, err_msg=term)

@@ -92,7 +92,7 @@ def test_errors_are_signed_and_those_of_the_scripted_gait_are_small():
 def test_ten_hours_of_joystick_commands_are_a_minute_with_each_seed(monkeypatch):
     def run(part, measured, progress):
         assert part.num_seeds * part.seconds == pytest.approx(10 * 3600)
-        return {"undisturbed": {"falls_per_hour": {"mean": 0.1, "low": 0.0, "high": 0.6}}}
+        return {"laws": {"undisturbed": {"falls_per_hour": {"mean": 0.1, "low": 0.0, "high": 0.6}}}}
 
     monkeypatch.setattr(recipe_seeds, "run_joystick", run)
     row = recipe_seeds.joystick_hours(None, say_nothing)
@@ -104,7 +104,7 @@ def test_regulation_is_that_of_the_policy_next_to_its_zero_action(monkeypatch):
     monkeypatch.setattr(
         recipe_seeds,
         "run_regulation",
-        lambda part, measured, progress: {"friction_0.3": {"kept": {"mean": shares[measured.name]}}},
+        lambda part, measured, _: {"disturbances": {"friction_0.3": {"kept": {"mean": shares[measured.name]}}}},
     )
     row = recipe_seeds.regulation(Candidate.of_policy(load_policy("flat"), "flat"), say_nothing)
     assert row == {"friction_0.3": 75.0, "friction_0.3, zero action": 25.0}
@@ -148,7 +148,7 @@ def test_runs_of_a_recipe_differ_in_the_seed_only(trained):
 
 def test_program_prints_tables_and_draws_curves(trained, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(recipe_seeds, "MEASURES", {"length": lambda measured, progress: {"mm": len(measured.name)}})
-    runs = [str(trained(recipe, seed).directory) for recipe in ("flat", "rough") for seed in (0, 1)]
+    runs = [str(trained(recipe, seed).directory) for recipe in ("flat", "walker") for seed in (0, 1)]
     picture = tmp_path / "new" / "curves.svg"
     assert recipe_seeds.run(argparse.Namespace(runs=runs, only=None, picture=picture)) == 0
     printed = capsys.readouterr().out

@@ -1,6 +1,7 @@
 """The comparison of two engines, here MuJoCo with two contact models: no test of this file needs Drake."""
 
 import importlib.util
+import json
 import math
 
 import mujoco
@@ -56,6 +57,20 @@ def test_loss_is_the_missing_share_of_the_velocity_here():
     assert math.isnan(found.loss("policy", "forward_velocity", 3))
     assert found.largest_loss("policy", "forward_velocity") == (pytest.approx(0.2), (0.5, 0.0))
     assert found.largest_loss("policy", "yaw_rate") == (pytest.approx(0.5), (0.3, 0.5))
+
+
+def test_results_for_the_suite_have_the_largest_change_of_either_sign_straight_and_on_turns():
+    """Too fast is as wrong as too slow; a turn counts by all of its velocities, and standing not at all."""
+    commands = ((0.5, 0.0), (-0.2, 0.0), (0.3, 0.5), (0.0, 0.0))
+    forward = [0.5, -0.2, 0.3, 0.0], [0.49, -0.22, 0.42, 0.1]
+    yaw_rate = [0.0, 0.0, 0.5, 0.0], [0.1, 0.0, 0.4, math.nan]
+    found = made(forward, yaw_rate, ((0.0,) * 4, (0.0, 0.0, 1.0, 0.0)), commands).to_dict()
+    assert found == json.loads(json.dumps(found, allow_nan=False))
+    assert found["largest_change"] == pytest.approx({"straight": 0.1, "turning": 0.4})
+    curve, stand = found["commands"][2:]
+    assert curve == {"command": [0.3, 0.5], "here": [0.3, 0.5], "there": [0.42, 0.4], "falls_here": 0, "falls_there": 1}
+    assert stand["there"] == [0.1, None]
+    assert made(([0.5], [0.5]), ([0], [0])).to_dict()["largest_change"] == {"straight": 0.0, "turning": None}
 
 
 @pytest.mark.parametrize("here", [-0.1, 0.0, math.nan])

@@ -27,12 +27,13 @@ def result_of(measured, suite, progress=None, zero_action=False):
     estimate = {"mean": score, "low": score, "high": score, "count": 1}
     result = {
         "suite": suite.identity,
+        "seed": suite.seed,
         "conditions": {"robot": measured.robot.identity},
         "name": measured.name,
         "score": {"total": score, "components": dict.fromkeys(COMPONENTS, score)},
-        "commands": {"met": estimate, "envelope": {"forwards": 0.0}},
-        "joystick": {"undisturbed": {"falls_per_hour": estimate}},
-        "terrain": {"rough": {"highest_level": 3, "crossed": []}},
+        "commands": {"met": estimate, "met_closely": estimate, "envelope": {"forwards": 0.0}},
+        "joystick": {"laws": {"undisturbed": {"falls_per_hour": estimate}}},
+        "terrain": {"kinds": {"rough": {"highest_level": 3, "crossed": []}}},
     }
     if zero_action:
         result["zero_action"] = result_of(measured.zero_action(), suite)
@@ -51,7 +52,15 @@ def shipped_policies(monkeypatch):
 
 def asked(directory, **options):
     return argparse.Namespace(
-        **{"policy": [], "only": None, "result": [], "quick": True, "output": directory / "references.json", **options}
+        **{
+            "policy": [],
+            "only": None,
+            "result": [],
+            "seed": None,
+            "quick": True,
+            "output": directory / "references.json",
+            **options,
+        }
     )
 
 
@@ -80,6 +89,7 @@ def test_some_rows_are_measured_again_and_the_others_stay(tmp_path, monkeypatch)
     rows = {row["name"]: row for row in read_references(tmp_path / "references.json")}
     assert list(rows) == ["standing", "tuned", "flat", "flat, zero action"], "in the order of the references"
     assert rows["standing"] == first[0]
+    assert len({row["seed"] for row in rows.values()}) == 1, "the seed of the rows that stay"
     assert (
         rows["tuned"]["origin"]["commit"] == rows["flat"]["origin"]["commit"] == "later" != first[1]["origin"]["commit"]
     )

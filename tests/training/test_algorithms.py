@@ -189,7 +189,7 @@ def test_program_takes_the_defaults_of_the_algorithm(asked):
     assert (config.algo, config.name, config.gamma) == ("sac", "sac", 0.9)
     for field, value in ALGORITHMS["sac"].defaults.items():
         assert getattr(config, field) == value
-    config = asked("--algo", "td3", "--batch-size", "64", "--recipe", "rough", "--name", "mine")
+    config = asked("--algo", "td3", "--batch-size", "64", "--recipe", "walker", "--name", "mine")
     assert (config.batch_size, config.name, config.asymmetric_critic) == (64, "mine", True)
 
 

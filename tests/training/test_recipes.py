@@ -40,35 +40,37 @@ def test_recipes_give_valid_trainings_and_tasks(asked, name):
 
 
 def test_recipes_are_what_their_names_say(asked):
-    flat, rough = (task_of(asked("--recipe", name)) for name in ("flat", "rough"))
+    flat, walker = (task_of(asked("--recipe", name)) for name in ("flat", "walker"))
     default = TaskConfig()
-    assert flat.randomization == rough.randomization == RandomizationConfig(preset="moderate")
-    for task in (flat, rough):
-        as_default = {
-            name: getattr(default, name) for name in ("randomization", "terrain", "reward", "clock_frequency")
-        }
-        assert dataclasses.replace(task, **as_default) == default, "and nothing else"
-    assert (flat.reward, flat.clock_frequency) == (default.reward, default.clock_frequency)
-    assert (asked("--recipe", "flat").action_mode, asked("--recipe", "rough").action_mode) == ("residual", "position")
-    assert rough.reward.foot_lift == 0.045, "more than the steps that it shall climb"
-    assert (flat.terrain.name, rough.terrain.name, rough.terrain.curriculum) == ("flat", "tiles", True)
-    assert {*rough.terrain.kinds} == {*TaskConfig.from_dict({"terrain": {"name": "tiles"}}).terrain.kinds}
+    assert dataclasses.replace(flat, randomization=default.randomization) == default, "and nothing else"
+    assert flat.randomization == RandomizationConfig(preset="moderate")
+    assert (asked("--recipe", "flat").action_mode, asked("--recipe", "walker").action_mode) == ("residual", "position")
+    assert (walker.terrain.name, walker.terrain.curriculum) == ("tiles", True)
+    assert {*walker.terrain.kinds} == {*TaskConfig.from_dict({"terrain": {"name": "tiles"}}).terrain.kinds}
+    # What robots have: each range holds that of `moderate`.
+    for name, setting in RandomizationConfig(preset="moderate").items():
+        if isinstance(setting, tuple) and "interval" not in name and "duration" not in name:
+            low, high = walker.randomization[name]
+            assert low <= setting[0], name
+            assert setting[1] <= high, name
+    assert walker.max_delay == 0.08
+    assert walker.control_timestep * walker.observation_history * walker.clock_frequency == pytest.approx(0.5, abs=0.03)
 
 
 def test_settings_of_ppo_are_not_those_of_another_algorithm(asked):
-    ppo, sac = asked("--recipe", "rough"), asked("--recipe", "rough", "--algo", "sac")
+    ppo, sac = asked("--recipe", "walker"), asked("--recipe", "walker", "--algo", "sac")
     assert (ppo.timesteps, ppo.asymmetric_critic) == (sac.timesteps, sac.asymmetric_critic)
-    for name, value in RECIPES["rough"].ppo.items():
+    for name, value in RECIPES["walker"].ppo.items():
         assert getattr(ppo, name) == value
         assert getattr(sac, name) == {**vars(TrainConfig()), **ALGORITHMS["sac"].defaults}[name]
 
 
 def test_options_change_the_recipe(asked):
     change = '{"randomization": {"payload": null}, "decimation": 5}'
-    config = asked("--recipe", "rough", "--timesteps", "99", "--no-asymmetric-critic", "--task", change)
+    config = asked("--recipe", "walker", "--timesteps", "99", "--no-asymmetric-critic", "--task", change)
     assert (config.timesteps, config.asymmetric_critic) == (99, False)
     task = task_of(config)
-    expected = task_of(asked("--recipe", "rough")).randomization
+    expected = task_of(asked("--recipe", "walker")).randomization
     assert expected.payload is not None
     assert task.randomization == expected.replace(payload=None)
     assert task.decimation == 5
@@ -88,14 +90,14 @@ def test_options_change_the_recipe(asked):
         ),
         (("--task", '{"randomization": "hard"}'), RandomizationConfig(preset="hard"), "tiles"),
         (("--task", '{"randomization": {"preset": "none"}}'), RandomizationConfig(), "tiles"),
-        (("--terrain", "stairs", "--level", "2"), RandomizationConfig(preset="moderate"), "stairs"),
-        (("--task", '{"terrain": {"name": "steps"}}'), RandomizationConfig(preset="moderate"), "steps"),
-        (("--task", '{"terrain": {"levels": 3}}'), RandomizationConfig(preset="moderate"), "tiles"),
+        (("--terrain", "stairs", "--level", "2"), None, "stairs"),
+        (("--task", '{"terrain": {"name": "steps"}}'), None, "steps"),
+        (("--task", '{"terrain": {"levels": 3}}'), None, "tiles"),
     ],
 )
 def test_preset_or_terrain_replaces_that_of_the_recipe(asked, options, randomization, terrain):
-    task = task_of(asked("--recipe", "rough", *options))
-    assert task.randomization == randomization
+    task = task_of(asked("--recipe", "walker", *options))
+    assert task.randomization == (randomization or task_of(asked("--recipe", "walker")).randomization)
     assert task.terrain.name == terrain
     if "levels" in str(options):
         assert (task.terrain.levels, task.terrain.curriculum) == (3, True)
@@ -106,9 +108,9 @@ def test_recipe_for_another_robot_has_that_robots_values(asked, tmp_path):
     file.write_text(
         "from quadruped_env.robot import QuadrupedDesign\nROBOT = QuadrupedDesign(name='heavy', base_mass=6.2)\n"
     )
-    for options, preset in ((("--recipe", "rough"), "moderate"), (("--randomization", "hard"), "hard")):
-        config = asked(*options, "--task", str(file))
-        heavy, built_in = config.task["randomization"]["payload"], preset_values(preset)["payload"]
+    for options in (("--recipe", "walker"), ("--randomization", "hard")):
+        config, plain = asked(*options, "--task", str(file)), asked(*options)
+        heavy, built_in = (one.task["randomization"]["payload"] for one in (config, plain))
         assert heavy == pytest.approx([2.0 * end for end in built_in])
 
 
@@ -117,10 +119,10 @@ def test_recipe_for_another_robot_asks_for_steps_of_its_size(asked, tmp_path):
     file.write_text(
         "from quadruped_env.robot import QuadrupedDesign\nROBOT = QuadrupedDesign(name='long', leg_length=0.25)\n"
     )
-    config = asked("--recipe", "rough", "--task", str(file))
+    config = asked("--recipe", "walker", "--task", str(file))
     scale = load_task_file(file).robot.stance_height / MINI_QUADRUPED.stance_height
     assert scale > 1.3
-    assert config.task["reward"]["foot_lift"] == pytest.approx(scale * 0.045, rel=1e-5)
+    assert config.task["reward"]["foot_lift"] == pytest.approx(scale * 0.015, rel=1e-5)
 
 
 def test_help_lists_the_recipes_with_their_descriptions():
@@ -134,12 +136,12 @@ def test_help_lists_the_recipes_with_their_descriptions():
 def test_run_keeps_the_recipes_values_whatever_becomes_of_it(tmp_path, monkeypatch):
     """A recipe that is changed later does not change a run, and the card says which one it was."""
     task = {"randomization": preset_values("moderate"), "decimation": 5}
-    run = learn(tmp_path, TrainConfig(recipe="rough", timesteps=64, task=task, checkpoint_seconds=1e6, **SMALL))
+    run = learn(tmp_path, TrainConfig(recipe="walker", timesteps=64, task=task, checkpoint_seconds=1e6, **SMALL))
     document = json.loads((run / CONFIG_FILE).read_text())
-    assert document["training"]["recipe"] == "rough"
+    assert document["training"]["recipe"] == "walker"
     policy = load_policy(run)
-    assert policy.card["recipe"] == "rough"
-    monkeypatch.setattr(recipes, "RECIPES", {"rough": Recipe("other", task={"decimation": 2}), "flat": Recipe("flat")})
+    assert policy.card["recipe"] == "walker"
+    monkeypatch.setattr(recipes, "RECIPES", {"walker": Recipe("other", task={"decimation": 2}), "flat": Recipe("flat")})
     parent = Parent.load(run)
     again = parent.resumed({})
     assert TaskConfig.from_dict(again.task).randomization == RandomizationConfig(preset="moderate")

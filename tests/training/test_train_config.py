@@ -24,6 +24,7 @@ LIMITS = {
     "checkpoint_seconds": ((SMALLEST,), (0.0, -1.0)),
     "batch_size": ((2, 256 * 24), (0, 1, 256 * 24 + 1)),
     "learning_rate": ((SMALLEST, 1.0), (0.0, -1.0, 1.001, math.inf, math.nan)),
+    "desired_kl": ((None, SMALLEST), (0.0, -1.0)),
     "gamma": ((SMALLEST, 1.0), (0.0, 1.001)),
     "gae_lambda": ((0.0, 1.0), (-0.001, 1.001)),
     "clip_range": ((SMALLEST, 10.0), (0.0, 10.1)),

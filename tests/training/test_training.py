@@ -16,7 +16,9 @@ from trainings import ENDLESS, TINY, assert_complete, command, progress, running
 from waiting import output_of
 
 import quadruped_env
+from quadruped_env.api import Evaluation
 from quadruped_env.cli.main import main
+from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, reward_in_words
 from quadruped_env.policies import load_policy
 from quadruped_env.policies.policy_data import TENSORS_FILE
@@ -58,6 +60,20 @@ def test_training_ends_with_what_it_added_over_the_zero_action_and_keeps_it_on_t
     first = next(i for i, line in enumerate(lines) if line.split() == " ".join(GAIN_HEADER).split()) + 1
     assert lines[first].startswith("own task  "), "motions take more steps than this training had"
     assert lines[first + 1] == reward_in_words(learning)
+    assert learning["terms"] == []
+
+
+def test_closing_table_has_a_row_for_a_changed_weight(tmp_path):
+    task = '{"reward": {"weights": {"landing": -5}}}'
+    with contextlib.redirect_stdout(output := io.StringIO()):
+        assert main(["train", "-o", str(tmp_path), *TINY, "--task", task]) == 0
+    (term,) = load_policy(tmp_path / "latest").card["learning"]["terms"]
+    assert (term["name"], term["weight"]) == ("landing", -5.0)
+    assert term["first"] > 0.0, "from progress.csv"
+    (row,) = (line for line in output.getvalue().splitlines() if line.startswith("landing (m^2/s^3)"))
+    assert row.split()[2:4] == ["-5", f"{term['first']:.3g}"]
+    evaluation = Evaluation.measure(find_policy(str(tmp_path / "latest")), "", 1, 2.0, None, "none")
+    assert [one.first for one in evaluation.gain.terms] == [term["first"]]
 
 
 def test_run_records_its_settings_and_versions(directory):

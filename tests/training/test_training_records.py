@@ -159,6 +159,25 @@ def test_exploration_begins_as_asked_and_is_never_widened(watched, tmp_path):
     np.testing.assert_allclose(explorations(flat), -5.0, atol=1e-6)
 
 
+def test_learning_rate_follows_the_divergence_of_the_updates(watched, tmp_path):
+    given, kl = [0.05, 0.03, 0.015, 0.019, 0.0051, 0.004, 0.001, 0.0, 0.0, 0.03, 0.01, 0.01], []
+    # From the first update on: less by 1.5 over 0.02, more under 0.005, never over the schedule.
+    expected = [1, 1 / 1.5, 1 / 1.5**2, 1 / 1.5**2, 1 / 1.5**2, 1 / 1.5**2, 1 / 1.5, 1, 1, 1, 1 / 1.5, 1 / 1.5]
+    training = watched()
+    update = PPO.train
+
+    def with_divergence(model):
+        update(model)
+        kl.append(given[len(kl)])
+        model.logger.record("train/approx_kl", kl[-1])
+
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(PPO, "train", with_divergence)
+        training.train(tmp_path, config(desired_kl=0.01))
+    left = 1.0 - np.arange(1, ROLLOUTS + 1) / ROLLOUTS
+    np.testing.assert_allclose(training.learning_rates, LEARNING_RATE * (0.1 + 0.9 * left) * expected, rtol=1e-6)
+
+
 def test_learning_rate_falls_linearly_to_a_tenth(run):
     left = 1.0 - np.arange(1, ROLLOUTS + 1) / ROLLOUTS
     np.testing.assert_allclose(run.learning_rates, LEARNING_RATE * (0.1 + 0.9 * left), rtol=1e-9)

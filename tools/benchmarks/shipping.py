@@ -163,9 +163,9 @@ def ship(run: Path, name: str, progress: Progress | None = None) -> tuple[Path, 
 def reference_row(result: Mapping[str, Any]) -> dict[str, Any]:
     """Return the part of a controller's results that ships: what identifies them, the score, and the main measures."""
     return {
-        **{field: result[field] for field in ("suite", "conditions", "name", "score")},
-        "met": result["commands"]["met"],
+        **{field: result[field] for field in ("suite", "seed", "conditions", "name", "score")},
+        **{field: result["commands"][field] for field in ("met", "met_closely")},
         "envelope": result["commands"]["envelope"],
-        "falls_per_hour": {name: law["falls_per_hour"] for name, law in result["joystick"].items()},
-        "terrain": {kind: entry["highest_level"] for kind, entry in result["terrain"].items()},
+        "falls_per_hour": {name: law["falls_per_hour"] for name, law in result["joystick"]["laws"].items()},
+        "terrain": {kind: entry["highest_level"] for kind, entry in result["terrain"]["kinds"].items()},
     }

@@ -19,7 +19,7 @@ from quadruped_env.evaluation.conditions import (
     full_command,
     motion_of,
 )
-from quadruped_env.evaluation.confidence import bootstrap_mean
+from quadruped_env.evaluation.confidence import bootstrap_mean, number
 from quadruped_env.evaluation.measures import METRICS, START_UP, counted_samples, masked_mean, measure
 from quadruped_env.evaluation.rollout import FIRST_SEED, Rollout, roll_out
 from quadruped_env.policies import Controller, GaitController, Policy, PolicyController, ZeroController
@@ -163,6 +163,29 @@ class Transfer:
         episodes = self.values["policy"][0]["fallen"].size
         first, second = self.falls("policy")
         return *sentences, f"Falls in {episodes} episodes: {first} in {here}, {second} in {there}."
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the results of the policy as plain values, for the suite's results.
+
+        `largest_change` is how much a commanded velocity changes at most, straight ahead and on turns, relative to the
+        velocity here; None without a command.
+        """
+        changes: dict[str, list[float]] = {"straight": [], "turning": []}
+        commands: list[dict[str, Any]] = []
+        for i, command in enumerate(self.commands["policy"]):
+            means = [self.means("policy", name, i) for name in self.targets]
+            falls = [int(engine["fallen"][i].sum()) for engine in self.values["policy"]]
+            sides = {side: [number(mean[j]) for mean in means] for j, side in enumerate(("here", "there"))}
+            commands.append({"command": list(command), **sides, "falls_here": falls[0], "falls_there": falls[1]})
+            losses = [self.loss("policy", name, i) for name in self.targets]
+            changes["turning" if command[1] else "straight"] += [-loss for loss in losses if not math.isnan(loss)]
+        return {
+            "engines": list(self.engines),
+            "seeds": list(self.seeds),
+            "seconds": self.seconds,
+            "commands": commands,
+            "largest_change": {way: max(found, key=abs, default=None) for way, found in changes.items()},
+        }
 
     def conditions(self) -> tuple[str, ...]:
         """Engine and settings in words, one sentence per engine."""

@@ -1,12 +1,13 @@
 """Parts of the suite in which something changes while the robot moves: joystick commands, steps of them, and pushes."""
 
+from collections.abc import Mapping
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quadruped_env.evaluation.confidence import bootstrap_mean, mean_of, poisson_rate, proportion
-from quadruped_env.evaluation.measures import masked_mean, meets, stands_still
+from quadruped_env.evaluation.measures import reached
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite_definition import Change, Joystick, Pushes, Transients
@@ -15,6 +16,8 @@ from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.progress import Progress, part_of
 
 _SECONDS_PER_HOUR: Final = 3600.0
+_STANDING_WEIGHT: Final = 0.2
+"""Share of a score that is lost by a robot that does not stand still."""
 
 
 def run_joystick(part: Joystick, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
@@ -28,14 +31,19 @@ def run_joystick(part: Joystick, candidate: Candidate, progress: Progress | None
         if (changed := np.flatnonzero(new[step])).size:
             task.control.set_command(changed, command[step, changed])
 
-    result = {}
+    result: dict[str, Any] = {}
     for i, law in enumerate(part.laws):
         done = part_of(progress, i / len(part.laws), (i + 1) / len(part.laws))
         rollout = candidate.run(
             [(0.0, 0.0)], part.seeds, part.seconds, done, law.randomization, change_commands, part.rectangle
         )
         result[law.name] = joystick_measures(rollout, command, part)
-    return result
+    return {"laws": result, "contributions": joined(result)}
+
+
+def joined(entries: Mapping[str, dict[str, Any]]) -> list[float]:
+    """Take the contributions out of each of several entries, and return all of them."""
+    return [value for entry in entries.values() for value in entry.pop("contributions")]
 
 
 def schedule(part: Joystick, seed: int, dt: float) -> Floats:
@@ -65,25 +73,46 @@ def schedule(part: Joystick, seed: int, dt: float) -> Floats:
 
 
 def joystick_measures(rollout: Rollout, command: Floats, part: Joystick) -> dict[str, Any]:
-    """Return falls per hour until each robot's fall, errors, and the share of met windows, as plain values.
+    """Return falls per hour until each robot's fall, errors, and the accuracy over windows, as plain values.
 
     `command` (T, N, V) are the commands that were given, whatever the task makes of them.
     """
-    valid = rollout.valid
-    error = stretch_errors(rollout.velocity, command, valid, part, rollout.timestep)
+    valid, dt = rollout.valid, rollout.timestep
+    error = stretch_errors(rollout.velocity, command, valid, part, dt)
     counted = error[np.isfinite(error[..., 0])]
-    windows = met_windows(error, valid, part, rollout.timestep)
-    # Windows that a robot standing still would meet do not count.
-    still = stretch_errors(np.zeros_like(rollout.velocity), command, np.ones_like(valid), part, rollout.timestep)
-    trivial = met_windows(still, np.ones_like(valid), part, rollout.timestep)
-    hours = float(valid.sum() * rollout.timestep) / _SECONDS_PER_HOUR
+    accuracy, windows = window_accuracy(error, command, valid, part, dt)
+    # Windows in which a robot that stands still would earn something do not count.
+    still = stretch_errors(np.zeros_like(rollout.velocity), command, np.ones_like(valid), part, dt)
+    windows &= window_accuracy(still, command, np.ones_like(valid), part, dt)[0] == 0.0
+    hours = valid.sum(axis=0) * dt / _SECONDS_PER_HOUR
+    falls = int(rollout.fallen.sum())
+    sums = np.array([(accuracy * windows).sum(axis=0), windows.sum(axis=0), rollout.fallen, hours])
     return {
-        "robot_hours": hours,
-        "falls": int(rollout.fallen.sum()),
-        "falls_per_hour": poisson_rate(int(rollout.fallen.sum()), hours).to_dict(),
+        "robot_hours": float(hours.sum()),
+        "falls": falls,
+        "falls_per_hour": poisson_rate(falls, float(hours.sum())).to_dict(),
         "mean_error": mean_of(np.abs(counted)) if len(counted) else [None] * command.shape[-1],
-        "windows_met": proportion(windows[~trivial]).to_dict(),
+        "accuracy": bootstrap_mean(sums[0] / np.where(sums[1], sums[1], np.nan)).to_dict(),
+        "contributions": joystick_contributions(sums, part.halving).tolist(),
     }
+
+
+def joystick_contributions(sums: Floats, halving: float) -> Floats:
+    """Return N numbers whose mean is the score of N robots, and whose spread is its uncertainty: jackknife values.
+
+    Of each robot, `sums` (4, N) has the sum of the accuracy over its windows, their number, its falls and its hours.
+    The score is the mean accuracy over all windows, times 1 / (1 + falls per hour / `halving`).
+    """
+
+    def score(accuracy: Floats, windows: Floats, falls: Floats, hours: Floats) -> Floats:
+        return accuracy / np.maximum(windows, 1.0) / (1.0 + falls / (halving * hours))
+
+    total, count = sums.sum(axis=1), sums.shape[1]
+    whole = score(*total)
+    if count == 1:
+        return np.array([whole])
+    values = count * whole - (count - 1) * score(*(total[:, None] - sums))
+    return values + whole - values.mean()
 
 
 def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Bools, part: Joystick, dt: float) -> Floats:
@@ -106,19 +135,21 @@ def stretch_errors(velocity: NDArray[Any], command: Floats, valid: Bools, part: 
     return error
 
 
-def met_windows(error: Floats, valid: Bools, part: Joystick, dt: float) -> Bools:
-    """Return True for each whole window without a fall and with mean absolute errors in the tolerance (windows, N).
+def window_accuracy(error: Floats, command: Floats, valid: Bools, part: Joystick, dt: float) -> tuple[Floats, Bools]:
+    """Return the accuracy of the mean absolute error in each window, and True for those that count (windows, N).
 
-    A window without a counted sample is not met.
+    A window counts without a fall, and with a sample whose error is known. The accuracy is the one under the mean
+    absolute command of these samples.
     """
     length = round(part.window / dt)
     count = len(valid) // length
     shape = count, length, valid.shape[1]
-    size = np.abs(error[: count * length]).reshape(*shape, error.shape[-1])
+    size, wanted = (np.abs(values[: count * length]).reshape(*shape, error.shape[-1]) for values in (error, command))
     known = np.isfinite(size)
-    mean = np.where(known, size, 0.0).sum(axis=1) / np.maximum(known.sum(axis=1), 1)
+    number = np.maximum(known.sum(axis=1), 1)
+    mean, asked = (np.where(known, values, 0.0).sum(axis=1) / number for values in (size, wanted))
     whole = valid[: count * length].reshape(shape).all(axis=1)
-    return np.asarray(whole & known.any(axis=(1, 3)) & (mean <= part.tolerance).all(axis=-1))
+    return part.tolerance.accuracy(mean, asked), np.asarray(whole & known.any(axis=(1, 3)))
 
 
 def run_transients(part: Transients, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
@@ -138,10 +169,11 @@ def run_transients(part: Transients, candidate: Candidate, progress: Progress | 
         before_step=change_commands,
         reached=[change.then for change in part.changes],
     )
-    return {
+    result = {
         change.name: step_measures(rollout.select(block), change, part)
         for block, change in zip(blocks, part.changes, strict=True)
     }
+    return {"changes": result, "contributions": joined(result)}
 
 
 def step_measures(rollout: Rollout, change: Change, part: Transients) -> dict[str, Any]:
@@ -149,33 +181,30 @@ def step_measures(rollout: Rollout, change: Change, part: Transients) -> dict[st
 
     An episode that falls or does not follow the change counts with the longest settling time, `part.after`.
     """
-    dt = rollout.timestep
-    wanted = np.subtract(change.then, change.first)
-    answers = [
-        step_response(rollout.velocity[..., column], float(wanted[column]), part, dt, part.narrowest[column])
-        for column in range(len(wanted))
-        if wanted[column]
-    ]
-    followed = np.all([followed for _, followed in answers], axis=0) & ~rollout.fallen
-    settling = np.where(followed, np.max([settling for settling, _ in answers], axis=0), part.after)
+    wanted, then = np.subtract(change.then, change.first), np.array(change.then)
+    settling, before, final = step_response(rollout.velocity, wanted, part, rollout.timestep)
+    made = (final - before) * np.sign(wanted) >= part.followed_share * np.abs(wanted)
+    followed = made.all(axis=-1) & ~rollout.fallen
+    settling = np.where(followed, settling, part.after)
+    accuracy = np.where(followed, part.tolerance.accuracy(final - then, then), 0.0)
     return {
         "first": list(change.first),
         "then": list(change.then),
         "falls": proportion(rollout.fallen).to_dict(),
         "followed": proportion(followed).to_dict(),
+        "steady_error": mean_of(np.where(rollout.fallen[:, None], np.nan, np.abs(final - then))),
         "settling_time": bootstrap_mean(settling).to_dict(),
-        "score": float(np.where(followed, 1.0 - settling / part.after, 0.0).mean()),
+        "contributions": (accuracy * (1.0 - settling / part.after)).tolist(),
     }
 
 
-def step_response(
-    velocity: NDArray[Any], wanted: float, part: Transients, dt: float, narrowest: float = 0.0
-) -> tuple[Floats, Bools]:
-    """Return the settling time (s) of a velocity (T, N) after a commanded change, and True where it followed, (N,).
+def step_response(velocity: NDArray[Any], wanted: Floats, part: Transients, dt: float) -> tuple[Floats, Floats, Floats]:
+    """Return the settling time (s) of velocities (T, N, V) after commanded changes (V,), (N,).
 
-    The settling time is from the change until the velocity stays in the band around its final value. The velocity is
-    from `part.before` before the change to `part.after` after it, every `dt` seconds; the last half window counts only
-    within the means before it. `narrowest` is the least half width of the band, in the unit of the velocity.
+    It is the time from the change until each velocity that changes stays in the band around its final value; followed
+    by the mean velocities before the change, and the final ones (N, V). The velocities are from `part.before` before
+    the change to `part.after` after it, every `dt` seconds; the last half window counts only within the means before
+    it.
     """
     change, half, tail = (round(seconds / dt) for seconds in (part.before, 0.5 * part.window, part.final))
     smooth = centred_mean(velocity, half)
@@ -183,11 +212,11 @@ def step_response(
     # Where the window is cut short, it lets the oscillation within a stride through.
     after = smooth[change : len(smooth) - half]
     final = after[len(after) - tail :].mean(axis=0)
-    outside = np.abs(after - final) > max(part.band * abs(wanted), narrowest)
+    band = np.where(wanted, np.maximum(part.band * np.abs(wanted), part.tolerance.met), np.inf)
+    outside = (np.abs(after - final) > band).any(axis=-1)
     # Sample i is the velocity (i + 1) control steps after the change.
     last = len(outside) - outside[::-1].argmax(axis=0)
-    settling = np.where(outside[-1], part.after, np.where(outside.any(axis=0), last, 0) * dt)
-    return settling, (final - before) * np.sign(wanted) >= part.followed_share * abs(wanted)
+    return np.where(outside[-1], part.after, np.where(outside.any(axis=0), last, 0) * dt), before, final
 
 
 def centred_mean(values: NDArray[Any], half: int) -> Floats:
@@ -223,30 +252,33 @@ def push_of(part: Pushes, seed: int) -> tuple[float, Floats]:
 
 
 def push_measures(rollout: Rollout, part: Pushes) -> dict[str, Any]:
-    """Return the shares of the episodes that follow their command after the push and that do not fall, plain values.
+    """Return how accurately the episodes follow their command after the push, and how many do not fall; plain values.
 
-    Without a fall, the mean velocities over the last `final` seconds must be close to the command; under a command
-    to stand, the robot must also stand still.
+    The mean velocities over the last `final` seconds count; under a command to stand, the robot must also stand still.
     """
     last = np.zeros_like(rollout.valid)
     last[len(last) - round(part.final / rollout.timestep) :] = True
     shape = len(part.commands), len(part.sizes), part.num_seeds
-    command = np.repeat(part.commands, shape[1] * shape[2], axis=0)
-    achieved, still = masked_mean(rollout.velocity, last), stands_still(rollout, last)
-    good = meets(achieved, command, still, rollout.fallen, part.tolerance)
+    commands = np.repeat(part.commands, shape[1] * shape[2], axis=0)
+    accuracy = reached(rollout, commands, part.tolerance, last).accuracy.reshape(shape)
     moving = np.any(part.commands, axis=-1)
-    good, survived = good.reshape(shape), ~rollout.fallen.reshape(shape)
     return {
-        "obeyed": proportion(good).to_dict(),
-        "moving": proportion(good[moving]).to_dict(),
-        "standing": proportion(good[~moving]).to_dict(),
-        "survived": proportion(survived).to_dict(),
+        "survived": proportion(~rollout.fallen).to_dict(),
         "commands": [
             {
                 "command": list(wanted),
-                "obeyed": [proportion(episodes).to_dict() for episodes in good[i]],
-                "survived": survived[i].mean(axis=-1).tolist(),
+                "accuracy": [bootstrap_mean(episodes).to_dict() for episodes in accuracy[i]],
             }
             for i, wanted in enumerate(part.commands)
         ],
+        "contributions": moving_and_standing(accuracy[moving], accuracy[~moving]),
     }
+
+
+def moving_and_standing(moving: Floats, standing: Floats) -> list[float]:
+    """Return what each episode under a command to move contributes to a score, from accuracies of any shape.
+
+    Standing alone earns nothing; a robot that moves as commanded, and never stands still, loses a fifth.
+    """
+    share: Floats = moving.ravel() * (1.0 - _STANDING_WEIGHT * (1.0 - standing.mean()))
+    return share.tolist()

@@ -8,17 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quadruped_env.control.control_config import VELOCITIES
-from quadruped_env.evaluation.confidence import mean_of, number, proportion
-from quadruped_env.evaluation.measures import (
-    counted_samples,
-    gait_measures,
-    mean_velocities,
-    measure,
-    meets,
-    stands_still,
-)
+from quadruped_env.evaluation.confidence import bootstrap_mean, mean_of, number, proportion
+from quadruped_env.evaluation.measures import gait_measures, mean_velocities, measure, reached
 from quadruped_env.evaluation.rollout import Rollout
 from quadruped_env.evaluation.suite.candidate import Candidate
+from quadruped_env.evaluation.suite.changing import moving_and_standing
 from quadruped_env.evaluation.suite.suite_definition import CommandMap, Disturbance, GaitPart, Regulation, TerrainPart
 from quadruped_env.simulation import TERRAINS, Tiles, find_terrain, flat
 from quadruped_env.simulation.terrain import Grid, terrain
@@ -28,7 +22,10 @@ from quadruped_env.utils.arrays import Bools, Floats
 from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.progress import Progress, part_of
 
-_GAIT_MEASURES: Final = ("joint_limit_share", "speed_limit_share", "electrical_power", "electrical_cost_of_transport")
+_GAIT_MEASURES: Final = (
+    *("joint_limit_share", "speed_limit_share", "sideways_drift", "heading_drift"),
+    *("electrical_power", "electrical_cost_of_transport"),
+)
 """Measures of the gait that need no physics steps."""
 _DROP: Final = 0.01
 """Distance of the stance's soles from an incline at the start, m: randomized legs do not penetrate it."""
@@ -39,27 +36,27 @@ def run_command_map(part: CommandMap, candidate: Candidate, progress: Progress |
     drawn, on_axes = list(part.drawn), [command for axis in part.axes.values() for command in axis]
     rollout = candidate.run([*drawn, *on_axes], part.seeds, part.seconds, progress)
     shape = len(drawn) + len(on_axes), part.num_seeds
-    achieved = mean_velocities(rollout).reshape(*shape, -1)
-    fallen = rollout.fallen.reshape(shape)
-    still = stands_still(rollout, counted_samples(rollout)).reshape(shape)
-    commands = np.array([*drawn, *on_axes])
-    met = meets(achieved, commands[:, None], still, fallen, part.tolerance)
-    count = len(drawn)
-    stand = np.array([not any(command) for command in drawn])
+    found = reached(rollout, np.repeat([*drawn, *on_axes], part.num_seeds, axis=0), part.tolerance)
+    velocity, fallen = found.velocity.reshape(*shape, -1), rollout.fallen.reshape(shape)
+    met, closely = found.met.reshape(shape), found.closely.reshape(shape)
+    accuracy = found.accuracy.reshape(shape)
+    count, stand = len(drawn), np.array([not any(command) for command in drawn])
     return {
         "commands": [list(command) for command in drawn],
         "fall_share": fallen[:count].mean(axis=-1).tolist(),
-        **summary(drawn, achieved[:count], fallen[:count], met[:count]),
-        "moving": proportion(met[:count][~stand]).to_dict(),
+        "met": proportion(met[:count]).to_dict(),
+        "met_closely": proportion(closely[:count]).to_dict(),
+        "falls": proportion(fallen[:count]).to_dict(),
+        **signed_errors(drawn, velocity[:count]),
         "standing": proportion(met[:count][stand]).to_dict(),
         "envelope": envelope(part, met[count:]),
+        "contributions": moving_and_standing(accuracy[:count][~stand], accuracy[:count][stand]),
     }
 
 
-def summary(commands: ArrayLike, achieved: Floats, fallen: Bools, met: Bools) -> dict[str, Any]:
-    """Summarize K commands from mean velocities (K, S, V), falls and the result of `meets` (K, S)."""
-    error = achieved - np.asarray(commands, dtype=np.float64)[:, None]
-    result: dict[str, Any] = {"met": proportion(met).to_dict(), "falls": proportion(fallen).to_dict()}
+def signed_errors(commands: ArrayLike, velocity: Floats) -> dict[str, Any]:
+    """Return the errors of each velocity under K commands, from mean velocities (K, S, V): name -> plain values."""
+    error, result = velocity - np.asarray(commands, dtype=np.float64)[:, None], {}
     for entry, errors in zip(VELOCITIES, np.moveaxis(error, -1, 0), strict=False):
         signed = np.array([mean_of(episodes) for episodes in errors], dtype=np.float64)
         known = np.abs(signed[np.isfinite(signed)])
@@ -74,7 +71,7 @@ def summary(commands: ArrayLike, achieved: Floats, fallen: Bools, met: Bools) ->
 def envelope(part: CommandMap, met: Bools) -> dict[str, float]:
     """Return the largest command in each direction up to which every episode meets its command; 0 if none does.
 
-    In m/s, left and right in rad/s. `met` (commands of all axes, S) is the result of `meets`.
+    In m/s, left and right in rad/s. `met` (commands of all axes, S) is True for episodes that meet their command.
     """
     found, place = {}, 0
     for name, axis in part.axes.items():
@@ -92,44 +89,40 @@ def run_gait(part: GaitPart, candidate: Candidate, progress: Progress | None = N
     values = {**gait_measures(rollout), **{name: every[name] for name in _GAIT_MEASURES}}
     shape = len(part.commands), part.num_seeds
     commands = np.repeat(part.commands, part.num_seeds, axis=0)
-    followed = meets(mean_velocities(rollout), commands, True, rollout.fallen, part.tolerance)
+    accuracy = reached(rollout, commands, part.tolerance).accuracy
     grouped = {name: value.reshape(*shape, *value.shape[1:]) for name, value in values.items()}
     return {
         "feet": list(candidate.robot.leg_names),
         "commands": [
             {
                 "command": list(command),
-                "fall_share": float(rollout.fallen.reshape(shape)[i].mean()),
-                "followed": float(followed.reshape(shape)[i].mean()),
+                "accuracy": float(accuracy.reshape(shape)[i].mean()),
                 **{name: mean_of(value[i]) for name, value in grouped.items()},
             }
             for i, command in enumerate(part.commands)
         ],
+        "contributions": (accuracy * gait_scores(values, part)).tolist(),
     }
 
 
-def gait_score(result: Mapping[str, Any], part: GaitPart) -> float:
-    """Score the gait in [0, 1]: mean over the commands of the share of episodes that follow it times five numbers.
+def gait_scores(values: Mapping[str, Floats], part: GaitPart) -> Floats:
+    """Score the gait of each episode in [0, 1], (N,), from its measures: name -> (N, L).
 
-    Their mean, 0 for a robot with a foot that does not step: the clearance of the foot that is lifted least, over
-    `full_clearance`; x or 1 / x, the one below 1, of the foot with the worst number x of swings per stride; 1 - bounces
-    per stride; `soft_landing` over the speed of the hardest landing; `little_slip` over the largest slip. Each is at
-    least 0 and at most 1.
+    Mean of four numbers, 0 for a robot with a foot that does not step: the clearance of the foot that is lifted least,
+    over `full_clearance`; x or 1 / x, the one below 1, of the foot with the worst number x of touchdowns per stride;
+    `soft_landing` over the speed of the hardest landing; `little_slip` over the largest slip. Each is at most 1.
     """
-    total = 0.0
-    for entry in result["commands"]:
-        landings = entry["landing_speed"]
-        if None in landings or None in entry["clearance"]:
-            continue
-        numbers = (
-            min(entry["clearance"]) / part.full_clearance,
-            min(min(x, 1.0 / x) for x in entry["swings_per_stride"]),
-            1.0 - max(entry["bounces_per_stride"]),
-            part.soft_landing / max(*landings, 1e-9),
-            part.little_slip / max(*entry["slip"], 1e-9),
-        )
-        total += entry["followed"] * sum(min(1.0, max(0.0, number)) for number in numbers) / len(numbers)
-    return total / len(result["commands"])
+    touchdowns = np.maximum(values["touchdowns_per_stride"], 1e-9)
+    numbers = np.stack(
+        [
+            values["clearance"].min(axis=-1) / part.full_clearance,
+            np.minimum(touchdowns, 1.0 / touchdowns).min(axis=-1),
+            part.soft_landing / np.maximum(values["landing_speed"], 1e-9).max(axis=-1),
+            part.little_slip / np.maximum(values["slip"], 1e-9).max(axis=-1),
+        ]
+    )
+    # NaN for a foot that does not step.
+    return np.nan_to_num(np.clip(numbers, 0.0, 1.0).mean(axis=0))
 
 
 @terrain(size=24.0, cell=0.5)
@@ -145,14 +138,19 @@ def run_regulation(part: Regulation, candidate: Candidate, progress: Progress | 
     runs.append((part.together, together, part.together_seconds))
     costs = np.cumsum([0.0, *(len(seeds) * seconds for _, seeds, seconds in runs)])
     shares = costs / costs[-1]
-    result = {}
+    result, kept = {}, []
     for i, (factor, seeds, seconds) in enumerate(runs):
         rollout = regulated(part, candidate, factor, seeds, seconds, part_of(progress, shares[i], shares[i + 1]))
-        result[factor.name] = regulation_measures(rollout, part)
-    commands = np.repeat(part.commands, part.together_seeds, axis=0)
-    held = meets(mean_velocities(rollout), commands, True, rollout.fallen, part.together_tolerance)
-    result[part.together.name]["held"] = proportion(held).to_dict()
-    return result
+        episodes = keeps(part, mean_velocities(rollout), rollout.fallen)
+        result[factor.name] = regulation_measures(rollout, episodes, part)
+        kept.append(episodes)
+    alone = np.concatenate(kept[:-1])
+    all_of_them = reached(rollout, np.repeat(part.commands, part.together_seeds, axis=0), part.tolerance).accuracy
+    result[part.together.name]["accuracy"] = bootstrap_mean(all_of_them).to_dict()
+    # Each of the two counts half, whatever its number of episodes.
+    half = 0.5 * (len(alone) + len(all_of_them))
+    weighted = np.concatenate([half / len(alone) * alone, half / len(all_of_them) * all_of_them])
+    return {"disturbances": result, "contributions": weighted.tolist()}
 
 
 def regulated(
@@ -196,10 +194,9 @@ def _place(task: Task, angle: float) -> None:
     task.place(np.arange(task.num_envs), qpos, np.zeros((task.num_envs, robot.num_velocities)))
 
 
-def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
+def regulation_measures(rollout: Rollout, kept: Bools, part: Regulation) -> dict[str, Any]:
     """Return falls, and the signed share of each command that is kept, of episodes grouped by command."""
     achieved = mean_velocities(rollout).reshape(len(part.commands), -1, rollout.velocity.shape[-1])
-    kept = keeps(part, achieved, rollout.fallen.reshape(len(part.commands), -1))
     return {
         "falls": proportion(rollout.fallen).to_dict(),
         "kept": proportion(kept).to_dict(),
@@ -214,46 +211,40 @@ def regulation_measures(rollout: Rollout, part: Regulation) -> dict[str, Any]:
     }
 
 
-def keeps(part: Regulation, achieved: ArrayLike, fallen: Bools) -> Bools:
-    """Return True for each of S episodes that keeps the velocities of its command without a fall (K, S).
+def keeps(part: Regulation, achieved: Floats, fallen: Bools) -> Bools:
+    """Return True for each of N episodes, grouped by command, that keeps its velocities without a fall (N,).
 
-    `achieved` are mean velocities (K, S, V), NaN if unknown.
+    `achieved` are mean velocities (N, V), NaN if unknown.
     """
-    command = np.array(part.commands)[:, None]
-    allowed = np.where(command != 0.0, part.share * np.abs(command), part.tolerance)
+    command = np.repeat(part.commands, len(achieved) // len(part.commands), axis=0)
+    allowed = np.where(command != 0.0, part.share * np.abs(command), part.tolerance.met)
     # Decimal commands are not exact in binary.
-    return np.asarray((np.abs(np.asarray(achieved) - command) <= allowed + 1e-9).all(axis=-1) & ~fallen)
-
-
-def regulation_score(result: Mapping[str, Any], part: Regulation) -> float:
-    """Score the regulation in [0, 1]: mean of two shares of episodes.
-
-    The first are those that keep their velocities under one disturbance, mean over the disturbances; the second those
-    that hold their command under all together.
-    """
-    alone = np.mean([result[factor.name]["kept"]["mean"] for factor in part.factors])
-    return 0.5 * float(alone + result[part.together.name]["held"]["mean"])
+    return np.asarray((np.abs(achieved - command) <= allowed + 1e-9).all(axis=-1) & ~fallen)
 
 
 def run_terrain(part: TerrainPart, candidate: Candidate, progress: Progress | None = None) -> dict[str, Any]:
     """Measure the share of crossings by kind and level, as plain values.
 
-    Levels are tried in their order. A kind is not tried any further after the first level that is not passed.
+    Levels are tried in their order. A kind is not tried any further after the first level that is not passed. A start
+    contributes the share of the levels that are crossed from it; those that are not tried are not crossed.
     """
     passed: dict[str, list[dict[str, Any]]] = {kind: [] for kind in part.kinds}
+    starts = {kind: np.zeros((part.worlds, part.num_seeds)) for kind in part.kinds}
     left = list(part.kinds)
     for level in range(1, part.levels + 1):
         done = part_of(progress, (level - 1) / part.levels, level / part.levels)
         crossed = crossings(part, candidate, left, level, done)
         for kind in tuple(left):
             passed[kind].append(proportion(crossed[kind]).to_dict())
+            starts[kind] += crossed[kind] / part.levels
             if crossed[kind].mean() < part.pass_share:
                 left.remove(kind)
         if not left:
             break
     if progress is not None:
         progress(1.0)
-    return {kind: {"highest_level": highest(levels, part), "crossed": levels} for kind, levels in passed.items()}
+    kinds = {kind: {"highest_level": highest(levels, part), "crossed": levels} for kind, levels in passed.items()}
+    return {"kinds": kinds, "contributions": np.concatenate([one.ravel() for one in starts.values()]).tolist()}
 
 
 def crossings(
@@ -267,9 +258,9 @@ def crossings(
     tiles = find_terrain("tiles", TERRAINS)
     assert isinstance(tiles, Tiles)
     on = np.repeat([[part.kinds.index(kind), level] for kind in kinds], part.num_seeds, axis=0)
-    for i, seed in enumerate(part.terrain_seeds):
-        done = part_of(progress, i / len(part.terrain_seeds), (i + 1) / len(part.terrain_seeds))
-        world = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, seed)
+    for i in range(part.worlds):
+        done = part_of(progress, i / part.worlds, (i + 1) / part.worlds)
+        world = tiles.of([find_terrain(kind) for kind in part.kinds], part.levels, part.first_seed + i)
         rollout = candidate.run([part.command] * len(kinds), part.seeds, part.seconds, done, terrain=world, tiles=on)
         ground = rollout.terrain  # in the units of the robot
         assert isinstance(ground, Tiles)

@@ -1,7 +1,8 @@
 """Definition of the suite `mq-eval`: its parts as data, its version, and its hash. docs/suite.md explains the measures.
 
 All numbers are in SI units and for the built-in robot, slopes in degrees; `for_robot` scales them to another one. A
-change of a number changes the hash. A change of a formula must change `VERSION`.
+change of a number changes the hash. A change of a formula must change `VERSION`. Seeds are not part of the definition:
+each run draws them, so that no policy can know the episodes that will be measured.
 """
 
 import dataclasses
@@ -10,13 +11,14 @@ import hashlib
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Final
+from typing import Any, Final, Self
 
 import numpy as np
 
 from quadruped_env.control.control_config import VELOCITIES
+from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.conditions import COMMANDS, SIDEWAYS, Command, full_command
-from quadruped_env.evaluation.measures import BOUNCE, CLOSE, ROUGH, SPEED_SHARE, SWING_SHARE
+from quadruped_env.evaluation.measures import BOUNCE, SPEED_SHARE, SWING_SHARE, Tolerance
 from quadruped_env.robot import Robot
 from quadruped_env.robot.units import scale_of, scaled, steadiness
 from quadruped_env.simulation.built_in_terrains import HIGHEST, STEEPEST, TERRAINS
@@ -26,11 +28,11 @@ from quadruped_env.utils.plain import plain
 from quadruped_env.utils.seeds import EVALUATION_SEEDS
 
 NAME: Final = "mq-eval"
-VERSION: Final = 2
+VERSION: Final = 3
 
-_FIRST_SEED: Final = EVALUATION_SEEDS.start + 500_000
-"""First seed of the suite; the seeds before it belong to the other evaluations."""
 _SEEDS_PER_PART: Final = 10_000
+SEEDS: Final = range(EVALUATION_SEEDS.start + 500_000, EVALUATION_SEEDS.stop - 10 * _SEEDS_PER_PART)
+"""Seeds of the suite; the seeds before them belong to the other evaluations."""
 
 RECTANGLE: Final[tuple[Command, Command]] = ((-0.3, -0.8), (0.6, 0.8))
 """Ranges of the commands that are drawn, as in the task; not in the hash."""
@@ -52,8 +54,10 @@ class Part:
 
     num_seeds: int
     """Episodes per condition."""
-    first_seed: int
-    """Seed of the first episode of every condition; each further episode has the next one."""
+    first_seed: int = SEEDS.start
+    """Seed of the first episode of every condition; each further episode has the next one. Not in the hash."""
+    tolerance: Tolerance = field(default_factory=Tolerance)
+    """Errors of the mean velocities, from which the accuracy of every part follows."""
 
     @property
     def seeds(self) -> range:
@@ -82,8 +86,6 @@ class CommandMap(Part):
     )
     """Commands in one direction alone, the smallest first, for the envelope."""
     seconds: float = 10.0
-    tolerance: tuple[float, ...] = tuple(CLOSE.values())
-    """Errors of the mean velocities up to which an episode meets its command, m/s and rad/s."""
 
     @property
     def drawn(self) -> tuple[Command, ...]:
@@ -133,8 +135,8 @@ class Joystick(Part):
     """Time after the allowance from which a held command counts, s: a stride."""
     window: float = 5.0
     """Length of the windows of the score, s."""
-    tolerance: tuple[float, ...] = tuple(ROUGH.values())
-    """Mean errors up to which a window is met, m/s and rad/s."""
+    halving: float = 10.0
+    """Falls per hour that halve the score. In the hour of a law one fall costs a tenth, about the noise of the rest."""
 
 
 @dataclass(frozen=True)
@@ -143,8 +145,6 @@ class GaitPart(Part):
 
     commands: tuple[Command, ...] = tuple(command for command in COMMANDS if any(command))
     seconds: float = 15.0
-    tolerance: tuple[float, ...] = tuple(ROUGH.values())
-    """Errors of the mean velocities up to which the gait of an episode counts in the score, m/s and rad/s."""
     swing_share: float = SWING_SHARE
     """Share of a stride from which a time in the air is a swing; shorter ones are within a stance."""
     bounce: float = BOUNCE
@@ -193,9 +193,7 @@ class Transients(Part):
     final: float = 1.0
     """Time at the end whose mean is the final value, s."""
     band: float = 0.1
-    """Half width of the band around the final value, relative to the commanded change."""
-    narrowest: tuple[float, ...] = (0.05, 0.1)
-    """Least half width of the band, m/s and rad/s."""
+    """Half width of the band around the final value, relative to the commanded change; at least `tolerance.met`."""
     followed_share: float = 0.5
     """Share of the commanded change from which it was followed."""
 
@@ -210,10 +208,8 @@ class Pushes(Part):
     """Sizes of the scored pushes: factors on `unit`."""
     unit: tuple[float, ...] = (1.0, 1.0, 0.5, 2.0, 2.0, 2.0)
     """Factors on a direction drawn on the sphere in six dimensions: m/s in the world frame, rad/s in the body frame."""
-    tolerance: tuple[float, ...] = tuple(ROUGH.values())
-    """Errors of the mean velocities after a push up to which the episode follows its command, m/s and rad/s."""
     final: float = 2.0
-    """Time at the end over which these means are, s."""
+    """Time at the end whose mean velocities count, s."""
     before: tuple[float, float] = (3.0, 4.0)
     """Range of the time until the push, s: it is drawn, so that it comes anywhere in a stride."""
     after: float = 4.0
@@ -221,12 +217,13 @@ class Pushes(Part):
 
 
 def _factors() -> tuple[Disturbance, ...]:
-    """List the disturbances: friction, payload, encoder offsets and slopes, one at a time."""
+    """List the disturbances: friction, payload, encoder offsets, latencies and slopes, one at a time."""
     return (
         Disturbance("nominal"),
         *(Disturbance(f"friction_{mu:g}", {"friction": (mu, mu)}) for mu in (0.2, 0.3, 0.5, 0.8, 1.2)),
         *(Disturbance(f"payload_{kg:+g}_kg", {"payload": (kg, kg)}) for kg in (-0.5, 0.5, 1.0, 2.0)),
         *(Disturbance(f"encoder_offset_{offset:g}", {"encoder_offset": offset}) for offset in (0.02, 0.04)),
+        *(Disturbance(f"latency_{ms:g}_ms", {"action_latency": (1e-3 * ms, 1e-3 * ms)}) for ms in (20, 40, 60, 80)),
         *(
             Disturbance(f"{way}_{angle:g}_degrees", {"start_heading": 0.0}, sign * angle)
             for angle in (4.0, 8.0, 12.0, 16.0)
@@ -245,15 +242,11 @@ class Regulation(Part):
     standing: float = 0.5
     """Time from the start until the command, s."""
     share: float = 0.2
-    """Error up to which an episode keeps a velocity that is commanded, relative to the command."""
-    tolerance: tuple[float, ...] = tuple(CLOSE.values())
-    """The same for a velocity whose command is 0, m/s and rad/s."""
+    """Error up to which an episode keeps a velocity, relative to its command; `tolerance.met` where that is 0."""
     together: Disturbance = field(default_factory=lambda: Disturbance("hard", dict(PRESETS["hard"])))
     together_seeds: int = 32
     """Episodes per command with all disturbances together."""
     together_seconds: float = 20.0
-    together_tolerance: tuple[float, ...] = tuple(ROUGH.values())
-    """Errors up to which an episode with all disturbances holds its command, m/s and rad/s."""
 
 
 @dataclass(frozen=True)
@@ -267,8 +260,8 @@ class TerrainPart(Part):
     """Time to leave the tile, s."""
     pass_share: float = 0.9
     """Share of crossings from which a level is passed."""
-    terrain_seeds: tuple[int, ...] = (_FIRST_SEED, _FIRST_SEED + 1, _FIRST_SEED + 2)
-    """Seeds of the worlds on each of which every crossing is tried."""
+    worlds: int = 3
+    """Number of worlds on each of which every crossing is tried; their seeds are `seeds`' first ones."""
     tile: float = TILE
     """Side length of a tile, m."""
     shapes: dict[str, Any] = field(
@@ -289,22 +282,41 @@ class TerrainPart(Part):
 class Suite:
     """The suite: `full_suite` is the one to compare with, `quick_suite` shows whether a policy works.
 
-    Two results are comparable only if name, version and hash are the same.
+    Two results are comparable only if name, version and hash are the same, and paired if the seed is, too.
     """
 
     quick: bool = False
-    commands: CommandMap = CommandMap(2, _FIRST_SEED)
-    joystick: Joystick = Joystick(64, _FIRST_SEED + _SEEDS_PER_PART)
-    gait: GaitPart = GaitPart(4, _FIRST_SEED + 2 * _SEEDS_PER_PART)
-    transients: Transients = Transients(16, _FIRST_SEED + 3 * _SEEDS_PER_PART)
-    pushes: Pushes = Pushes(16, _FIRST_SEED + 4 * _SEEDS_PER_PART)
-    regulation: Regulation = Regulation(4, _FIRST_SEED + 5 * _SEEDS_PER_PART)
-    terrain: TerrainPart = TerrainPart(16, _FIRST_SEED + 6 * _SEEDS_PER_PART)
+    commands: CommandMap = CommandMap(2)
+    joystick: Joystick = Joystick(64)
+    gait: GaitPart = GaitPart(4)
+    transients: Transients = Transients(16)
+    pushes: Pushes = Pushes(16)
+    regulation: Regulation = Regulation(4)
+    terrain: TerrainPart = TerrainPart(16)
+
+    @property
+    def seed(self) -> int:
+        """First seed of the first part: each further part begins 10,000 later."""
+        return self.commands.first_seed
+
+    def seeded(self, seed: int) -> Self:
+        """Return the suite with other seeds.
+
+        Raises:
+            QuadrupedError: if the seed is not one of `SEEDS`.
+        """
+        if seed not in SEEDS:
+            raise QuadrupedError(f"--seed: expected {SEEDS.start} to {SEEDS.stop - 1} for the suite; found {seed}")
+        parts = [one.name for one in dataclasses.fields(self) if one.name != "quick"]
+        first = {name: seed + i * _SEEDS_PER_PART for i, name in enumerate(parts)}
+        return replace(self, **{name: replace(getattr(self, name), first_seed=first[name]) for name in parts})
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the definition as plain values."""
+        """Return the definition as plain values, without the seeds."""
         values = dataclasses.asdict(self)
         del values["commands"]["rectangle"], values["joystick"]["rectangle"]
+        for name in values.keys() - {"quick"}:
+            del values[name]["first_seed"]
         return {"name": NAME, "version": VERSION, **plain(values)}
 
     @functools.cached_property
@@ -326,7 +338,7 @@ class Suite:
 
 _COMMANDS: Final = ("rectangle", "axes", "command", "commands", "first", "then")
 """Fields that hold commands."""
-_SIZES: Final = ("smallest", "tolerance", "narrowest", "together_tolerance")
+_SIZES: Final = ("smallest", "met", "least", "missed")
 """Fields that hold a size of each velocity."""
 _UNITS: Final[Mapping[str, str | tuple[str, ...]]] = {
     **dict.fromkeys((*_COMMANDS, *_SIZES), tuple(entry.unit for entry in VELOCITIES)),
@@ -400,16 +412,21 @@ def _changed(value: Any, change: Callable[[str, Any], Any], field: str = "") -> 
     return change(field, value)
 
 
-@functools.cache
-def full_suite() -> Suite:
-    """Return version `VERSION` of the suite."""
-    return Suite()
+def draw_seed() -> int:
+    """Return a seed of the suite that nobody knows before."""
+    return int(np.random.default_rng().integers(SEEDS.start, SEEDS.stop))
 
 
 @functools.cache
-def quick_suite() -> Suite:
+def full_suite(seed: int = SEEDS.start) -> Suite:
+    """Return version `VERSION` of the suite, with its first seed."""
+    return Suite().seeded(seed)
+
+
+@functools.cache
+def quick_suite(seed: int = SEEDS.start) -> Suite:
     """Return the quick version: few conditions and episodes of every part, never comparable with the full one."""
-    full = full_suite()
+    full = full_suite(seed)
     factors = {factor.name: factor for factor in full.regulation.factors}
     axes = {name: commands[1:3] for name, commands in full.commands.axes.items()}
     return Suite(
@@ -422,9 +439,11 @@ def quick_suite() -> Suite:
         regulation=replace(
             full.regulation,
             num_seeds=1,
-            factors=tuple(factors[name] for name in ("nominal", "friction_0.3", "payload_+1_kg", "up_8_degrees")),
+            factors=tuple(
+                factors[name] for name in ("nominal", "friction_0.3", "payload_+1_kg", "latency_60_ms", "up_8_degrees")
+            ),
             together_seeds=1,
             together_seconds=8.0,
         ),
-        terrain=replace(full.terrain, num_seeds=2, kinds=("rough", "steps"), levels=2, terrain_seeds=(_FIRST_SEED,)),
+        terrain=replace(full.terrain, num_seeds=2, kinds=("rough", "steps"), levels=2, worlds=1),
     )

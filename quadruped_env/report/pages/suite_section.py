@@ -7,14 +7,16 @@ from typing import Any, Final
 import numpy as np
 
 from quadruped_env.control.control_config import VELOCITIES
-from quadruped_env.errors import QuadrupedError
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.measures import METRICS, OF_FEET
 from quadruped_env.evaluation.results import (
+    ACCURACY,
     COMPONENTS,
     RESULTS_FILE,
+    SECOND_ENGINE,
     aggregate,
     check_comparable,
+    paired_differences,
     ranked,
     read_references,
     read_results,
@@ -44,31 +46,31 @@ def write_results(evaluated: EvaluatedPolicy, result: Mapping[str, Any], command
     return path
 
 
-def results_of(evaluated: EvaluatedPolicy) -> dict[str, Any]:
-    """Return a policy's results of the suite, from the default directory of its evaluation.
+def stored_results(evaluated: EvaluatedPolicy, identity: Mapping[str, Any] | None = None) -> dict[str, Any] | None:
+    """Return a policy's results of a suite with this identity, from the default directory of its evaluation.
+
+    Without an identity, of any suite. None if there are none, or they belong to another suite or another policy.
 
     Raises:
-        QuadrupedError: if there are no results, or they belong to another policy.
+        QuadrupedError: if the file is damaged.
     """
     path = evaluated.evaluation / RESULTS_FILE
-    fix = f"evaluate it first: mini-quadruped evaluate {evaluated.source} --suite"
     if not path.is_file():
-        raise QuadrupedError(f"{path}: there are no results of the suite for {evaluated.name}; {fix}")
+        return None
     result = read_results(path)
-    if result.get("policy", {}).get("card") != without_nan(evaluated.policy.card):
-        raise QuadrupedError(f"{path}: holds the results of another policy than {evaluated.name}; {fix}")
-    return result
+    own = result.get("policy", {}).get("card") == without_nan(evaluated.policy.card)
+    return result if own and identity in (None, result["suite"]) else None
 
 
-def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
-    """Return the ranking of several policies as plain values: `suite`, `policies` (the best first) and `recipes`.
+def ranking(policies: Mapping[str, EvaluatedPolicy], results: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    """Return the ranking of several policies by their results, as plain values.
 
-    A recipe is the aggregate of a group of runs that differ in their training seed only.
+    `suite` and `seed`, `policies` (the best first; each with its paired difference to the best one), and `recipes`: the
+    aggregates of runs that differ in their training seed only.
 
     Raises:
-        QuadrupedError: if a policy has no results, or they cannot be compared.
+        QuadrupedError: if the results cannot be compared.
     """
-    results = {name: results_of(evaluated) for name, evaluated in policies.items()}
     check_comparable(results)
     groups: dict[str, list[str]] = {}
     for name, evaluated in policies.items():
@@ -79,8 +81,11 @@ def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
         for row in with_zero_action(result)
     )
     return {
-        "suite": order[0][1]["suite"],
-        "policies": [{"name": name, **row["score"]} for name, row in order],
+        **{field: order[0][1][field] for field in ("suite", "seed")},
+        "policies": [
+            {"name": name, **row["score"], "difference": paired_differences(row, order[0][1]) if i else None}
+            for i, (name, row) in enumerate(order)
+        ],
         "recipes": [
             aggregate([{**results[name], "name": name} for name in names])
             for names in groups.values()
@@ -90,20 +95,26 @@ def ranking(policies: Mapping[str, EvaluatedPolicy]) -> dict[str, Any]:
 
 
 def ranking_in_words(found: Mapping[str, Any]) -> str:
-    """Return a sentence that names the policies in the order of their scores."""
-    order = ", ".join(f"{entry['name']} {entry['total']:.3f}" for entry in found["policies"])
-    return f"Score in {_label(found)}, the best first: {order}."
+    """Return a sentence that names the policies in the order of their scores, and what each one is behind the best."""
+    order = ", ".join(f"{entry['name']} {entry['total']:.3f}{_behind(entry, ' ({})')}" for entry in found["policies"])
+    return f"Score in {_label(found)} with the seed {found['seed']}, the best first: {order}."
+
+
+def _behind(entry: Mapping[str, Any], form: str) -> str:
+    """Return the difference to the best policy with its interval; nothing for the best, or without pairs."""
+    return form.format(interval(entry["difference"]["score"], 3)) if entry["difference"] else ""
 
 
 def ranking_table(found: Mapping[str, Any]) -> Table:
     """Return the scores of a ranking, with a row for the mean of each recipe."""
-    rows = [_scores(entry["name"], entry) for entry in found["policies"]]
+    rows = [[*_scores(entry["name"], entry), _behind(entry, "{}")] for entry in found["policies"]]
     for recipe in found["recipes"]:
         names = listed([run["name"] for run in recipe["runs"]])
         parts = (interval(recipe["components"][name], 2) for name in COMPONENTS)
         label = f"{len(recipe['runs'])} training seeds of one recipe ({names}): mean"
-        rows.append([label, interval(recipe["score"], 3), *parts])
-    return Table("Ranking", _SCORES, rows, ranking_in_words(found))
+        rows.append([label, interval(recipe["score"], 3), *parts, ""])
+    note = f"{ranking_in_words(found)} All ran the same episodes, so differences to the best are over pairs of them"
+    return Table("Ranking", (*_SCORES, "to the best"), rows, note)
 
 
 def section(result: Mapping[str, Any]) -> dict[str, Any]:
@@ -114,11 +125,17 @@ def section(result: Mapping[str, Any]) -> dict[str, Any]:
         "label": _label(result),
         "quick": result["suite"]["quick"],
         "sha256": result["suite"]["sha256"],
+        "seed": result["seed"],
+        "accuracy": ACCURACY,
         "meaning": COMPONENTS,
         "scores": Table("", _SCORES, scores),
         "own": result["name"],
         "figures": _figures(result),
-        "tables": [_joystick(result), _gait(result), _transients(result), _regulation(result)],
+        "tables": [
+            *(_joystick(result), _gait(result), _feet(result), _transients(result), _regulation(result)),
+            *([] if result.get(SECOND_ENGINE) is None else [_second_engine(result[SECOND_ENGINE])]),
+        ],
+        "second_engine": result.get(SECOND_ENGINE) is not None,
     }
 
 
@@ -151,17 +168,17 @@ def _command(command: Sequence[float]) -> str:
 
 def _joystick(result: Mapping[str, Any]) -> Table:
     errors = ("speed error (m/s)", "yaw error (rad/s)", "sideways error (m/s)")
-    width = max(len(law["mean_error"]) for law in result["joystick"].values())
-    head = ("", "robot hours", "falls per hour", *errors[:width], "5 s windows met")
+    width = max(len(law["mean_error"]) for law in result["joystick"]["laws"].values())
+    head = ("", "robot hours", "falls per hour", *errors[:width], "accuracy (%)")
     rows = [
         [
             name,
             f"{law['robot_hours']:.2f}",
             interval(law["falls_per_hour"], 1),
             *("-" if error is None else f"{error:.3f}" for error in law["mean_error"]),
-            percent(law["windows_met"]),
+            interval(law["accuracy"], 0, 100.0),
         ]
-        for name, law in result["joystick"].items()
+        for name, law in result["joystick"]["laws"].items()
     ]
     return Table("Changing commands", head, rows)
 
@@ -178,16 +195,34 @@ def _gait(result: Mapping[str, Any]) -> Table:
     return Table("Gait at every speed", ["", *(_command(entry["command"]) for entry in entries)], rows)
 
 
+def _feet(result: Mapping[str, Any]) -> Table:
+    names = ("apex", "touchdowns_per_stride", "landing_speed", "peak_force")
+    rows = [
+        [
+            _command(entry["command"]),
+            *(" / ".join(METRICS[name].show(float(np.array(v, float))) for v in entry[name]) for name in names),
+        ]
+        for entry in result["gait"]["commands"]
+    ]
+    head = [
+        "",
+        *(f"{METRICS[name].label} {METRICS[name].unit and f'({METRICS[name].unit})'}".strip() for name in names),
+    ]
+    return Table("Every foot", head, rows, f"Feet in the order {' / '.join(result['gait']['feet'])}")
+
+
 def _transients(result: Mapping[str, Any]) -> Table:
     rows = [
         [
             f"{name.replace('_', ' ')}\n{' to '.join(map(_command, (entry['first'], entry['then'])))}",
             percent(entry["followed"]),
             interval(entry["settling_time"], 2),
+            " / ".join("-" if error is None else f"{error:.3f}" for error in entry["steady_error"]),
         ]
-        for name, entry in result["transients"].items()
+        for name, entry in result["transients"]["changes"].items()
     ]
-    head = ("", "followed", "settling time (s)")
+    units = " / ".join(entry.unit for entry, _ in zip(VELOCITIES, result["commands"]["commands"][0], strict=False))
+    head = ("", "followed", "settling time (s)", f"error at the end ({units})")
     return Table("Changes of the command", head, rows)
 
 
@@ -199,7 +234,7 @@ def _envelope(result: Mapping[str, Any]) -> str:
 
 
 def _regulation(result: Mapping[str, Any]) -> Table:
-    entries = result["regulation"]
+    entries = result["regulation"]["disturbances"]
     commands = [entry["command"] for entry in next(iter(entries.values()))["commands"]]
     rows = []
     for name, entry in entries.items():
@@ -216,20 +251,38 @@ def _regulation(result: Mapping[str, Any]) -> Table:
     return Table("Regulation", ["", "episodes kept", "falls", *map(_command, commands)], rows, note)
 
 
+def _second_engine(transfer: Mapping[str, Any]) -> Table:
+    here, there = (engine["name"] for engine in transfer["engines"])
+    rows = [
+        [
+            _command(entry["command"]),
+            *(" / ".join("-" if v is None else f"{v:z.3f}" for v in entry[engine]) for engine in ("here", "there")),
+            *(str(entry[f"falls_{engine}"]) for engine in ("here", "there")),
+        ]
+        for entry in transfer["commands"]
+    ]
+    changes = ", ".join(
+        f"{way} {'-' if change is None else f'{100.0 * change:+z.0f} %'}"
+        for way, change in transfer["largest_change"].items()
+    )
+    note = f"Mean velocities of the policy in both engines. Largest change of a commanded velocity: {changes}"
+    return Table(f"In {there}", ["", here, there, f"falls in {here}", f"in {there}"], rows, note)
+
+
 def _figures(result: Mapping[str, Any]) -> list[dict[str, str]]:
-    met = percent(result["commands"]["met"])
+    met, closely = (percent(result["commands"][name]) for name in ("met", "met_closely"))
     return [
         figure(
             "Every command",
             plots.command_map(result),
             f"Achieved minus commanded velocity at commands drawn over the rectangle: red too much, blue too little. "
-            f"Crosses mark commands with falls. {met} of the episodes meet their command. Envelope, the largest "
-            f"command in one direction alone up to which all are met: {_envelope(result)}.",
+            f"Crosses mark commands with falls. {met} of the episodes meet their command, {closely} closely. "
+            f"Envelope, the largest command in one direction alone up to which all are met: {_envelope(result)}.",
         ),
         figure(
             "Pushes",
             plots.pushes(result),
-            "Share of the robots that follow their command after a push of all six components, by its size.",
+            "Accuracy after a push of all six components, by its size.",
         ),
         figure(
             "Terrain",

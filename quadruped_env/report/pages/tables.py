@@ -9,6 +9,7 @@ from quadruped_env.evaluation.conditions import words
 from quadruped_env.evaluation.evaluated_policy import EvaluatedPolicy
 from quadruped_env.evaluation.learning_gain import GAIN_HEADER, LearningGain, gain_rows, reward_in_words
 from quadruped_env.evaluation.measures import METRICS, metrics_of
+from quadruped_env.evaluation.term_gain import TERM_HEADER, TERM_NOTE, term_rows
 from quadruped_env.report import plots
 from quadruped_env.report.plots.canvas import label
 from quadruped_env.utils.text_table import Table, text_table
@@ -23,6 +24,9 @@ SUMMARY: Final = (
     ("Forwards: electrical cost of transport", "electrical_cost_of_transport", "forwards"),
     ("Forwards: mechanical cost of transport", "mechanical_cost_of_transport", "forwards"),
     ("Forwards: foot slip", "slip", "forwards"),
+    ("Forwards: height of the base", "base_height", "forwards"),
+    ("Forwards: rise of the feet", "apex", "forwards"),
+    ("Forwards: landing speed", "landing_speed", "forwards"),
 )
 """Label, metric and motion of each row of the summary table."""
 
@@ -102,9 +106,10 @@ def terms_table(policies: Mapping[str, EvaluatedPolicy], comparison: Comparison)
 
 
 def gain_tables(gains: Mapping[str, LearningGain]) -> list[Table]:
-    """Return the table of each policy and its zero action; the note is the reward of both."""
-    documents = {name: gain.to_dict() for name, gain in gains.items()}
-    return [
-        Table(label(name), GAIN_HEADER, gain_rows(document), reward_in_words(document))
-        for name, document in documents.items()
-    ]
+    """Return the table of each policy and its zero action, with the reward of both as note, and of its own terms."""
+    tables = []
+    for name, document in {name: gain.to_dict() for name, gain in gains.items()}.items():
+        tables.append(Table(label(name), GAIN_HEADER, gain_rows(document), reward_in_words(document)))
+        if rows := term_rows(document):
+            tables.append(Table(label(name), TERM_HEADER, rows, TERM_NOTE))
+    return tables

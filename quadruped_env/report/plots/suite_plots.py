@@ -41,17 +41,17 @@ def command_map(result: Mapping[str, Any]) -> str:
 
 
 def pushes(result: Mapping[str, Any]) -> str:
-    """Draw the share of the robots that follow their command after a push, over the size of the push."""
+    """Draw the accuracy after a push over the size of the push, for each command."""
     sizes = result["definition"]["pushes"]["sizes"]
 
     def draw(axes: Any) -> None:
         ax = axes[0, 0]
         for i, entry in enumerate(result["pushes"]["commands"]):
-            share = [100.0 * size["mean"] for size in entry["obeyed"]]
+            accuracy = [100.0 * size["mean"] for size in entry["accuracy"]]
             colour = SERIES[i % len(SERIES)]
-            ax.plot(sizes, share, color=colour, marker="o", markersize=4, label=words(entry["command"]))
+            ax.plot(sizes, accuracy, color=colour, marker="o", markersize=4, label=words(entry["command"]))
         ax.axhline(50.0, **REFERENCE)
-        ax.set(xlabel="size of the push", ylabel="follow the command (%)")
+        ax.set(xlabel="size of the push", ylabel="accuracy (%)")
         ax.set_ylim(-3.0, 103.0)
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
@@ -64,7 +64,7 @@ def crossings(result: Mapping[str, Any]) -> str:
 
     def draw(axes: Any) -> None:
         ax = axes[0, 0]
-        for i, (kind, entry) in enumerate(result["terrain"].items()):
+        for i, (kind, entry) in enumerate(result["terrain"]["kinds"].items()):
             share = [100.0 * level["mean"] for level in entry["crossed"]]
             colour = SERIES[i % len(SERIES)]
             ax.plot(np.arange(1, len(share) + 1), share, color=colour, marker="o", markersize=4, label=kind)

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from synthetic import DT, falls, synthetic_rollout
 
+from quadruped_env.evaluation.measures import Tolerance
 from quadruped_env.evaluation.suite import changing
 from quadruped_env.evaluation.suite.candidate import Candidate
-from quadruped_env.evaluation.suite.suite import PARTS
 from quadruped_env.evaluation.suite.suite_definition import Change, Disturbance, full_suite
 from quadruped_env.policies import ZeroController
 from quadruped_env.simulation import BatchSimulation
@@ -59,15 +59,28 @@ class TestJoystick:
         np.testing.assert_allclose(error[25:200], 0.0, atol=1e-3)
         np.testing.assert_allclose(error[255:400], [[0.1, 0.0]] * 145, atol=1e-12)
 
-    def test_windows_with_a_fall_or_a_large_error_are_not_met(self):
-        error = np.zeros((STEPS, 3, 2))
+    def test_windows_have_the_accuracy_of_their_mean_error_and_none_with_a_fall_counts(self):
+        error, command = np.zeros((STEPS, 3, 2)), np.tile([0.5, 0.0], (STEPS, 3, 1))
         error[250:500, 0, 0] = -0.11
-        error[500:600, 1] = 0.2, -0.4  # a mean of 0.08 m/s and 0.16 rad/s over the window
+        error[500:600, 1] = 0.1, -0.3125  # a mean of 0.04 m/s, which is met closely, and of 0.125 rad/s: half way
         error[500:750, 2] = np.nan
         valid = np.ones((STEPS, 3), dtype=bool)
         valid[760:, 0] = False
-        found = changing.met_windows(error, valid, JOYSTICK, DT)
-        np.testing.assert_array_equal(found.T, [[1, 0, 1, 0], [1, 1, 1, 1], [1, 1, 0, 1]])
+        accuracy, counted = changing.window_accuracy(error, command, valid, JOYSTICK, DT)
+        np.testing.assert_allclose(accuracy.T[:2], [[1, 0, 1, 1], [1, 1, 0.5, 1]])
+        np.testing.assert_array_equal(counted.T, [[1, 1, 1, 0], [1, 1, 1, 1], [1, 1, 0, 1]])
+
+    def test_falls_divide_the_score_smoothly_and_its_spread_counts_them(self):
+        """60 robots for a minute each with an accuracy of 0.8, and no fall, one, ten, or 62 in this hour."""
+        sums = np.tile([[9.6], [12.0], [0.0], [1.0 / 60.0]], (1, 60))
+        for count, expected in ((0, 0.8), (1, 0.8 / 1.1), (10, 0.4), (62, 0.8 / 7.2)):
+            sums[2] = np.bincount(np.arange(count) % 60, minlength=60)
+            found = changing.joystick_contributions(sums, JOYSTICK.halving)
+            assert found.mean() == pytest.approx(expected)
+            # The standard deviation of the count, times the derivative of the score.
+            spread = 0.8 / 10.0 / (1.0 + count / 10.0) ** 2 * math.sqrt(60.0 * sums[2].var())
+            assert found.std() / math.sqrt(60) == pytest.approx(spread, rel=0.15)
+        assert changing.joystick_contributions(sums[:, :1], JOYSTICK.halving) == pytest.approx([0.8 / 13.0])
 
     def test_falls_per_hour_count_the_time_until_each_fall(self):
         command = np.repeat(given((STEPS, 0.3, 0.0)), 3, axis=1)
@@ -78,13 +91,25 @@ class TestJoystick:
         assert (result["falls"], result["robot_hours"]) == (1, pytest.approx(50.0 / 3600.0))
         assert result["falls_per_hour"]["mean"] == pytest.approx(72.0)
         assert result["mean_error"] == pytest.approx([0.0, 0.0], abs=1e-6)
-        assert result["windows_met"]["mean"] == pytest.approx(10 / 12)
+        assert result["accuracy"]["mean"] == 1.0
+        assert np.mean(result["contributions"]) == pytest.approx(1.0 / 8.2)
+
+    def test_three_quarters_of_every_command_earn_little_and_those_within_a_tenth_everything(self):
+        command = np.repeat(np.stack([changing.schedule(JOYSTICK, 1_600_000 + i, DT) for i in range(8)], axis=1), 1, 1)
+        found = []
+        for share in (1.0, 0.91, 0.75, 0.0):
+            rollout = synthetic_rollout(len(command), 8, velocity=share * command)
+            found.append(np.mean(changing.joystick_measures(rollout, command, JOYSTICK)["contributions"]))
+        assert found[:2] == [1.0, pytest.approx(1.0, abs=0.01)]
+        assert 0.2 < found[2] < 0.6
+        assert found[3] == 0.0
 
     def test_standing_meets_no_window_that_counts(self):
         command = given((500, 0.05, 0.1), (500, 0.3, 0.0))
         rollout = synthetic_rollout(STEPS, velocity=np.zeros((STEPS, 1, 2)))
         result = changing.joystick_measures(rollout, command, JOYSTICK)
-        assert (result["windows_met"]["mean"], result["windows_met"]["count"]) == (0.0, 2)
+        assert result["contributions"] == [0.0]
+        assert result["accuracy"]["count"] == 1
 
     def test_robots_get_their_own_commands_when_they_change(self):
         requested = []
@@ -98,8 +123,9 @@ class TestJoystick:
         result = changing.run_joystick(part, Candidate("standing", Recorder(), TaskConfig()))
         expected = np.stack([changing.schedule(part, seed, DT) for seed in part.seeds], axis=1)
         np.testing.assert_array_equal(requested, expected)
-        assert result["undisturbed"]["robot_hours"] == pytest.approx(12.0 / 3600.0)
-        assert result["undisturbed"]["windows_met"]["count"] == 0
+        assert result["laws"]["undisturbed"]["robot_hours"] == pytest.approx(12.0 / 3600.0)
+        assert result["laws"]["undisturbed"]["accuracy"]["count"] == 0
+        assert result["contributions"] == [0.0] * 3
 
 
 TIME = (np.arange(round((TRANSIENTS.before + TRANSIENTS.after) / DT)) + 1) * DT - TRANSIENTS.before
@@ -111,9 +137,16 @@ def first_order(tau, start=0.0, end=0.5):
     return np.where(TIME > 0, end + (start - end) * np.exp(-TIME / tau), start)[:, None]
 
 
-def settling(velocity, wanted=0.5, **band):
-    """Settling time of the first episode, s."""
-    return changing.step_response(velocity, wanted, TRANSIENTS, DT, **band)[0][0]
+def settling(velocity, wanted=0.5, least=0.0):
+    """Settling time of the first episode, s, of a velocity (T, 1); `least` is the least half width of the band."""
+    part = replace(TRANSIENTS, tolerance=Tolerance(met=(least,)))
+    return changing.step_response(velocity[..., None], np.array([wanted]), part, DT)[0][0]
+
+
+def measured(velocity, first, then, **changes):
+    """Measures of a step of the command from velocities (T, N, 2)."""
+    rollout = synthetic_rollout(len(TIME), velocity.shape[1], velocity=velocity, **changes)
+    return changing.step_measures(rollout, Change("step", first, then), TRANSIENTS)
 
 
 def settled(tau, band):
@@ -134,13 +167,15 @@ class TestTransients:
     @pytest.mark.parametrize("tau", [0.3, 0.6])
     @pytest.mark.parametrize(("start", "end"), [(0.0, 0.5), (0.5, 0.0), (0.3, -0.3)])
     def test_settling_time_of_a_first_order_response_has_its_closed_form(self, tau, start, end):
-        time, followed = changing.step_response(first_order(tau, start, end), end - start, TRANSIENTS, DT)
+        velocity = np.stack([first_order(tau, start, end), np.zeros((len(TIME), 1))], axis=-1)
+        wanted = np.array([end - start, 0.0])
+        time, before, final = changing.step_response(velocity, wanted, TRANSIENTS, DT)
         assert time[0] == pytest.approx(settled(tau, TRANSIENTS.band), abs=1.5 * DT)
-        assert followed[0]
+        np.testing.assert_allclose([before[0, 0], final[0, 0]], [start, end], atol=2e-3)
 
     def test_band_around_the_final_value_has_a_least_width(self):
-        assert settling(first_order(0.5), narrowest=0.25) == pytest.approx(settled(0.5, 0.5), abs=1.5 * DT)
-        assert settling(first_order(0.5), narrowest=0.05) == settling(first_order(0.5))
+        assert settling(first_order(0.5), least=0.25) == pytest.approx(settled(0.5, 0.5), abs=1.5 * DT)
+        assert settling(first_order(0.5), least=0.05) == settling(first_order(0.5))
 
     def test_oscillation_within_a_stride_does_not_delay_settling(self):
         swing = 0.1 * np.sin(2 * np.pi * 3.4 * TIME)[:, None]
@@ -155,33 +190,50 @@ class TestTransients:
 
     @pytest.mark.parametrize(("end", "followed"), [(0.26, True), (0.24, False), (0.0, False), (-0.5, False)])
     def test_a_response_in_the_wrong_direction_or_too_small_is_not_followed(self, end, followed):
-        _, found = changing.step_response(first_order(0.2, 0.0, end), 0.5, TRANSIENTS, DT)
-        assert found[0] == followed
+        velocity = np.stack([first_order(0.2, 0.0, end), np.zeros((len(TIME), 1))], axis=-1)
+        assert measured(velocity, (0.0, 0.0), (0.5, 0.0))["followed"]["mean"] == followed
 
     def test_measures_of_a_stop(self):
         """Two robots stop with time constant 0.4 s, one of them falls afterwards; a third walks on."""
         speed = np.concatenate([first_order(0.4, 0.5, 0.0)] * 2 + [np.full((len(TIME), 1), 0.5)], axis=1)
         valid = np.ones((len(TIME), 3), dtype=bool)
         valid[-20:, 1] = False
-        rollout = synthetic_rollout(len(TIME), 3, velocity=np.stack([speed, 0 * speed], axis=-1), fell=falls(valid))
-        result = changing.step_measures(rollout, Change("emergency_stop", (0.5, 0.0), (0.0, 0.0)), TRANSIENTS)
+        velocity = np.stack([speed, 0 * speed], axis=-1)
+        result = measured(velocity, (0.5, 0.0), (0.0, 0.0), fell=falls(valid))
         assert result["falls"]["mean"] == pytest.approx(1 / 3)
         assert result["followed"]["mean"] == pytest.approx(1 / 3)
         time = settling(first_order(0.4, 0.5, 0.0), -0.5)
         assert result["settling_time"]["mean"] == pytest.approx((time + 2 * TRANSIENTS.after) / 3)
-        assert result["score"] == pytest.approx((1.0 - time / TRANSIENTS.after) / 3)
+        assert result["contributions"] == pytest.approx([1.0 - time / TRANSIENTS.after, 0.0, 0.0])
+        assert result["steady_error"] == pytest.approx([0.25, 0.0], abs=1e-3)  # without the one that falls
+
+    @pytest.mark.parametrize(
+        ("share", "first", "then", "accuracy"),
+        [
+            (1.0, (0.0, 0.0), (0.5, 0.0), 1.0),
+            (0.91, (0.0, 0.0), (0.5, 0.0), 1.0),
+            (0.85, (0.0, 0.0), (0.5, 0.0), 0.5),  # 0.075 m/s: half way from 0.05 to 0.1 m/s
+            (0.75, (0.0, 0.0), (0.5, 0.0), 0.0),
+            (0.75, (0.0, 0.0), (0.0, 0.5), 0.5),  # 0.125 rad/s: half way from 0.05 to 0.2 rad/s
+            (0.75, (0.5, 0.0), (0.0, 0.0), 1.0),  # it stops
+        ],
+    )
+    def test_steady_error_counts(self, share, first, then, accuracy):
+        """A robot that follows at once, and always does a share of what is asked."""
+        first_then = np.where(TIME[:, None, None] > 0.0, then, first)
+        (contribution,) = measured(share * first_then, first, then)["contributions"]
+        time = settling(share * first_then[..., :1][..., 0] if then[1] == 0 else share * first_then[..., 1], 0.5)
+        assert contribution == pytest.approx(accuracy * (1.0 - time / TRANSIENTS.after), abs=0.02)
 
     def test_a_change_of_both_velocities_has_settled_when_the_slower_one_has(self):
         forward, turning = first_order(0.2, 0.1, 0.5), first_order(0.6, 0.5, -0.5)
-        rollout = synthetic_rollout(len(TIME), 1, velocity=np.stack([forward, turning], axis=-1))
-        change = Change("diagonal", (0.1, 0.5), (0.5, -0.5))
-        result = changing.step_measures(rollout, change, TRANSIENTS)
+        diagonal = (0.1, 0.5), (0.5, -0.5)
+        result = measured(np.stack([forward, turning], axis=-1), *diagonal)
         assert settling(turning, -1.0) > settling(forward, 0.4) + 0.5
         assert result["settling_time"]["mean"] == pytest.approx(settling(turning, -1.0))
         # If one velocity does not follow, the change is not followed.
-        stuck = synthetic_rollout(len(TIME), 1, velocity=np.stack([forward, np.full_like(turning, 0.5)], axis=-1))
-        result = changing.step_measures(stuck, change, TRANSIENTS)
-        assert (result["followed"]["mean"], result["score"]) == (0.0, 0.0)
+        result = measured(np.stack([forward, np.full_like(turning, 0.5)], axis=-1), *diagonal)
+        assert (result["followed"]["mean"], result["contributions"]) == (0.0, [0.0])
 
     def test_every_episode_gets_the_command_of_its_change_and_counts(self):
         part, commands = replace(TRANSIENTS, num_seeds=3), {}
@@ -196,7 +248,8 @@ class TestTransients:
 
         result = changing.run_transients(part, SimpleNamespace(run=run))
         assert commands == {3 * i + k: change.then for i, change in enumerate(part.changes) for k in range(3)}
-        assert {entry["followed"]["count"] for entry in result.values()} == {3}
+        assert {entry["followed"]["count"] for entry in result["changes"].values()} == {3}
+        assert len(result["contributions"]) == 3 * len(part.changes)
 
 
 def pushed_rollout(part, velocity, **changes):
@@ -223,15 +276,15 @@ class TestPushes:
         part = replace(PUSHES, commands=((0.3, 0.0), (0.0, 0.5), (-0.2, 0.0), (0.0, 0.0)), sizes=(1.0,), num_seeds=3)
         result = changing.push_measures(pushed_rollout(part, [0.0, 0.0]), part)
         assert result["survived"]["mean"] == 1.0
-        assert [entry["obeyed"][0]["mean"] for entry in result["commands"]] == [0.0, 0.0, 0.0, 1.0]
-        assert PARTS["pushes"][1](result, part) == 0.0
+        assert [entry["accuracy"][0]["mean"] for entry in result["commands"]] == [0.0, 0.0, 0.0, 1.0]
+        assert result["contributions"] == [0.0] * 9
 
     def test_only_the_time_after_the_push_counts_and_a_fall_earns_nothing(self):
         part = replace(PUSHES, commands=((0.3, 0.0), (0.0, 0.0)), sizes=(1.0, 2.0), num_seeds=2)
         rollout = pushed_rollout(part, [0.0, 0.0])
         last = round(part.final / DT)
         moving = rollout.velocity.copy()
-        moving[-last:, :4] = 0.36, -0.1
+        moving[-last:, :4] = 0.365, -0.05  # half way from 0.03 to 0.1 m/s
         moving[:-last] = 3.0
         valid = rollout.valid.copy()
         valid[-1, 3] = False
@@ -240,10 +293,11 @@ class TestPushes:
         found = changing.push_measures(
             replace(rollout, velocity=moving, fell=falls(valid), joint_velocity=joints), part
         )
-        means = [[size["mean"] for size in entry["obeyed"]] for entry in found["commands"]]
-        assert means == [[1.0, 0.5], [0.5, 1.0]]
+        means = [[size["mean"] for size in entry["accuracy"]] for entry in found["commands"]]
+        np.testing.assert_allclose(means, [[0.5, 0.25], [0.5, 1.0]], atol=1e-6)
         assert found["survived"]["mean"] == pytest.approx(7 / 8)
-        assert PARTS["pushes"][1](found, part) == pytest.approx(0.75 * (1.0 - 0.2 * 0.25))
+        share = 0.5 * (1.0 - 0.2 * 0.25)
+        assert found["contributions"] == pytest.approx([share, share, share, 0.0])
 
     def test_pushes_have_six_components_and_random_times(self):
         drawn = [changing.push_of(PUSHES, seed) for seed in range(2000)]

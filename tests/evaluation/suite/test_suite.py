@@ -17,6 +17,7 @@ from quadruped_env.evaluation.results import (
     COMPONENTS,
     aggregate,
     check_comparable,
+    paired_differences,
     read_references,
     read_results,
     references_for,
@@ -28,7 +29,7 @@ from quadruped_env.evaluation.suite.candidate import Candidate
 from quadruped_env.evaluation.suite.suite import PARTS, run_suite, scores
 from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
 from quadruped_env.gait import CommandedGait
-from quadruped_env.policies import GaitController, ZeroController
+from quadruped_env.policies import SHIPPED, GaitController, ZeroController
 from quadruped_env.robot import MINI_QUADRUPED, MotorConfig
 from quadruped_env.task import TaskConfig, TerminationConfig
 
@@ -45,7 +46,8 @@ def result():
 
 def test_suite_measures_every_part(result):
     document, done = result
-    assert document["suite"] == TINY.identity
+    assert (document["suite"], document["seed"]) == (TINY.identity, TINY.seed)
+    assert document["second_engine"] is None, "not measured"
     assert document["definition"] == TINY.to_dict()
     assert json.loads(json.dumps(document, allow_nan=False)) == document
     assert done == sorted(done)
@@ -65,22 +67,35 @@ def test_standing_scores_nothing(result):
     assert document["commands"]["envelope"] == {"forwards": 0.0, "backwards": 0.0, "left": 0.0, "right": 0.0}
 
 
-def test_the_total_is_the_mean_of_the_components():
-    parts = {
-        "commands": {"moving": {"mean": 0.5}, "standing": {"mean": 1.0}},
-        "joystick": {"a": {"windows_met": {"mean": 0.25}}, "b": {"windows_met": {"mean": 0.75}}},
-        "gait": {"feet": [], "commands": [{"landing_speed": [None], "clearance": [0.1]}]},
-        "transients": {"a": {"score": 0.1}, "b": {"score": 0.5}},
-        "pushes": {"moving": {"mean": 1.0}, "standing": {"mean": 0.0}},
-        "regulation": {
-            **{factor.name: {"kept": {"mean": 0.4}} for factor in QUICK.regulation.factors},
-            "hard": {"held": {"mean": 0.6}},
-        },
-        "terrain": {"rough": {"highest_level": 1}},
-    }
-    found = scores(QUICK, parts)
-    assert found["components"] == pytest.approx(dict(zip(COMPONENTS, (0.5, 0.5, 0, 0.3, 0.8, 0.5, 0.5), strict=True)))
-    assert found["total"] == pytest.approx(3.1 / 7.0)
+def test_the_total_is_the_mean_of_the_components_and_these_of_their_contributions():
+    found = scores({"commands": {"contributions": [0.0, 1.0]}, "joystick": {"contributions": [0.1, 0.2, 0.3]}})
+    assert found["components"] == pytest.approx({"commands": 0.5, "joystick": 0.2})
+    assert found["total"] == pytest.approx(0.35)
+
+
+def with_contributions(result, **changes):
+    """Results with other contributions of some parts, and the score that belongs to them."""
+    other = copy.deepcopy(result)
+    for name, values in changes.items():
+        other[name]["contributions"] = values
+    other["score"] = scores({name: other[name] for name in COMPONENTS})
+    return other
+
+
+def test_differences_are_over_pairs_of_episodes_with_the_same_seed(result):
+    """Of 20 pairs, 15 gain 0.1 and 5 lose it: from the paired differences, not from the spread of the episodes."""
+    spread = np.linspace(0.0, 0.9, 20)
+    gained = spread + np.where(np.arange(20) < 15, 0.1, -0.1)
+    same = {name: [0.5, 0.7] for name in COMPONENTS}
+    one, other = (with_contributions(result[0], **same | {"pushes": list(values)}) for values in (gained, spread))
+    found = paired_differences(one, other)
+    interval = stats.t.interval(0.95, 19, 0.05, stats.sem(gained - spread))
+    pushes = found["components"]["pushes"]
+    assert (pushes["mean"], pushes["low"], pushes["high"]) == pytest.approx((0.05, *interval), abs=1e-4)
+    score = found["score"]
+    assert (score["mean"], score["low"]) == pytest.approx((0.05 / 7.0, interval[0] / 7.0), abs=1e-4)
+    assert stats.ttest_ind(gained, spread).pvalue > 0.5, "what unpaired episodes would show"
+    assert paired_differences(one, {**other, "seed": other["seed"] + 1}) is None
 
 
 def test_the_zero_action_has_results_of_its_own(result):
@@ -103,7 +118,7 @@ def test_the_zero_action_of_a_residual_policy_is_its_gait():
 @pytest.mark.parametrize(
     ("field", "value", "words"),
     [
-        ("version", 1, r"suite.version is 2 in one and 1 in the other; evaluate both with the same version"),
+        ("version", 2, r"suite.version is 3 in one and 2 in the other; evaluate both with the same version"),
         ("quick", False, r"suite.quick is True in one and False .* a quick result is never comparable"),
         ("sha256", "0" * 64, r"suite.sha256 is .* the definitions of the suite differ"),
         ("name", "other", r"suite.name is 'mq-eval' in one and 'other'"),
@@ -172,28 +187,23 @@ def test_gait_scores_the_same_on_the_robot_of_half_the_size():
     for robot in (MINI_QUADRUPED, half_robot.ROBOT):
         controller = GaitController(CommandedGait.preset("sinusoid", robot), "sinusoid")
         measured = Candidate("sinusoid", controller, TaskConfig().for_robot(robot))
-        part, (run, score) = for_robot(QUICK, robot).gait, PARTS["gait"]
-        scores.append(score(run(part, measured, None), part))
-    assert scores[0] > 0.3
+        scores.append(np.mean(PARTS["gait"](for_robot(QUICK, robot).gait, measured, None)["contributions"]))
+    assert scores[0] > 0.15
     assert scores[1] == pytest.approx(scores[0], abs=0.05)
 
 
-def test_parts_are_measured_and_scored_in_the_units_of_the_robot(monkeypatch):
+def test_parts_are_measured_in_the_units_of_the_robot(monkeypatch):
     measured = Candidate("standing", ZeroController(), TaskConfig().for_robot(half_robot.ROBOT))
     seen = []
 
     def run(part, measured, progress):
         seen.append(part)
-        return {}
+        return {"contributions": [0.5]}
 
-    def score(result, part):
-        seen.append(part)
-        return 0.0
-
-    monkeypatch.setattr(suite_module, "PARTS", {"commands": (run, score)})
+    monkeypatch.setattr(suite_module, "PARTS", {"commands": run})
     result = run_suite(measured, QUICK)
     own = for_robot(QUICK, half_robot.ROBOT)
-    assert seen == [own.commands, own.commands]
+    assert seen == [own.commands]
     assert own.commands != QUICK.commands
     assert result["definition"] == own.to_dict()
     assert result["suite"] == QUICK.identity
@@ -201,13 +211,15 @@ def test_parts_are_measured_and_scored_in_the_units_of_the_robot(monkeypatch):
 
 def test_shipped_reference_rows_belong_to_this_suite_and_are_in_its_known_order():
     rows = {row["name"]: row for row in read_references()}
+    if not rows:
+        pytest.skip("the reference rows of this version are not measured yet: tools/suite_references.py")
     assert {row["suite"]["sha256"] for row in rows.values()} == {full_suite().identity["sha256"]}
     total = {name: row["score"]["total"] for name, row in rows.items()}
     # The tutorial's gait moves the robot, and follows no command.
-    assert 0.0 == total["standing"] < total["article"] < 0.01
-    assert 0.1 < total["sinusoid"] < total["tuned"] < min(total["flat"], total["rough"])
-    for policy in ("flat", "rough"):
-        assert total[f"{policy}, zero action"] < total[policy]
+    assert 0.0 == total["standing"] < total["article"] < 0.05
+    assert 0.1 < total["sinusoid"] < total["tuned"]
+    for policy in SHIPPED:
+        assert max(total[f"{policy}, zero action"], total["tuned"]) < total[policy]
 
 
 def test_task_of_the_suite_does_not_depend_on_how_a_policy_was_trained():
@@ -242,7 +254,7 @@ def seed_result(name, score, **levels):
         "conditions": {"robot": {"name": "r", "sha256": "0"}},
         "name": name,
         "score": {"total": score, "components": {**components, "gait": 0.5 * score}},
-        "terrain": {kind: {"highest_level": level} for kind, level in levels.items()},
+        "terrain": {"kinds": {kind: {"highest_level": level} for kind, level in levels.items()}},
     }
 
 

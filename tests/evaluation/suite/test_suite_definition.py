@@ -11,7 +11,7 @@ from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.results import COMPONENTS
 from quadruped_env.evaluation.rollout import FIRST_SEED
 from quadruped_env.evaluation.suite import changing, suite_definition
-from quadruped_env.evaluation.suite.suite_definition import for_robot, full_suite, quick_suite
+from quadruped_env.evaluation.suite.suite_definition import SEEDS, for_robot, full_suite, quick_suite
 from quadruped_env.robot import MINI_QUADRUPED, QuadrupedDesign
 from quadruped_env.simulation import TERRAINS
 from quadruped_env.task import PRESETS
@@ -19,13 +19,13 @@ from quadruped_env.training.train import train
 from quadruped_env.training.train_config import TrainConfig
 from quadruped_env.utils.seeds import EVALUATION_SEEDS, check_training_seeds
 
-SHA256_OF_VERSION_2 = "5daeb88810a8c2531ffd473a9d075ccb817dcfcc2db71cb979be62edb8870740"
+SHA256_OF_VERSION_3 = "0dff12677316e5bb505614793fb577bec6eb423e3f558c05bc79753348abc9f3"
 """Changes if any number of the definition does, the preset `hard` and the terrains included: that is a new version."""
 
 
 def test_hash_of_the_version_is_the_one_that_results_were_made_with():
-    assert (suite_definition.NAME, suite_definition.VERSION) == ("mq-eval", 2)
-    assert full_suite().sha256 == SHA256_OF_VERSION_2
+    assert (suite_definition.NAME, suite_definition.VERSION) == ("mq-eval", 3)
+    assert full_suite().sha256 == SHA256_OF_VERSION_3
 
 
 def test_commands_that_are_drawn_are_the_ones_that_results_were_made_with():
@@ -47,7 +47,7 @@ def test_hash_covers_the_values_of_the_preset_and_of_the_terrains(monkeypatch):
     assert document["terrain"]["shapes"]["stairs"] == {"height": 0.02, "run": 0.2}
     changed = {**PRESETS["hard"], "friction": (0.4, 1.2)}
     monkeypatch.setattr(suite_definition, "PRESETS", {**PRESETS, "hard": changed})
-    suite = replace(full_suite(), regulation=suite_definition.Regulation(4, full_suite().regulation.first_seed))
+    suite = replace(full_suite(), regulation=suite_definition.Regulation(4))
     assert suite.sha256 != before
 
 
@@ -71,7 +71,10 @@ def test_regulation_covers_friction_payload_offsets_and_slopes_both_ways():
     assert factors["payload_-0.5_kg"].randomization == {"payload": (-0.5, -0.5)}
     assert factors["encoder_offset_0.04"].randomization == {"encoder_offset": 0.04}
     assert (factors["up_16_degrees"].slope, factors["down_4_degrees"].slope) == (16.0, -4.0)
-    assert len(factors) == 1 + 5 + 4 + 2 + 8
+    latencies = [factor.randomization for name, factor in factors.items() if name.startswith("latency")]
+    assert latencies == [{"action_latency": (s, s)} for s in (0.02, 0.04, 0.06, 0.08)]
+    assert {(0.5, 0.0), (0.0, 0.5)} <= set(full_suite().regulation.commands)
+    assert len(factors) == 1 + 5 + 4 + 2 + 4 + 8
 
 
 def test_suite_of_another_robot_has_the_same_numbers_in_its_units():
@@ -81,10 +84,11 @@ def test_suite_of_another_robot_has_the_same_numbers_in_its_units():
     for part in ("gait", "pushes", "regulation"):
         np.testing.assert_allclose(getattr(half, part).commands, np.multiply(getattr(full, part).commands, units), 1e-5)
     assert half.commands.axes["left"][-1] == (0.0, 2.26274)
-    assert (half.commands.tolerance, half.joystick.tolerance) == ((0.0353553, 0.141421), (0.0707107, 0.282843))
-    assert half.regulation.together_tolerance == half.joystick.tolerance
+    tolerance = half.commands.tolerance
+    assert (tolerance.met, tolerance.missed) == ((0.0353553, 0.141421), (0.0707107, 0.282843))
+    assert (tolerance.least, tolerance.share) == ((0.0141421, 0.0707107), 0.1)
+    assert {getattr(half, part).tolerance for part in COMPONENTS} == {tolerance}
     assert half.transients.changes[0].then == (0.353553, 0.0)
-    assert half.transients.narrowest == half.commands.tolerance
     np.testing.assert_allclose(half.pushes.unit, (TIME, TIME, 0.5 * TIME, *(2.0 / TIME,) * 3), 1e-5)
     assert (half.gait.bounce, half.gait.full_clearance) == (0.001, 0.005)
     assert (half.gait.soft_landing, half.gait.little_slip) == (0.141421, 0.0353553)
@@ -114,18 +118,38 @@ def test_quick_suite_is_marked_and_has_every_part():
     for part in COMPONENTS:
         assert full[part].keys() == quick[part].keys()
         assert quick[part]["num_seeds"] < full[part]["num_seeds"]
-    assert (full_suite().label, quick_suite().label) == ("mq-eval 2", "mq-eval 2 (quick)")
+    assert (full_suite().label, quick_suite().label) == ("mq-eval 3", "mq-eval 3 (quick)")
+
+
+def test_seeds_change_every_episode_and_not_the_definition():
+    """Nobody can tune a policy on commands, starts, pushes or worlds that are drawn afterwards."""
+    one, other = full_suite(1_600_000), full_suite(1_700_123)
+    assert (one.seed, one.sha256) == (1_600_000, other.sha256)
+    assert "first_seed" not in str(one.to_dict())
+    assert not {*one.commands.drawn[:248]} & {*other.commands.drawn}
+    for part in COMPONENTS:
+        assert getattr(one, part).first_seed == getattr(other, part).first_seed - 100_123
+    assert full_suite(1_600_000) == full_suite().seeded(1_600_000)
+    assert quick_suite(1_700_123).seeded(SEEDS.start) == quick_suite()
+    drawn = {suite_definition.draw_seed() for _ in range(20)}
+    assert len(drawn) > 15
+    assert drawn <= set(SEEDS)
+
+
+@pytest.mark.parametrize("seed", [0, SEEDS.start - 1, SEEDS.stop])
+def test_seeds_of_other_evaluations_are_refused(seed):
+    with pytest.raises(QuadrupedError, match=rf"--seed: expected 1500000 to 1899999 for the suite; found {seed}"):
+        full_suite(seed)
 
 
 def test_seeds_of_the_parts_are_reserved_and_differ_from_each_other_and_from_other_evaluations():
     seen = set(range(FIRST_SEED, FIRST_SEED + 10_000))
     for part in COMPONENTS:
-        seeds = getattr(full_suite(), part).seeds
+        seeds = getattr(full_suite(SEEDS.stop - 1), part).seeds
         assert EVALUATION_SEEDS.start <= seeds.start < seeds.stop <= EVALUATION_SEEDS.stop
         assert not seen.intersection(seeds)
         seen.update(seeds)
     full = full_suite()
-    assert all(seed in EVALUATION_SEEDS for seed in full.terrain.terrain_seeds)
     assert len(full.pushes.sizes) * full.pushes.num_seeds < 10_000
     assert full.regulation.together_seeds < 10_000
 

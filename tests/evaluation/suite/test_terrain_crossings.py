@@ -11,13 +11,12 @@ from synthetic import synthetic_rollout
 from quadruped_env import QuadrupedError
 from quadruped_env.evaluation.suite import steady
 from quadruped_env.evaluation.suite.candidate import Candidate
-from quadruped_env.evaluation.suite.suite import PARTS
 from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.policies import GaitController, ZeroController
 from quadruped_env.simulation import BatchSimulation
 from quadruped_env.task import Task, TaskConfig
 
-PART = replace(full_suite().terrain, num_seeds=4, terrain_seeds=full_suite().terrain.terrain_seeds[:1])
+PART = replace(full_suite().terrain, num_seeds=4, worlds=1)
 TUNED = Candidate("tuned", GaitController(), TaskConfig())
 
 
@@ -32,22 +31,20 @@ def test_highest_level_is_that_up_to_which_every_level_is_passed(shares, expecte
     assert steady.highest(levels(*shares), PART) == expected
 
 
-def test_score_is_the_mean_level_over_the_number_of_levels():
-    result = {"a": {"highest_level": 10}, "b": {"highest_level": 4}, "c": {"highest_level": 1}}
-    assert PARTS["terrain"][1](result, PART) == pytest.approx(0.5)
-
-
 def test_levels_are_tried_until_the_first_that_is_not_passed(monkeypatch):
     """A robot that passes `rough` up to level 3 and `steps` nowhere."""
     tried = []
 
     def crossings(part, measured, kinds, level, progress=None):
         tried.append((level, tuple(kinds)))
-        return {kind: np.arange(10) < (9 if kind == "rough" and level <= 3 else 8) for kind in kinds}
+        return {kind: (np.arange(10) < (9 if kind == "rough" and level <= 3 else 8))[None] for kind in kinds}
 
     monkeypatch.setattr(steady, "crossings", crossings)
     done = []
-    result = steady.run_terrain(replace(PART, kinds=("rough", "steps")), TUNED, done.append)
+    found = steady.run_terrain(replace(PART, kinds=("rough", "steps"), num_seeds=10), TUNED, done.append)
+    result = found["kinds"]
+    # Of 10 levels, eight starts cross 4 of rough and 1 of steps, one 3 of rough, and one none.
+    assert found["contributions"] == pytest.approx([0.4] * 8 + [0.3, 0.0] + [0.1] * 8 + [0.0] * 2)
     assert tried == [(1, ("rough", "steps")), (2, ("rough",)), (3, ("rough",)), (4, ("rough",))]
     assert result["rough"]["highest_level"] == 3
     assert [entry["mean"] for entry in result["rough"]["crossed"]] == [0.9, 0.9, 0.9, 0.8]
@@ -69,7 +66,7 @@ def test_robots_start_on_their_tiles_and_cross_when_they_leave_them():
 
 
 def test_a_fall_before_the_edge_is_no_crossing_and_every_world_has_its_own_tiles():
-    part = replace(PART, kinds=("rough",), levels=1, num_seeds=2, terrain_seeds=(1, 2, 3))
+    part = replace(PART, kinds=("rough",), levels=1, num_seeds=2, first_seed=1, worlds=3)
     worlds = []
 
     def run(commands, seeds, seconds, progress, terrain, tiles):
