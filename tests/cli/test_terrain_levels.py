@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from quadruped_env.cli.common_options import add_evaluation_options, evaluation_options, named_terrain
+from quadruped_env.cli.common_options import add_evaluation_options, add_suite, evaluation_options, named_terrain
 from quadruped_env.cli.main import main
 from quadruped_env.evaluation.baseline import run_baseline
 from quadruped_env.evaluation.comparison import compare
@@ -20,7 +20,7 @@ from quadruped_env.task import TaskConfig
 def parsed(arguments):
     parser = argparse.ArgumentParser()
     add_evaluation_options(parser, "")
-    parser.set_defaults(suite=False)
+    add_suite(parser, "")
     return parser.parse_args(arguments)
 
 

@@ -46,12 +46,12 @@ def test_own_replaced_and_changed_terms_have_rows_and_no_others(definition):
 
 
 def test_what_a_recipe_sets_is_no_change_of_the_user(definition):
-    task = values_for(RECIPES["rough"].task, TaskConfig().robot)
+    task = values_for(RECIPES["walker"].task, TaskConfig().robot)
     config = TaskConfig.from_dict({"reward": task["reward"]})
-    assert changed_terms(config, "rough") == {}
-    assert set(changed_terms(config, "")) == {"gait_clock", "electrical_power", "landing", "action_rate"}
+    assert changed_terms(config, "walker") == {}
+    assert set(changed_terms(config, "")) == {"steady_error", "gait_clock", "landing", "action_rate"}
     back = TaskConfig.from_dict({"reward": {"weights": task["reward"]["weights"]}})
-    assert changed_terms(back, "rough") == {"gait_clock": "1"}, "with the default height of the steps"
+    assert changed_terms(back, "walker") == {"gait_clock": "1"}, "with the default height of the steps"
 
 
 def rewards(values, weight):

@@ -118,9 +118,9 @@ def test_normalization_of_observations_is_folded_into_the_first_layer():
 
 
 def test_normalization_of_privileged_readings_is_left_out():
-    env = normalized(make_sb3_vec_env(2, seed=0, privileged=True), 120)
+    env = normalized(make_sb3_vec_env(2, seed=0, privileged=True), 122)
     model = PPO(ActorCritic, env, policy_kwargs={"actor_width": 102}, device="cpu")
-    raw = RANDOM.normal(0.0, 1.0, (20, 120)).astype(np.float32)
+    raw = RANDOM.normal(0.0, 1.0, (20, 122)).astype(np.float32)
     expected, _ = model.predict(env.normalize_obs(raw), deterministic=True)
     np.testing.assert_allclose(Policy.from_sb3(model).predict(raw[:, :102]), expected, atol=1e-3)
 
@@ -149,7 +149,7 @@ class Turned(gymnasium.ObservationWrapper):
             lambda: model_of(PPO, policy_kwargs={"activation_fn": lambda: NN.LeakyReLU(0.2)}),
             r"LeakyReLU\(negative_slope=0.2\)",
         ),
-        (lambda: model_of(PPO, make_sb3_vec_env(2, privileged=True)), r"its actor sees 120 columns, and the env's"),
+        (lambda: model_of(PPO, make_sb3_vec_env(2, privileged=True)), r"its actor sees 122 columns, and the env's"),
         (lambda: model_of(PPO, VecFrameStack(make_sb3_vec_env(2), 2)), r"its actor sees 204 columns"),
         (lambda: model_of(PPO, Turned(gymnasium.make("MiniQuadruped-v0"))), r"an ObservationWrapper, which changes"),
         (

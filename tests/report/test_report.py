@@ -16,6 +16,7 @@ from report_page import Page
 from quadruped_env.evaluation.comparison import CONTROLLERS
 from quadruped_env.evaluation.evaluated_policy import find_policy
 from quadruped_env.evaluation.measures import metrics_of
+from quadruped_env.evaluation.suite.suite_definition import full_suite
 from quadruped_env.evaluation.verdict import verdict
 from quadruped_env.report import plots
 from quadruped_env.report.pages import report
@@ -61,7 +62,7 @@ def test_report_holds_the_verdict_first_then_the_table_and_every_metric(written,
     assert re.search(r"Seeds 1000000 to 1000001", text)
     assert "No video: it was switched off." in text
     assert '"physics_timestep"' in text
-    assert "mq-eval" not in text, "the suite was not run"
+    assert full_suite().label not in text, "the suite was not run"
 
 
 def test_report_needs_no_other_file(written):

@@ -153,5 +153,5 @@ def test_program_prints_tables_and_draws_curves(trained, tmp_path, monkeypatch, 
     assert recipe_seeds.run(argparse.Namespace(runs=runs, only=None, picture=picture)) == 0
     printed = capsys.readouterr().out
     assert "flat, length" in printed
-    assert "rough, length" in printed
+    assert "walker, length" in printed
     assert picture.read_text().rstrip().endswith("</svg>")
