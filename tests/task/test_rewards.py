@@ -92,6 +92,18 @@ def test_feet_are_to_rise_above_the_step_on_their_way():
     np.testing.assert_allclose(context.rise_ahead()[0], [heights[edge] - low, 0.0, 0.0, 0.0], atol=2e-4)
 
 
+@pytest.mark.parametrize(("rise", "lift"), [(0.0, 0.012), (0.03, 0.042), (0.2, 0.06)])
+def test_lift_that_is_asked_for_follows_the_ground_up_to_the_highest(rise, lift):
+    readings = random_readings(np.random.default_rng(0), 2)
+    readings.foot_position[..., 2] = np.array([lift, 0.0, 0.0, lift]) + 0.02  # and the radius of the foot
+    terms = Terms(readings)
+    terms.set_command(np.full((2, 2), 0.3))
+    terms.control.phase[:] = 0.3, 1.9
+    terms.context.rise_ahead = lambda: np.full((2, 4), rise)
+    # One pair of feet is at the full lift, the other on the ground, as the clock has it.
+    np.testing.assert_allclose(terms.values()["gait_clock"], np.sin([0.3, 1.9]), atol=1e-12)
+
+
 def test_clock_of_the_feet_lags_by_the_latency_of_the_actions():
     task = make_task(3, randomization=RandomizationConfig(action_latency=(0.04, 0.04)))
     late = task.context.leg_clock.copy()

@@ -23,8 +23,12 @@ from quadruped_env.utils.parameters import Parameter
 from quadruped_env.utils.progress import Progress, part_of
 
 _GAIT_MEASURES: Final = (
-    *("joint_limit_share", "speed_limit_share", "sideways_drift", "heading_drift"),
-    *("electrical_power", "electrical_cost_of_transport"),
+    "joint_limit_share",
+    "speed_limit_share",
+    "sideways_drift",
+    "heading_drift",
+    "electrical_power",
+    "electrical_cost_of_transport",
 )
 """Measures of the gait that need no physics steps."""
 _DROP: Final = 0.01
